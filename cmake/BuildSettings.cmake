@@ -1,0 +1,39 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# Compiler, build type, ccache and sanitizers.
+include_guard()
+
+if(CMAKE_BINARY_DIR STREQUAL CMAKE_SOURCE_DIR)
+    message(FATAL_ERROR "Build in a folder of its own: rm -r CMakeCache.txt CMakeFiles; cmake --preset release")
+endif()
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Release or Debug" FORCE)
+endif()
+
+# C++17 with extensions is what Debian's g++ 12 takes by itself, and so what stock POV-Ray is built with.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# Stock is built without NDEBUG: its assertions stay on. The prefix map keeps this folder's name out of
+# the program, so that two clones build the same files (and share one ccache).
+set(CMAKE_CXX_FLAGS_RELEASE "-O3")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -fno-omit-frame-pointer")
+add_compile_options("-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
+
+if(TILT_LENS_SANITIZE)
+    add_compile_options(-fsanitize=${TILT_LENS_SANITIZE})
+    add_link_options(-fsanitize=${TILT_LENS_SANITIZE})
+endif()
+
+if(TILT_LENS_CCACHE)
+    find_program(CCACHE_PROGRAM ccache)
+    mark_as_advanced(CCACHE_PROGRAM)
+    if(CCACHE_PROGRAM)
+        # Paths below this folder are hashed relative to it, and the folder itself is not: another clone hits.
+        set(CMAKE_CXX_COMPILER_LAUNCHER
+            /usr/bin/env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
+    endif()
+endif()

@@ -1,0 +1,37 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# The two headers that POV-Ray's own configure script would write: config.h and jversion.h.
+include_guard()
+include(CheckFunctionExists)
+include(CheckIncludeFile)
+
+foreach(function IN ITEMS clock_gettime getcwd getrusage gettimeofday nanosleep readlink)
+    string(TOUPPER "HAVE_${function}" variable)
+    check_function_exists(${function} ${variable})
+endforeach()
+check_include_file(sys/resource.h HAVE_SYS_RESOURCE_H)
+check_include_file(sys/time.h HAVE_SYS_TIME_H)
+
+if(CMAKE_LIBRARY_ARCHITECTURE)
+    set(POVRAY_ARCHITECTURE "${CMAKE_LIBRARY_ARCHITECTURE}")
+else()
+    set(POVRAY_ARCHITECTURE "${CMAKE_SYSTEM_PROCESSOR}-linux-gnu")
+endif()
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" POVRAY_CXXFLAGS)
+
+set(POVRAY_GENERATED "${CMAKE_BINARY_DIR}/generated")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/config.h.in" "${POVRAY_GENERATED}/config.h" @ONLY)
+# Printed in the list of libraries at the start of a render; unknown is spelt "" as upstream does.
+file(CONFIGURE OUTPUT "${POVRAY_GENERATED}/jversion.h" CONTENT "#define JVERSION \"${JPEG_VERSION}\"\n")
+
+# The name of this build, printed in the version lines. It is a definition of the two files that print it
+# and no line of config.h: a changed patch must not recompile everything.
+if(TILT_LENS_PATCHES)
+    patched_source_series_hash(series_hash "${TILT_LENS_SERIES}")
+    string(SUBSTRING "${series_hash}" 0 12 series_hash)
+    set(TILT_LENS_BUILD_NAME "povray-tilt-lens ${PROJECT_VERSION}, patch series ${series_hash}")
+else()
+    set(TILT_LENS_BUILD_NAME "povray-tilt-lens ${PROJECT_VERSION}, without its patch series")
+endif()

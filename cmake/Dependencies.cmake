@@ -1,0 +1,42 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# The libraries POV-Ray is built with. All are required: a picture format or the preview window that is
+# silently left out would be found only when it is needed.
+include_guard()
+
+set(TILT_LENS_MISSING "")
+
+# Notes the Debian PACKAGE as missing where FOUND is false.
+macro(tilt_lens_require found package)
+    if(NOT ${found})
+        list(APPEND TILT_LENS_MISSING ${package})
+    endif()
+endmacro()
+
+find_package(Threads REQUIRED)
+find_package(Boost 1.65 QUIET COMPONENTS thread date_time)
+find_package(ZLIB QUIET)
+find_package(PNG QUIET)
+find_package(JPEG QUIET)
+find_package(TIFF QUIET)
+# Debian's Imath names a Python library that its own package does not hold; the complaint is harmless.
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
+find_package(OpenEXR CONFIG QUIET)
+unset(CMAKE_MESSAGE_LOG_LEVEL)
+find_package(SDL 1.2 QUIET)
+
+tilt_lens_require(Boost_THREAD_FOUND libboost-thread-dev)
+tilt_lens_require(Boost_DATE_TIME_FOUND libboost-date-time-dev)
+tilt_lens_require(ZLIB_FOUND zlib1g-dev)
+tilt_lens_require(PNG_FOUND libpng-dev)
+tilt_lens_require(JPEG_FOUND libjpeg-dev)
+tilt_lens_require(TIFF_FOUND libtiff-dev)
+tilt_lens_require(OpenEXR_FOUND libopenexr-dev)
+tilt_lens_require(SDL_FOUND libsdl1.2-dev)
+
+if(TILT_LENS_MISSING)
+    list(JOIN TILT_LENS_MISSING " " TILT_LENS_MISSING)
+    message(FATAL_ERROR "Libraries are missing. Install their Debian packages and configure again:\n"
+        "  sudo apt-get install ${TILT_LENS_MISSING}")
+endif()

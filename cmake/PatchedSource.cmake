@@ -1,0 +1,163 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# The patched source tree: unpacks the pinned package, applies Debian's series and then ours with no
+# fuzz, and brings build/upstream/povray up to date file by file, so that a changed patch recompiles
+# only what it touches.
+#
+# A second tree is never patched over a first: each run starts from the archives in a folder of its own.
+include_guard()
+include("${CMAKE_CURRENT_LIST_DIR}/Upstream.cmake")
+
+# What the build and the program need of the package.
+set(PATCHED_SOURCE_PARTS source vfe unix distribution/include distribution/ini LICENSE changes.txt)
+
+# Sets OUT to the patches that SERIES lists, in order; "#" starts a comment.
+function(patched_source_read_series out series)
+    file(STRINGS "${series}" lines)
+    set(names "")
+    foreach(line IN LISTS lines)
+        string(REGEX REPLACE "#.*" "" line "${line}")
+        string(STRIP "${line}" line)
+        if(NOT line STREQUAL "")
+            list(APPEND names "${line}")
+        endif()
+    endforeach()
+    set(${out} "${names}" PARENT_SCOPE)
+endfunction()
+
+# Applies to TREE every patch that FOLDER/series lists. The record of what was applied is compared with
+# the list: a patch that is silently left out must not pass.
+function(patched_source_apply_series tree folder record)
+    patched_source_read_series(names "${folder}/series")
+    set(applied "")
+    foreach(name IN LISTS names)
+        if(NOT EXISTS "${folder}/${name}")
+            message(FATAL_ERROR "${folder}/series lists ${name}, which does not exist.")
+        endif()
+        execute_process(
+            COMMAND patch -p1 -F0 --forward --batch --no-backup-if-mismatch --reject-file=-
+                --input "${folder}/${name}"
+            WORKING_DIRECTORY "${tree}"
+            RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+        if(NOT result EQUAL 0)
+            message(FATAL_ERROR "The patch ${folder}/${name} does not apply to the source of POV-Ray "
+                "${UPSTREAM_VERSION}:\n${said}\ndocs/patching.md tells how to mend a patch.")
+        endif()
+        list(APPEND applied "${name}")
+        file(APPEND "${record}" "${name}\n")
+    endforeach()
+    if(NOT "${applied}" STREQUAL "${names}")
+        message(FATAL_ERROR "Applied patches (${applied}) differ from ${folder}/series (${names}).")
+    endif()
+endfunction()
+
+# Unpacks the archives in ARCHIVES and leaves Debian's patched source in FRESH/<source folder>.
+function(patched_source_unpack archives fresh)
+    file(REMOVE_RECURSE "${fresh}")
+    file(MAKE_DIRECTORY "${fresh}")
+    foreach(role IN ITEMS orig debian)
+        execute_process(
+            COMMAND tar --extract --no-same-owner --file "${archives}/${UPSTREAM_FILE_${role}}"
+            WORKING_DIRECTORY "${fresh}"
+            RESULT_VARIABLE result ERROR_VARIABLE said)
+        if(NOT result EQUAL 0)
+            file(REMOVE_RECURSE "${fresh}")
+            message(FATAL_ERROR "${UPSTREAM_FILE_${role}} could not be unpacked into ${fresh} (is the disk "
+                "full?):\n${said}")
+        endif()
+    endforeach()
+endfunction()
+
+# Makes the parts of TREE equal to those of FRESH; only files whose content differs are written. Their
+# time becomes now (never the archive's), or a build would take a file of 2018 for older than its object.
+function(patched_source_update tree fresh)
+    foreach(part IN LISTS PATCHED_SOURCE_PARTS)
+        foreach(side IN ITEMS fresh tree)
+            set(${side}_files "")
+            if(IS_DIRECTORY "${${side}}/${part}")
+                file(GLOB_RECURSE ${side}_files LIST_DIRECTORIES false RELATIVE "${${side}}" "${${side}}/${part}/*")
+            elseif(EXISTS "${${side}}/${part}")
+                set(${side}_files "${part}")
+            endif()
+        endforeach()
+        foreach(name IN LISTS tree_files)
+            if(NOT EXISTS "${fresh}/${name}")
+                file(REMOVE "${tree}/${name}")
+            endif()
+        endforeach()
+        foreach(name IN LISTS fresh_files)
+            get_filename_component(folder "${tree}/${name}" DIRECTORY)
+            file(MAKE_DIRECTORY "${folder}")
+            file(COPY_FILE "${fresh}/${name}" "${tree}/${name}" RESULT result ONLY_IF_DIFFERENT)
+            if(result)
+                message(FATAL_ERROR "${tree}/${name} could not be written (is the disk full?): ${result}")
+            endif()
+        endforeach()
+    endforeach()
+endfunction()
+
+# Sets OUT to a hash of all that decides what the patched tree holds.
+function(patched_source_key out pin series_folder use_patches)
+    file(SHA256 "${pin}" key)
+    file(SHA256 "${CMAKE_CURRENT_FUNCTION_LIST_FILE}" recipe)
+    string(APPEND key "${recipe}")
+    if(use_patches)
+        patched_source_series_hash(series "${series_folder}")
+        string(APPEND key "${series}")
+    endif()
+    string(SHA256 key "${key}")
+    set(${out} "${key}" PARENT_SCOPE)
+endfunction()
+
+# Sets OUT to a hash of the names, order and contents of our series.
+function(patched_source_series_hash out series_folder)
+    patched_source_read_series(names "${series_folder}/series")
+    set(text "")
+    foreach(name IN LISTS names)
+        set(hash missing)
+        if(EXISTS "${series_folder}/${name}")
+            file(SHA256 "${series_folder}/${name}" hash)
+        endif()
+        string(APPEND text "${name} ${hash}\n")
+    endforeach()
+    string(SHA256 hash "${text}")
+    set(${out} "${hash}" PARENT_SCOPE)
+endfunction()
+
+# Brings WORK/povray up to date. WORK/applied-patches lists what was applied to it, WORK/key what it was
+# made from; the key is removed first and written last, so that an interrupted run counts as none.
+function(patched_source_prepare work downloads pin series_folder use_patches)
+    upstream_read_pin("${pin}")
+    patched_source_key(key "${pin}" "${series_folder}" "${use_patches}")
+    set(old_key "")
+    if(EXISTS "${work}/key")
+        file(READ "${work}/key" old_key)
+    endif()
+    if(old_key STREQUAL key)
+        return()
+    endif()
+    message(STATUS "Preparing the source of POV-Ray ${UPSTREAM_VERSION}")
+    upstream_obtain(archives "${downloads}")
+    file(REMOVE "${work}/key")
+    set(fresh "${work}/fresh")
+    patched_source_unpack("${archives}" "${fresh}")
+    set(record "${fresh}/applied-patches")
+    patched_source_apply_series("${fresh}/${UPSTREAM_SOURCE_FOLDER}" "${fresh}/debian/patches" "${record}")
+    if(use_patches)
+        patched_source_apply_series("${fresh}/${UPSTREAM_SOURCE_FOLDER}" "${series_folder}" "${record}")
+    endif()
+    patched_source_update("${work}/povray" "${fresh}/${UPSTREAM_SOURCE_FOLDER}")
+    file(RENAME "${record}" "${work}/applied-patches")
+    file(REMOVE_RECURSE "${fresh}")
+    file(WRITE "${work}/key" "${key}")
+endfunction()
+
+# Configures again, and with it prepares again, when the pin, the series or a listed patch changes.
+function(patched_source_configure_depends pin series_folder)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${pin}" "${series_folder}/series")
+    patched_source_read_series(names "${series_folder}/series")
+    foreach(name IN LISTS names)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${series_folder}/${name}")
+    endforeach()
+endfunction()

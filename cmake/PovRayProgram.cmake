@@ -1,0 +1,58 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# The program: upstream's patched files, our files at upstream's paths (compiled where they lie in the
+# repository), and the camera library.
+include_guard()
+
+set(POVRAY_SOURCE "${CMAKE_BINARY_DIR}/upstream/povray")
+set(POVRAY_OWN "${CMAKE_SOURCE_DIR}/povray-src/povray")
+
+# The patched tree changes only while configuring, so that its list needs no second look at build time.
+file(GLOB_RECURSE povray_core "${POVRAY_SOURCE}/source/*.cpp")
+file(GLOB povray_vfe "${POVRAY_SOURCE}/vfe/*.cpp" "${POVRAY_SOURCE}/vfe/unix/*.cpp")
+set(povray_unix "${POVRAY_SOURCE}/unix/disp_text.cpp" "${POVRAY_SOURCE}/unix/disp_sdl.cpp")
+file(GLOB_RECURSE povray_own_core CONFIGURE_DEPENDS "${POVRAY_OWN}/source/*.cpp")
+file(GLOB_RECURSE povray_own_vfe CONFIGURE_DEPENDS "${POVRAY_OWN}/vfe/*.cpp")
+
+# What every file is compiled with, ours and upstream's. Both trees are searched for one include path:
+# "backend/render/x.h" is found wherever it lies.
+add_library(povray_settings INTERFACE)
+target_compile_definitions(povray_settings INTERFACE HAVE_CONFIG_H _GNU_SOURCE=1 _REENTRANT)
+target_compile_options(povray_settings INTERFACE -pipe -fno-enforce-eh-specs)
+target_include_directories(povray_settings INTERFACE "${POVRAY_GENERATED}")
+foreach(folder IN ITEMS source source/backend source/base source/frontend vfe vfe/unix unix)
+    target_include_directories(povray_settings INTERFACE "${POVRAY_SOURCE}/${folder}")
+endforeach()
+target_include_directories(povray_settings INTERFACE "${POVRAY_OWN}/source" "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
+target_link_libraries(povray_settings INTERFACE tilt_lens
+    PNG::PNG JPEG::JPEG TIFF::TIFF OpenEXR::OpenEXR ZLIB::ZLIB Boost::thread Boost::date_time
+    Threads::Threads "${SDL_LIBRARY}" m)
+
+# Object libraries: all files reach the link, in no particular order. Upstream's own warnings are not ours
+# to mend (-w); our files keep theirs.
+add_library(povray_core OBJECT ${povray_core})
+target_link_libraries(povray_core PRIVATE povray_settings)
+target_compile_options(povray_core PRIVATE -w)
+
+# vfe reads the folders of the installation from two macros; ours make them an answer found at run time.
+add_library(povray_vfe OBJECT ${povray_vfe} ${povray_own_vfe})
+target_link_libraries(povray_vfe PRIVATE povray_settings)
+target_compile_options(povray_vfe PRIVATE -w "SHELL:-include vfe/unix/install_folders.h")
+target_compile_definitions(povray_vfe PRIVATE
+    POVCONFDIR_BACKWARD="/etc" TILT_LENS_INSTALL_PREFIX="${CMAKE_INSTALL_PREFIX}")
+
+add_executable(povray ${povray_unix})
+target_link_libraries(povray PRIVATE povray_settings povray_core povray_vfe)
+target_compile_options(povray PRIVATE -w)
+set_target_properties(povray PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+# Without our patches nothing of upstream calls our files.
+if(TILT_LENS_PATCHES AND povray_own_core)
+    add_library(povray_own OBJECT ${povray_own_core})
+    target_link_libraries(povray_own PRIVATE povray_settings)
+    target_link_libraries(povray PRIVATE povray_own)
+endif()
+
+set_source_files_properties("${POVRAY_SOURCE}/source/backend/povray.cpp" "${POVRAY_SOURCE}/vfe/unix/unixconsole.cpp"
+    PROPERTIES COMPILE_DEFINITIONS "TILT_LENS_BUILD_NAME=\"${TILT_LENS_BUILD_NAME}\"")

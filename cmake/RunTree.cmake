@@ -1,0 +1,72 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# What the program needs beside it to run: include files with fonts, ini files, the I/O permissions.
+#
+# The program looks for <prefix>/share/povray-3.7 and <prefix>/etc/povray/3.7 where it lies in <prefix>/bin
+# (povray-src/povray/vfe/unix/install_folders.cpp). The build folder is such a prefix, so is any folder that
+# "cmake --install" writes to, also after it was moved.
+include_guard()
+
+set(data_folder share/povray-3.7)
+set(conf_folder etc/povray/3.7)
+set(scenes "${CMAKE_SOURCE_DIR}/scenes")
+
+# Sets OUT to the text of povray.ini: upstream's file and what its build adds to it, with Library_Path
+# lines for FOLDERS.
+function(run_tree_ini out)
+    file(READ "${POVRAY_SOURCE}/distribution/ini/povray.ini" text)
+    string(APPEND text "\n;; Search path for include and ini files that are not in the current folder.\n")
+    foreach(folder IN LISTS ARGN)
+        string(APPEND text "Library_Path=\"${folder}\"\n")
+    endforeach()
+    string(APPEND text "\nOutput_to_File=true\nOutput_File_Type=N8    ;; PNG, 8 bits per colour\n")
+    set(${out} "${text}" PARENT_SCOPE)
+endfunction()
+
+# Sets OUT to the text of povray.conf: upstream's file with PERMISSIONS, one a line, at its end, which is
+# its section of permitted paths.
+function(run_tree_conf out)
+    file(READ "${POVRAY_SOURCE}/unix/povray.conf" text)
+    list(JOIN ARGN "\n" permissions)
+    set(${out} "${text}${permissions}\n" PARENT_SCOPE)
+endfunction()
+
+# The build folder: links to the patched tree; scenes and tests of the repository may be read, the build
+# folder may be written.
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/${data_folder}")
+foreach(part IN ITEMS include ini)
+    file(CREATE_LINK "${POVRAY_SOURCE}/distribution/${part}" "${CMAKE_BINARY_DIR}/${data_folder}/${part}" SYMBOLIC)
+endforeach()
+set(built_data "${CMAKE_BINARY_DIR}/${data_folder}")
+run_tree_ini(ini "${built_data}" "${built_data}/ini" "${built_data}/include" "${scenes}/include")
+run_tree_conf(conf "read* = \"${POVRAY_SOURCE}/distribution\"" "read* = \"${CMAKE_SOURCE_DIR}\""
+    "read+write* = \"${CMAKE_BINARY_DIR}\"")
+# "@ONLY"-free: the texts hold no placeholder, and an unchanged file keeps its time.
+file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${conf_folder}/povray.ini" CONTENT "${ini}" @ONLY)
+file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${conf_folder}/povray.conf" CONTENT "${conf}" @ONLY)
+
+# An installation. povray.ini names the prefix, which is known only while installing.
+run_tree_ini(ini "INSTALL_DATA" "INSTALL_DATA/ini" "INSTALL_DATA/include")
+run_tree_conf(conf "read* = %INSTALLDIR%/ini" "read* = %INSTALLDIR%/scenes")
+set(staged "${CMAKE_BINARY_DIR}/install")
+file(CONFIGURE OUTPUT "${staged}/povray.ini" CONTENT "${ini}" @ONLY)
+file(CONFIGURE OUTPUT "${staged}/povray.conf" CONTENT "${conf}" @ONLY)
+
+install(TARGETS povray RUNTIME DESTINATION bin)
+install(DIRECTORY "${POVRAY_SOURCE}/distribution/include" "${POVRAY_SOURCE}/distribution/ini"
+    DESTINATION ${data_folder})
+install(DIRECTORY "${scenes}/include/" DESTINATION ${data_folder}/include OPTIONAL)
+foreach(part IN ITEMS gallery tutorial)
+    install(DIRECTORY "${scenes}/${part}" DESTINATION ${data_folder}/scenes OPTIONAL)
+endforeach()
+install(FILES "${staged}/povray.conf" DESTINATION ${conf_folder})
+install(CODE "
+    file(READ \"${staged}/povray.ini\" ini)
+    string(REPLACE INSTALL_DATA \"\${CMAKE_INSTALL_PREFIX}/${data_folder}\" ini \"\${ini}\")
+    set(target \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${conf_folder}/povray.ini\")
+    message(STATUS \"Installing: \${target}\")
+    file(WRITE \"\${target}\" \"\${ini}\")")
+install(FILES "${POVRAY_SOURCE}/unix/povray.1" DESTINATION share/man/man1)
+install(FILES "${CMAKE_SOURCE_DIR}/LICENSE" DESTINATION share/doc/povray-tilt-lens)
+install(FILES "${CMAKE_SOURCE_DIR}/README.md" DESTINATION share/doc/povray-tilt-lens OPTIONAL)
