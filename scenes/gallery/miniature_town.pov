@@ -126,6 +126,7 @@ object { Thing_Bus texture { Paint_Textures[2] } translate <34, 0, 47.4> }
 
 // ---- blocks ----
 
+Closed_Block(-136, -9, -79.5, 44.5, 0.5, 1.2)
 Closed_Block(-70.5, -9, -8, 44.5, 0.55, 1.4)
 Closed_Block(-70.5, 55.5, -8, 103.5, 0.5, 1.6)
 Closed_Block(-70.5, 112.5, -8, 160.5, 0.4, 1)
@@ -209,7 +210,10 @@ union {
   translate <19.5, 0.2, 11>
 }
 #for (I, 0, 9) object { Parasols[mod(I, 5)] rotate y*360*rand(S) translate <13+3.4*mod(I, 5), 0.22, 33+4*int(I/5)> + Around(0.4) } #end
-#for (I, 1, 130) Person_At(<12+54*rand(S), 0.22, -4+26*rand(S)>) #end
+#for (I, 1, 130)
+  #declare P = <12+54*rand(S), 0.22, -4+26*rand(S)>;
+  #if (vlength(P-<19.5, 0.22, 11>) > 4) Person_At(P) #end
+#end
 #for (I, 1, 20) Person_At(<12+16*rand(S), 0.22, 30+11*rand(S)>) #end
 #for (I, 0, 8) Tree_At(<13+6.6*I, 0.2, -5>) #end
 #for (I, 0, 3) Tree_At(<66.5, 0.2, 6+9*I>) object { Thing_Bench rotate y*90 translate <64, 0.22, 10+9*I> } #end
