@@ -1,0 +1,23 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// The plane of sharp focus through three points.
+// The same camera for the oracle: three_points.json.
+
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+#include "checks.inc"
+
+#ifndef (Plane_Sign) #declare Plane_Sign = 1; #end  // -1: the mirrored lens, which must fail
+
+camera
+{
+  perspective
+  location <0, 1.6, -4>
+  right image_width/image_height*x
+  look_at <0.1, 0.7, 3>
+  angle 40
+  aperture 0.4
+  blur_samples 32, 4096  confidence 0.95  variance 1/100000
+  tilt_lens { focal_points <-1*Plane_Sign, 0.3, -0.5>, <1.2*Plane_Sign, 0.5, 2.5>, <-2*Plane_Sign, 2.5, 6> }
+}

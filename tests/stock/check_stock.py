@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Renders one scene without tilt_lens with the unpatched program and with the fork: same pixels?
+
+Compared are the decoded pixels, 16 bits a channel: the files themselves hold dates and versions.
+Both run with one thread (radiosity and area lights depend on the number of threads), the same
+library path, and no settings but those given here.
+"""
+
+import argparse
+import hashlib
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+
+def arguments():
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("scene", help="path below the folder of examples")
+    parser.add_argument("width", type=int)
+    parser.add_argument("height", type=int)
+    parser.add_argument("options", nargs="*", help="further options of POV-Ray, after --")
+    parser.add_argument("--stock", required=True, help="the unpatched program")
+    parser.add_argument("--fork", required=True)
+    parser.add_argument("--compare", required=True, help="the comparison program")
+    parser.add_argument("--examples", required=True, type=pathlib.Path)
+    parser.add_argument("--includes", required=True, type=pathlib.Path)
+    parser.add_argument("--work", required=True, type=pathlib.Path)
+    return parser.parse_args()
+
+
+def render(program, args, folder):
+    """Renders in a folder of its own, with a copy of the scene's neighbours; returns the picture."""
+    if folder.exists():
+        shutil.rmtree(folder)
+    folder.mkdir(parents=True)
+    scene = args.examples / args.scene
+    for neighbour in scene.parent.iterdir():
+        if neighbour.is_file():
+            shutil.copyfile(neighbour, folder / neighbour.name)
+    settings = folder / "none.ini"
+    settings.write_text("")
+    picture = folder / "picture.png"
+    command = [program, f"+I{scene.name}", f"+O{picture.name}", "+FN16", f"+W{args.width}", f"+H{args.height}",
+               f"+L{args.includes}", "-D", "-V", "-GA", "-P", "+WT1", *(args.options or ["-A"])]
+    log = folder / "messages.txt"
+    with log.open("wb") as messages:
+        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=messages,
+                              stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(settings)}, check=False)
+    if done.returncode != 0 or not picture.is_file():
+        end = "\n".join(log.read_text(errors="replace").splitlines()[-12:])
+        raise SystemExit(f"{program} made no picture of {args.scene} (exit code {done.returncode}):\n{end}")
+    return picture
+
+
+def pixels(compare, picture):
+    """Size, kind and hash of the decoded pixels."""
+    done = subprocess.run([compare, "pixels", str(picture)], capture_output=True, check=True)
+    head, data = done.stdout.split(b"\n", 1)
+    return head.decode(), hashlib.sha256(data).hexdigest()
+
+
+def main():
+    args = arguments()
+    if not (args.examples / args.scene).is_file():
+        print(f"there is no {args.examples / args.scene}: is the package povray-examples installed?", file=sys.stderr)
+        return 1
+    # absolute, for the programs run in other folders
+    stock, fork = shutil.which(args.stock), shutil.which(args.fork)
+    if stock is None or fork is None:
+        print(f"no such program: {args.stock if stock is None else args.fork}", file=sys.stderr)
+        return 1
+    work = args.work.absolute()
+    pictures = [render(os.path.abspath(program), args, work / name)
+                for program, name in ((stock, "stock"), (fork, "fork"))]
+    of_stock, of_fork = (pixels(args.compare, picture) for picture in pictures)
+    if of_stock == of_fork:
+        print(f"{args.scene}: the same pixels, SHA-256 {of_fork[1]}")
+        return 0
+    print(f"{args.scene}: the pixels differ: stock {of_stock}, fork {of_fork}", file=sys.stderr)
+    figures = subprocess.run([args.compare, "exact", str(pictures[1]), str(pictures[0])],
+                             capture_output=True, text=True, check=False)
+    print(figures.stdout, file=sys.stderr)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,113 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The list of reference pictures, MANIFEST.json, and the pictures that it should list.
+
+Every case tests/oracle/cases/NAME.json makes the reference oracle/NAME.exr, rendered by the unpatched
+program. Every scene named in tests/reference/pictures.json makes renders/NAME.exr, rendered by the
+fork itself. update_references.py writes files and manifest, nothing else does.
+"""
+
+import dataclasses
+import json
+import pathlib
+
+import pictures
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FOLDER = ROOT / "reference-images"
+ORACLE_CASES = ROOT / "tests" / "oracle" / "cases"
+SCENES = ROOT / "tests" / "reference" / "scenes"
+SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
+
+# Limits against the oracle, both linear and over all channels.
+ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
+FIELDS = ["file", "pixels_sha256", "scene", "sources_sha256", "command", "binary", "upstream",
+          "series_sha256", "compiler", "samples", "standard_error", "reason", "comparison"]
+
+
+@dataclasses.dataclass
+class Entry:
+    """One picture that a reference is kept of."""
+
+    name: str                 # "oracle/tilt" or "renders/table"
+    scene: pathlib.Path       # the fork's scene
+    case: pathlib.Path        # the oracle's description; None for a picture of the fork's own
+    width: int
+    height: int
+    options: list             # of the fork
+    comparison: dict
+
+    @property
+    def file(self):
+        """The reference picture."""
+        return FOLDER / (self.name + ".exr")
+
+    @property
+    def output(self):
+        """What the fork writes: a limited range is compared in 16 bits, else OpenEXR."""
+        return "new.png" if self.case else "new.exr"
+
+    def job(self, povray, declare=()):
+        """The fork's render of it. `declare`: Name=Value."""
+        form = ["+FN16", "File_Gamma=1.0"] if self.case else ["+FE"]
+        return pictures.Render(str(povray), self.scene, self.width, self.height,
+                               form + self.options + ["Declare=" + item for item in declare])
+
+    def sources_sha256(self):
+        """Hash of each file that the reference depends on, by its path in the repository. For the
+        oracle that is its case and the objects, not the fork's scene, which is what is on trial."""
+        files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] \
+            if self.case else pictures.sources(self.scene)
+        return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
+
+
+def entries():
+    """All pictures, by name."""
+    found = []
+    for case in sorted(ORACLE_CASES.glob("*.json")):
+        width, height = json.loads(case.read_text())["picture"]
+        found.append(Entry("oracle/" + case.stem, case.with_suffix(".pov"), case, width, height, [],
+                           ORACLE_COMPARISON))
+    for name, item in json.loads(SCENE_LIST.read_text()).items():
+        width, height = item["picture"]
+        found.append(Entry("renders/" + name, SCENES / (name + ".pov"), None, width, height,
+                           item.get("options", []), item["comparison"]))
+    return {entry.name: entry for entry in found}
+
+
+def load(folder=FOLDER):
+    """The manifest as it is; empty where there is none yet."""
+    path = folder / "MANIFEST.json"
+    return json.loads(path.read_text()) if path.is_file() else {}
+
+
+def save(manifest, folder=FOLDER):
+    """Writes the manifest whole, in one step."""
+    text = json.dumps(dict(sorted(manifest.items())), indent=2) + "\n"
+    draft = folder / "MANIFEST.json.new"
+    draft.write_text(text)
+    draft.replace(folder / "MANIFEST.json")
+
+
+def complaints(manifest, folder, names, compare):
+    """What is wrong with manifest and folder, given the names of the pictures there should be."""
+    found = []
+    for name in sorted(set(names) - set(manifest)):
+        found.append(f"{name}: has no entry in MANIFEST.json; make it with update_references.py")
+    for name in sorted(set(manifest) - set(names)):
+        found.append(f"{name}: is in MANIFEST.json, but no such case or scene exists")
+    listed = {folder / entry.get("file", "") for entry in manifest.values()}
+    for path in sorted(folder.glob("**/*.exr")):
+        if path not in listed:
+            found.append(f"{path.relative_to(folder)}: is no entry's picture")
+    for name, entry in sorted(manifest.items()):
+        missing = [field for field in FIELDS if entry.get(field) in (None, "", [], {})]
+        if missing:
+            found.append(f"{name}: lacks {', '.join(missing)}")
+            continue
+        path = folder / entry["file"]
+        if not path.is_file():
+            found.append(f"{name}: its picture {entry['file']} is missing")
+        elif pictures.pixel_hash(compare, path) != entry["pixels_sha256"]:
+            found.append(f"{name}: the pixels of {entry['file']} are not those the manifest tells of")
+    return found

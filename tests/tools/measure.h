@@ -1,0 +1,67 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file measure.h
+/// How far a picture is from a reference: plain figures, and a test for noisy pictures.
+
+#ifndef WITNESS_MEASURE_H
+#define WITNESS_MEASURE_H
+
+#include <vector>
+
+#include "picture.h"
+
+namespace witness
+{
+
+/// One pixel's worst channel.
+struct PixelDifference
+{
+    int x = 0, y = 0;
+    double difference = 0.0;  ///< new minus reference
+};
+
+struct Figures
+{
+    double rootMeanSquare = 0.0;  ///< over all pixels and channels
+    double signedMean = 0.0;      ///< of new minus reference
+    double largest = 0.0;         ///< absolute
+    double largestLocalMean =
+        0.0;  ///< absolute, of the signed mean over boxes of 8 by 8 pixels, each channel
+    std::size_t different = 0;           ///< pixels with any channel different
+    std::vector<PixelDifference> worst;  ///< the largest first
+};
+
+/// Both pictures must have one size.
+Figures Measure(const Picture& picture, const Picture& reference, std::size_t worstCount = 10);
+
+/// True if every value is a finite number.
+bool IsFinite(const Picture& picture);
+
+struct ZTestSettings
+{
+    double floor = 0.001;        ///< least standard error of a difference, in linear units
+    double significance = 0.01;  ///< chance that a right picture has a pixel (or a box) that fails
+    double passing = 0.9975;     ///< share of pixels that must pass
+    int box = 8;                 ///< pixels a side, for the local mean
+};
+
+struct ZTest
+{
+    double pixelLimit = 0.0, boxLimit = 0.0;  ///< in standard errors
+    double passing = 0.0;                     ///< share of pixels
+    double largest = 0.0, largestBox = 0.0;   ///< in standard errors
+    bool passed = false;
+};
+
+/// The test of docs/testing.md for one picture against the mean of others of its kind. Limits are
+/// for Gaussian noise, by Sidak's correction for the number of pixels or boxes.
+ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings);
+
+/// Two-sided limit in standard errors that one of `count` independent Gaussian values exceeds with
+/// probability `significance`.
+double SidakLimit(double significance, double count);
+
+}  // namespace witness
+
+#endif

@@ -1,0 +1,92 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file oracle_case.h
+/// One case of the oracle: a camera as a photographer would describe it, read from JSON, and its
+/// optics, derived from the imaging equation and from Scheimpflug's rule as textbooks draw it. The
+/// fork solves the same camera by other formulas (docs/optics.md); the two must meet.
+
+#ifndef WITNESS_ORACLE_CASE_H
+#define WITNESS_ORACLE_CASE_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "vector.h"
+
+namespace witness
+{
+
+/// One step of a camera transformation, in POV-Ray's meaning of the words.
+struct Transformation
+{
+    enum class Kind
+    {
+        Translate,
+        Rotate,
+        Scale
+    };
+    Kind kind = Kind::Translate;
+    Vector amount;  ///< scene units; degrees about x, then y, then z; factors
+};
+
+/// What says where the focus lies.
+enum class Focus
+{
+    Lens,       ///< the lens is turned by tilt and swing, the plane goes through a point
+    PlaneTurn,  ///< the plane is turned by focus_tilt and focus_swing about a point
+    Plane,      ///< normal and distance from the world's origin
+    ThreePoints
+};
+
+/// A camera as given. World frame, scene units, degrees, film side in millimetres.
+struct CameraGiven
+{
+    Vector location, lookAt;
+    std::optional<double> angle;        ///< horizontal, degrees
+    std::optional<double> focalLength;  ///< mm; exactly one of angle and focalLength
+    std::optional<double> aperture;     ///< POV-Ray's number: twice the lens diameter
+    std::optional<double> fStop;        ///< exactly one of aperture and fStop
+    double filmWidth = 36.0;            ///< mm
+    double sceneUnit = 1000.0;          ///< mm in one scene unit
+    Focus focus = Focus::Lens;
+    double turnUp = 0.0, turnRight = 0.0;  ///< tilt and swing, of the lens or of the plane
+    Vector points[3];       ///< first: the focal point; all: three points of the plane
+    Vector normal;          ///< of the plane, any length
+    double distance = 0.0;  ///< of the plane, along its unit normal
+    double shiftRight = 0.0, shiftUp = 0.0;  ///< mm
+    int blades = 0;                          ///< 0: round
+    double bladesAngle = 0.0;                ///< degrees, counter-clockwise as the camera sees it
+    std::vector<Transformation> transformations;
+};
+
+struct OracleCase
+{
+    std::string name, scene;    ///< scene: file with the objects, next to the case
+    int width = 0, height = 0;  ///< pixels
+    CameraGiven camera;
+};
+
+/// The camera as linear pinholes need it. World frame, scene units.
+struct CameraSolved
+{
+    Vector location;              ///< lens centre
+    Vector direction, right, up;  ///< POV-Ray's vectors, the shift included
+    Vector focus;                 ///< k: plane of sharp focus is k.(X - location) = 1
+    Vector lensNormal;            ///< unit, away from the film
+    Vector lensX, lensY;          ///< of a lens point (a, b) with a^2 + b^2 <= 1
+    double focalLength = 0.0, filmDistance = 0.0;
+};
+
+/// @throws std::runtime_error  with the item that is missing, doubled or unknown.
+OracleCase ReadCase(const nlohmann::json& text);
+
+/// @throws std::runtime_error  where the camera has no such picture.
+CameraSolved SolveCase(const CameraGiven& given, double aspect);
+
+}  // namespace witness
+
+#endif

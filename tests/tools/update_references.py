@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Makes reference pictures and their entries in MANIFEST.json: the only program that does.
+
+Give names (oracle/tilt), or folders (oracle, renders) for all of one kind. Names that no case and no
+scene stands for any more are removed by --prune.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import manifest
+import pictures
+
+# The mean of a render's reference: this many pictures, each with other samples (batch.inc).
+BATCHES = 8
+ORACLE_BATCHES, ORACLE_SAMPLES, ORACLE_PROCESSES = 8, 512, 48
+
+
+def arguments():
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--reason", required=True, help="why the pictures change; kept in the manifest")
+    parser.add_argument("--povray", help="the fork, for renders/")
+    parser.add_argument("--stock", default="/usr/bin/povray", help="the unpatched program, for oracle/")
+    parser.add_argument("--oracle", help="the oracle program, for oracle/")
+    parser.add_argument("--compare", required=True, help="the comparison program")
+    parser.add_argument("--prune", action="store_true", help="remove what nothing stands for any more")
+    return parser.parse_args()
+
+
+def version_and_compiler(povray):
+    """The program's own words about itself."""
+    done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          check=True)
+    text = done.stdout + done.stderr
+    version = re.search(r"^POV-Ray \d.*$", text, re.MULTILINE)
+    compiler = re.findall(r"^ *Compiler (?:version|flags): *(.*)$", text, re.MULTILINE)
+    return (version.group(0).strip() if version else "not told by the program",
+            " ".join(compiler) or "not told by the program")
+
+
+def series_sha256():
+    """One hash over the order of our patches and their texts."""
+    folder = manifest.ROOT / "patches"
+    names = [line.strip() for line in (folder / "series").read_text().splitlines()
+             if line.strip() and not line.startswith("#")]
+    lines = [f"{pictures.file_hash(folder / name)}  {name}\n" for name in names]
+    return pictures.hashlib.sha256("".join(lines).encode()).hexdigest()
+
+
+def upstream():
+    """Package and version that the fork is made from."""
+    pin = json.loads((manifest.ROOT / "povray-src" / "upstream.json").read_text())
+    return " ".join(str(pin[field]) for field in ("package", "version"))
+
+
+def make_oracle(entry, args, work):
+    """The unpatched program's picture. Returns picture, command, program, number of samples."""
+    if not args.oracle:
+        raise SystemExit(f"{entry.name}: give --oracle")
+    output = work / "oracle.exr"
+    command = [args.oracle, "render", str(entry.case), str(output), "--povray", args.stock,
+               "--batches", str(ORACLE_BATCHES), "--samples", str(ORACLE_SAMPLES),
+               "--processes", str(ORACLE_PROCESSES), "--work", str(work / "frames")]
+    subprocess.run(command, check=True)
+    told = ["oracle", "render", str(entry.case.relative_to(manifest.ROOT)), *command[5:-2]]
+    return output, told, args.stock, ORACLE_BATCHES * ORACLE_SAMPLES
+
+
+def make_render(entry, args, work):
+    """The fork's picture: the mean of several, each larger by a pixel all round and so with other
+    samples behind every pixel of the middle."""
+    if not args.povray:
+        raise SystemExit(f"{entry.name}: give --povray")
+    files = []
+    for batch in range(BATCHES):
+        job = entry.job(args.povray, [f"Batch={batch}"])
+        job.width += 2 * batch
+        job.height += 2 * batch
+        name = f"batch{batch}.exr"
+        command = pictures.render(job, work, name)
+        files.append(str(work / name))
+    output = work / "mean.exr"
+    subprocess.run([args.compare, "average", str(output), *files], check=True)
+    return output, ["povray", *command[1:]], args.povray, BATCHES
+
+
+def standard_error(compare, picture):
+    """Root mean square of the standard errors that a reference holds."""
+    done = subprocess.run([compare, "error", str(picture)], capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)["standard_error"]
+
+
+def update(entry, args):
+    """Makes one reference; returns its record."""
+    with tempfile.TemporaryDirectory() as work:
+        make = make_oracle if entry.case else make_render
+        output, command, program, samples = make(entry, args, pathlib.Path(work))
+        entry.file.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(output, entry.file)
+    version, compiler = version_and_compiler(program)
+    return {
+        "file": str(entry.file.relative_to(manifest.FOLDER)),
+        "pixels_sha256": pictures.pixel_hash(args.compare, entry.file),
+        "scene": str((entry.case or entry.scene).relative_to(manifest.ROOT)),
+        "sources_sha256": entry.sources_sha256(),
+        "command": command,
+        "binary": version,
+        "upstream": upstream(),
+        "series_sha256": "none: the unpatched program" if entry.case else series_sha256(),
+        "compiler": compiler,
+        "samples": samples,
+        "standard_error": standard_error(args.compare, entry.file),
+        "reason": args.reason,
+        "comparison": entry.comparison,
+    }
+
+
+def prune(records, known):
+    """Removes pictures and entries that no case and no scene stands for."""
+    for name in sorted(set(records) - set(known)):
+        (manifest.FOLDER / records.pop(name)["file"]).unlink(missing_ok=True)
+        print("removed", name)
+    kept = {manifest.FOLDER / record["file"] for record in records.values()}
+    for path in manifest.FOLDER.glob("**/*.exr"):
+        if path not in kept:
+            path.unlink()
+            print("removed", path.relative_to(manifest.FOLDER))
+
+
+def main():
+    args = arguments()
+    known = manifest.entries()
+    wanted = [name for name in known if name in args.names or name.split("/")[0] in args.names]
+    unknown = [name for name in args.names if not any(name in (item, item.split("/")[0]) for item in known)]
+    if unknown:
+        print("no such picture:", ", ".join(unknown), file=sys.stderr)
+        return 1
+    if not args.reason.strip():
+        print("give the reason in words", file=sys.stderr)
+        return 1
+    records = manifest.load()
+    for name in wanted:
+        print("making", name, flush=True)
+        try:
+            records[name] = update(known[name], args)
+        except (pictures.Trouble, subprocess.CalledProcessError) as error:
+            print(f"{name}: {error}", file=sys.stderr)
+            return 1
+        manifest.save(records)
+    if args.prune:
+        prune(records, known)
+        manifest.save(records)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
