@@ -53,7 +53,7 @@ box { <8, -6, -20>, <330, 0.9, -19> texture { T_Quay } }
 
 difference {
   box { <-8, -6, -58>, <8, 0, -18> }
-  #for (I, 0, 2) cylinder { <-9, -3.6, -49.5+12*I>, <9, -3.6, -49.5+12*I>, 3.1 scale <1, 1, 1> } #end
+  #for (I, 0, 2) cylinder { <-9, -3.6, -49.5+12*I>, <9, -3.6, -49.5+12*I>, 3.1 } #end
   texture { T_Quay }
 }
 box { <-6, 0, -70>, <6, 0.03, -18> texture { T_Asphalt } }
@@ -63,10 +63,19 @@ box { <-6, 0, -70>, <6, 0.03, -18> texture { T_Asphalt } }
   #for (U, -56, -20, 12) Lamp_At(<Side*7.4, 0.2, U>) #end
 #end
 #for (I, 1, 14) Person_At(<(rand(S) < 0.5 ? -6.8 : 6.8), 0.2, -20-36*rand(S)>) #end
-object { Boat(Paint_Textures[3]) texture { Paint_Textures[1] } scale 1.3 rotate y*8 translate <24, -3.2, -33> }
-object { Boat(Paint_Textures[2]) texture { Paint_Textures[0] } rotate y*-4 translate <-24, -3.2, -24> }
+object {
+  Boat(Paint_Textures[3]) texture { Paint_Textures[1] }
+  scale 1.3 rotate y*8 translate <24, -3.2, -33>
+}
+object {
+  Boat(Paint_Textures[2]) texture { Paint_Textures[0] }
+  rotate y*-4 translate <-24, -3.2, -24>
+}
 object { Boat(T_Timber) texture { Paint_Textures[5] } rotate y*184 translate <42, -3.2, -23> }
-object { Boat(Paint_Textures[3]) texture { Paint_Textures[7] } rotate y*170 translate <-38, -3.2, -42> }
+object {
+  Boat(Paint_Textures[3]) texture { Paint_Textures[7] }
+  rotate y*170 translate <-38, -3.2, -42>
+}
 object { Boat(T_Timber) texture { Paint_Textures[3] } rotate y*2 translate <66, -3.2, -24> }
 #for (I, 1, 40) Tree_At(<-110+220*rand(S), -0.6, -60-22*rand(S)>) #end
 
@@ -170,13 +179,15 @@ Street_Front(8, -9, 70.5, 44.5)
     #end
     #for (I, 1, 3) Brick_T(<-7.25, 8.2*I, 1.75>, <0.25, 8.2*I+0.4, 9.25>, T_Frame) #end
     #for (I, 0, 1)   // clock
-      #local R = (I ? -z : x);  #local N = (I ? -x : -z);  #local P = (I ? <-7, 18.8, 5.5> : <-3.5, 18.8, 2>);
+      #local R = (I ? -z : x);  #local N = (I ? -x : -z);
+      #local P = (I ? <-7, 18.8, 5.5> : <-3.5, 18.8, 2>);
       Panel(P-R*1.8-y*1.8, R, N, 3.6, 3.6, 0.1, T_Glass)
       Panel(P-R*1.6-y*1.6, R, N, 3.2, 3.2, 0.15, T_Frame)
       Panel(P-R*0.15, R, N, 0.3, 1.4, 0.2, T_Glass)
       Panel(P-y*0.15, R, N, 1.0, 0.3, 0.2, T_Glass)
     #end
-    #local A = <-7.5, 25, 1.5>;  #local B = <0.5, 25, 1.5>;  #local C = <0.5, 25, 9.5>;  #local D = <-7.5, 25, 9.5>;
+    #local A = <-7.5, 25, 1.5>;  #local B = <0.5, 25, 1.5>;
+    #local C = <0.5, 25, 9.5>;  #local D = <-7.5, 25, 9.5>;
     #local M = <-3.5, 44, 5.5>;
     Quad_T(A, B, C, D, T_Frame)
     triangle { A, B, M texture { T_Copper } }
@@ -199,7 +210,10 @@ object { Church translate <36, 0.2, 25> }
   #declare Parasols[I] = Parasol(T_Awning[I])
 #end
 #for (I, 0, 11)
-  object { Stalls[mod(I*3+int(I/6), 5)] rotate y*4*(rand(S)-0.5) translate <31+5.6*mod(I, 6), 0.22, 3+7.5*int(I/6)> }
+  object {
+    Stalls[mod(I*3+int(I/6), 5)]
+    rotate y*4*(rand(S)-0.5) translate <31+5.6*mod(I, 6), 0.22, 3+7.5*int(I/6)>
+  }
 #end
 union {
   cylinder { 0, y*0.7, 3.4 texture { T_Stone } }
@@ -209,14 +223,22 @@ union {
   sphere { y*3.4, 0.5 texture { T_Copper } }
   translate <19.5, 0.2, 11>
 }
-#for (I, 0, 9) object { Parasols[mod(I, 5)] rotate y*360*rand(S) translate <13+3.4*mod(I, 5), 0.22, 33+4*int(I/5)> + Around(0.4) } #end
+#for (I, 0, 9)
+  object {
+    Parasols[mod(I, 5)]
+    rotate y*360*rand(S) translate <13+3.4*mod(I, 5), 0.22, 33+4*int(I/5)> + Around(0.4)
+  }
+#end
 #for (I, 1, 130)
   #declare P = <12+54*rand(S), 0.22, -4+26*rand(S)>;
   #if (vlength(P-<19.5, 0.22, 11>) > 4) Person_At(P) #end
 #end
 #for (I, 1, 20) Person_At(<12+16*rand(S), 0.22, 30+11*rand(S)>) #end
 #for (I, 0, 8) Tree_At(<13+6.6*I, 0.2, -5>) #end
-#for (I, 0, 3) Tree_At(<66.5, 0.2, 6+9*I>) object { Thing_Bench rotate y*90 translate <64, 0.22, 10+9*I> } #end
+#for (I, 0, 3)
+  Tree_At(<66.5, 0.2, 6+9*I>)
+  object { Thing_Bench rotate y*90 translate <64, 0.22, 10+9*I> }
+#end
 #for (I, 0, 3) object { Thing_Bench translate <16+2.4*I, 0.22, 5> } #end
 
 // ---- park ----
@@ -231,7 +253,8 @@ box { <102, 0, -8>, <105, 0.19, 4> texture { T_Sand } }
 box { <102, 0, 28>, <105, 0.19, 44> texture { T_Sand } }
 #for (I, 1, 46)
   #declare P = <83+50*rand(S), 0.15, -5+46*rand(S)>;
-  #if (vlength(P-<104, 0.15, 16>) > 16) Tree_At(P) #else Person_At(<104, 0.2, 16>+vnormalize((P-<104, 0, 16>)*(x+z))*11.8) #end
+  #declare Q = (P-<104, 0, 16>)*(x+z);
+  #if (vlength(Q) > 16) Tree_At(P) #else Person_At(<104, 0.2, 16>+vnormalize(Q)*11.8) #end
 #end
 #for (I, 1, 40) Bush_At(<81+54*rand(S), 0.15, (rand(S) < 0.5 ? -6 : 42)+2*rand(S)>) #end
 
@@ -246,9 +269,15 @@ box { <-330, 0, 175>, <420, 0.5, 188> texture { T_Ballast } }
   #for (I, 0, 1) box { <U, 0.4, 177.2+5*I>, <U+0.6, 0.6, 180+5*I> texture { T_Beam } } #end
 #end
 #for (I, 0, 5)
-  object { Thing_Carriage texture { Paint_Textures[(I = 5 ? 4 : 0)] } translate <4+17.8*I, 0.7, 178.6> }
+  object {
+    Thing_Carriage texture { Paint_Textures[(I = 5 ? 4 : 0)] }
+    translate <4+17.8*I, 0.7, 178.6>
+  }
 #end
-object { House(30, 9, 2, HOUSE_HIP, no, Roof_Textures[1], S) Town_Plain(<0.80, 0.42, 0.28>) translate <22, 0, 163> }
+object {
+  House(30, 9, 2, HOUSE_HIP, no, Roof_Textures[1], S) Town_Plain(<0.80, 0.42, 0.28>)
+  translate <22, 0, 163>
+}
 #for (U, -140, 260, 28)
   cylinder { <U, 0, 181.2>, <U, 8, 181.2>, 0.15 texture { T_Iron } }
   box { <U-0.1, 7.2, 177.8>, <U+0.1, 7.4, 184.6> texture { T_Iron } }

@@ -6,8 +6,8 @@
 //   ./render scenes/tutorial/physical_lens.pov +W640 +H360
 //   ./render scenes/tutorial/physical_lens.pov +W640 +H360 Declare=Stop=16
 //
-// Look for: with 90 mm at f/4 and dice of 16 mm, two hand's breadths away, the sharp zone is as thin as
-// it is in a photograph: one die, its neighbours no longer. The message stream names the limits of
+// Look for: with 90 mm at f/4 and dice of 16 mm some 40 cm away, the sharp zone is as thin as it is
+// in a photograph: one die, its neighbours no longer. The message stream names the limits of
 // sharpness: compare them with a depth-of-field table.
 // Try: Stop=16; tilt 8, which lays the plane of focus along the row.
 //

@@ -41,7 +41,7 @@ box { <-200, -4, -40>, <200, -0.6, 400> texture { Set_Wood } }
 box {
   <-24, -0.6, -24>, <24, 0, 168>
   texture {
-    pigment { checker color srgb <0.93, 0.87, 0.74>, color srgb <0.16, 0.24, 0.30> scale 6 translate y*1 }
+    pigment { checker color srgb <0.93, 0.87, 0.74>, color srgb <0.16, 0.24, 0.30> scale 6 translate y }
     finish { Set_Gloss }
   }
 }
