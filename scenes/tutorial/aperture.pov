@@ -57,7 +57,7 @@ object { Set_Pawn(11) Set_Colour(<0.92, 0.90, 0.84>) translate <-16, 0, 32> }
   #for (I, 0, 21)
     #declare U = (I+0.5*rand(S))/21;
     sphere {
-      <-62+124*U, 25+7*J-(48+10*J)*U*(1-U)*(0.6+0.4*J)+2*rand(S), 80+16*J>, 0.6
+      <-62+124*U, 14+7*J-24*U*(1-U)+2*rand(S), 80+16*J>, 0.6
       pigment { color srgb Light_Colours[int(rand(S)*4.99)] }
       finish { ambient 0 diffuse 0 emission 9 }
       no_shadow
