@@ -18,7 +18,8 @@ file(GLOB_RECURSE povray_own_vfe CONFIGURE_DEPENDS "${POVRAY_OWN}/vfe/*.cpp")
 # What every file is compiled with, ours and upstream's. Both trees are searched for one include path:
 # "backend/render/x.h" is found wherever it lies.
 add_library(povray_settings INTERFACE)
-target_compile_definitions(povray_settings INTERFACE HAVE_CONFIG_H _GNU_SOURCE=1 _REENTRANT)
+target_compile_definitions(povray_settings INTERFACE HAVE_CONFIG_H _GNU_SOURCE=1 _REENTRANT
+    BOOST_BIND_GLOBAL_PLACEHOLDERS)     # upstream's way of using them; Boost prints a note without this
 target_compile_options(povray_settings INTERFACE -pipe -fno-enforce-eh-specs)
 target_include_directories(povray_settings INTERFACE "${POVRAY_GENERATED}")
 foreach(folder IN ITEMS source source/backend source/base source/frontend vfe vfe/unix unix)

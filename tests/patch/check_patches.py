@@ -1,0 +1,138 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Checks a folder of patches against the habits that docs/patching.md states.
+
+usage: check_patches.py list|headers|size|style FOLDER
+
+Prints each fault on its line; the exit code tells whether there was one.
+"""
+
+import datetime
+import pathlib
+import re
+import sys
+
+REQUIRED_FIELDS = ("Description", "Author", "Origin", "Forwarded", "Last-Update", "Hooks", "Tests")
+
+# A hook is a line or two. A patch that adds more than this needs a reason in its header, in the field
+# "Size-Reason", and then still has an end.
+LINE_BUDGET = 40
+LINE_BUDGET_WITH_REASON = 80
+
+
+def series(folder):
+    """The names that the series lists, in order; "#" starts a comment."""
+    lines = (folder / "series").read_text(encoding="utf-8").splitlines()
+    names = (line.split("#", 1)[0].strip() for line in lines)
+    return [name for name in names if name]
+
+
+def listed_patches(folder):
+    """Name and text of each listed patch that exists."""
+    for name in series(folder):
+        path = folder / name
+        if path.is_file():
+            yield name, path.read_text(encoding="utf-8", errors="surrogateescape")
+
+
+def header_fields(text):
+    """The DEP-3 fields ahead of the first file: name -> value, continued lines joined."""
+    fields = {}
+    current = None
+    for line in text.splitlines():
+        if line.startswith(("--- ", "diff ", "Index: ", "---\n")) or line == "---":
+            break
+        match = re.match(r"([A-Za-z][A-Za-z-]*):\s*(.*)$", line)
+        if match:
+            current = match.group(1)
+            fields[current] = match.group(2).strip()
+        elif current and line.startswith((" ", "\t")):
+            fields[current] = (fields[current] + " " + line.strip()).strip()
+    return fields
+
+
+def changed_lines(text, sign):
+    """The lines that the patch adds ("+") or takes away ("-"), without the sign."""
+    in_hunk = False
+    for line in text.splitlines():
+        if line.startswith("@@"):
+            in_hunk = True
+        elif line.startswith(("diff ", "Index: ")) or (line.startswith("--- ") and not in_hunk):
+            in_hunk = False
+        elif in_hunk and re.match(r"--- \S+/\S", line):
+            in_hunk = False
+        elif in_hunk and line.startswith(sign):
+            yield line[1:]
+
+
+def check_list(folder):
+    """Every listed file exists, none is listed twice, no file is left out, names are verbs and words."""
+    names = series(folder)
+    for name in sorted(set(names)):
+        if names.count(name) > 1:
+            yield f"{name}: listed {names.count(name)} times"
+        if not (folder / name).is_file():
+            yield f"{name}: listed in series, but there is no such file"
+        if not re.fullmatch(r"[a-z]+(-[a-z0-9]+)+\.patch", name):
+            yield f"{name}: a patch is named like add-camera-item.patch (words, no number in front)"
+    for path in sorted(folder.iterdir()):
+        if path.name != "series" and path.name not in names:
+            yield f"{path.name}: not listed in series"
+
+
+def check_headers(folder):
+    """DEP-3 and our two fields are there and say something; dates are dates."""
+    for name, text in listed_patches(folder):
+        fields = header_fields(text)
+        for field in REQUIRED_FIELDS:
+            if not fields.get(field):
+                yield f"{name}: header field {field} is missing or empty"
+        date = fields.get("Last-Update", "")
+        try:
+            datetime.date.fromisoformat(date)
+        except ValueError:
+            yield f"{name}: Last-Update is {date!r}, expected a date such as 2025-01-31"
+
+
+def check_size(folder):
+    """A hook stays a hook."""
+    for name, text in listed_patches(folder):
+        added = sum(1 for _ in changed_lines(text, "+"))
+        reason = header_fields(text).get("Size-Reason", "")
+        budget = LINE_BUDGET_WITH_REASON if reason else LINE_BUDGET
+        if added == 0:
+            yield f"{name}: adds no line"
+        if added > budget:
+            yield (f"{name}: adds {added} lines, allowed are {budget}; move the logic into povray-src/, or "
+                   f"say in the field Size-Reason why it cannot be (then up to {LINE_BUDGET_WITH_REASON})")
+
+
+def check_style(folder):
+    """No noise: no white space at line ends, no change of white space alone, no binary."""
+    for name, text in listed_patches(folder):
+        added = list(changed_lines(text, "+"))
+        removed = list(changed_lines(text, "-"))
+        if "GIT binary patch" in text:
+            yield f"{name}: holds a binary file"
+        for line in added:
+            if line.rstrip("\r") != line.rstrip():
+                yield f"{name}: white space at the end of an added line: {line!r}"
+        for line in removed:
+            if line.split() and any(line.split() == other.split() for other in added):
+                yield f"{name}: changes white space alone: {line!r}"
+
+
+CHECKS = {"list": check_list, "headers": check_headers, "size": check_size, "style": check_style}
+
+
+def main(arguments):
+    if len(arguments) != 3 or arguments[1] not in CHECKS:
+        sys.exit(__doc__)
+    faults = list(CHECKS[arguments[1]](pathlib.Path(arguments[2])))
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))

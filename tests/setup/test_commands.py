@@ -1,0 +1,194 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The two commands, up to the build: what they make of their arguments, and of a system that lacks things.
+
+The commands run in a copy of the repository's scripts whose program is a stand-in that prints its arguments.
+"""
+
+import os
+import shutil
+import time
+import unittest
+
+from common import REPOSITORY, SetupTest
+
+STAND_IN = """#!/bin/bash
+for argument in "$@"; do printf 'argument [%s]\\n' "$argument" >&2; done
+printf '  Output file..........%s, 24 bpp PNG\\n' 'a very long name that is broken
+ over two lines.png' >&2
+echo 'a picture on standard output'
+exit "${POVRAY_EXIT:-0}"
+"""
+
+
+class CommandTest(SetupTest):
+    def setUp(self):
+        super().setUp()
+        self.copy = self.folder / "my clone"
+        self.copy.mkdir()
+        shutil.copytree(REPOSITORY / "cmake", self.copy / "cmake")
+        for name in ("render", "check"):
+            shutil.copy(REPOSITORY / name, self.copy / name)
+        self.gallery = self.copy / "scenes" / "gallery" / "miniature_town.pov"
+        self.gallery.parent.mkdir(parents=True)
+        self.gallery.write_text("", encoding="utf-8")
+        self.tools = self.folder / "tools"
+        self.tools.mkdir()
+        self.tool("sudo", "exit 1")
+
+    def tool(self, name, text):
+        """Puts a stand-in for the command NAME ahead of the system's."""
+        path = self.tools / name
+        path.write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
+        path.chmod(0o755)
+
+    def command(self, name, *arguments, cwd=None, **env):
+        path = f"{self.tools}:{os.environ['PATH']}"
+        return self.run_command(name, *arguments, cwd=cwd, env={"PATH": path, "DISPLAY": "", **env})
+
+
+class RenderCommand(CommandTest):
+    def setUp(self):
+        super().setUp()
+        build = self.copy / "build"
+        (build / "bin").mkdir(parents=True)
+        program = build / "bin" / "povray"
+        program.write_text(STAND_IN, encoding="utf-8")
+        program.chmod(0o755)
+        # A configuration that is done, and a build with nothing to do.
+        (build / "CMakeCache.txt").write_text(
+            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copy}\nCMAKE_CACHEFILE_DIR:INTERNAL={build}\n", encoding="utf-8")
+        (build / "build.ninja").write_text("build povray: phony\n", encoding="utf-8")
+        self.scene = self.folder / "my scene.pov"
+        self.scene.write_text("", encoding="utf-8")
+
+    def render(self, *arguments, **kwargs):
+        return self.command(self.copy / "render", *arguments, **kwargs)
+
+    @staticmethod
+    def arguments(process):
+        return [line[len("argument ["):-1] for line in process.stderr.splitlines() if line.startswith("argument [")]
+
+    def test_without_arguments_the_town_in_its_size(self):
+        process = self.render()
+        self.assert_succeeds(process)
+        arguments = self.arguments(process)
+        self.assertIn(f'+I"{self.gallery}"', arguments)
+        self.assertIn("+W1280", arguments)
+        self.assertIn("+H720", arguments)
+        self.assertIn("-D", arguments)
+
+    def test_options_alone_are_for_the_town_and_come_last(self):
+        arguments = self.arguments(self.render("+W320"))
+        self.assertIn(f'+I"{self.gallery}"', arguments)
+        self.assertLess(arguments.index("+W1280"), arguments.index("+W320"))
+
+    def test_scene_with_its_folder_and_the_include_folder(self):
+        process = self.render("my scene.pov", "+W64")
+        self.assert_succeeds(process)
+        arguments = self.arguments(process)
+        self.assertIn(f'+I"{self.scene}"', arguments)
+        self.assertIn(f'+L"{self.folder}"', arguments)
+        self.assertIn(f'+L"{self.copy}/scenes/include"', arguments)
+        self.assertIn(f'+O"{self.folder}/"', arguments)
+        self.assertNotIn("+W1280", arguments)
+
+    def test_scene_named_by_an_option(self):
+        for option in (f"+I{self.scene}", f"Input_File_Name={self.scene}", "my.ini"):
+            arguments = self.arguments(self.render(option, "+W64"))
+            self.assertFalse(any(str(self.gallery) in argument for argument in arguments), option)
+            self.assertNotIn("+W1280", arguments)
+
+    def test_spaces_and_quotes_survive(self):
+        arguments = self.arguments(self.render(self.scene, '+O"my own.png"', "+Oother one.png", "Declare=a=1",
+                                               "Output_File_Name=third one.png", "+K 0.5", "$(x) `y` *"))
+        for expected in ('+O"my own.png"', '+O"other one.png"', "Declare=a=1", 'Output_File_Name="third one.png"',
+                         "+K 0.5", "$(x) `y` *"):
+            self.assertIn(expected, arguments)
+
+    def test_no_such_scene(self):
+        process = self.render("none.pov")
+        self.assert_fails_saying(process, "no readable scene file none.pov")
+        self.assertEqual(len(process.stderr.splitlines()), 1)
+
+    def test_exit_code_is_povrays(self):
+        process = self.render(self.scene, POVRAY_EXIT="3")
+        self.assertEqual(process.returncode, 3)
+        self.assertNotIn("Picture:", process.stderr)
+
+    def test_says_where_the_picture_is(self):
+        process = self.render(self.scene)
+        self.assertEqual(process.stderr.splitlines()[-1],
+                         f"Picture: {self.folder}/a very long name that is broken over two lines.png")
+
+    def test_standard_output_is_povrays_own(self):
+        self.assertEqual(self.render(self.scene).stdout, "a picture on standard output\n")
+
+    def test_preview_only_with_a_display(self):
+        self.assertNotIn("-D", self.arguments(self.render(self.scene, DISPLAY=":0")))
+
+    def test_through_a_link_from_elsewhere(self):
+        link = self.tools / "tilt-render"
+        link.symlink_to(self.copy / "render")
+        elsewhere = self.folder / "else where"
+        elsewhere.mkdir()
+        process = self.command(link, self.scene, cwd=elsewhere)
+        self.assert_succeeds(process)
+        self.assertIn(f'+O"{elsewhere}/"', self.arguments(process))
+
+    def test_nothing_to_do_is_quick(self):
+        start = time.monotonic()
+        self.assert_succeeds(self.render(self.scene))
+        self.assertLess(time.monotonic() - start, 1.0)
+
+
+class SetupStep(CommandTest):
+    def setUp(self):
+        super().setUp()
+        # One package that no system has.
+        (self.copy / "cmake" / "debian-packages").write_text(
+            "render  bash\nrender  tilt-lens-missing\ncheck  tilt-lens-check-only\n", encoding="utf-8")
+        self.tool("apt-get", f'echo "$@" >> "{self.folder}/apt.log"; [ "$1" != --yes ] || exit 0; exit "${{APT_EXIT:-0}}"')
+
+    def test_neither_root_nor_sudo(self):
+        self.tool("id", "echo 1000")
+        process = self.command(self.copy / "render")
+        self.assert_fails_saying(process, "packages are missing", "apt-get install --no-install-recommends tilt-lens-missing")
+        self.assertFalse((self.folder / "apt.log").exists())
+
+    def test_render_does_not_install_what_check_needs(self):
+        self.tool("id", "echo 0")
+        self.command(self.copy / "render", APT_EXIT="100")
+        log = (self.folder / "apt.log").read_text(encoding="utf-8")
+        self.assertIn("install tilt-lens-missing\n", log)
+        self.assertNotIn("tilt-lens-check-only", log)
+
+    def test_sudo_installs(self):
+        self.tool("id", "echo 1000")
+        self.tool("sudo", '[ "$1" = -n ] && exit 0; exec "$@"')
+        self.command(self.copy / "check", APT_EXIT="100")
+        log = (self.folder / "apt.log").read_text(encoding="utf-8")
+        self.assertRegex(log, "install .*tilt-lens-missing.* tilt-lens-check-only")
+
+    def test_no_network(self):
+        self.tool("id", "echo 0")
+        process = self.command(self.copy / "render", APT_EXIT="100")
+        self.assert_fails_saying(process, "packages could not be installed", "is there a network?")
+
+    def test_moved_repository_is_built_anew(self):
+        (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
+        self.tool("cmake", f'echo "$@" >> "{self.folder}/cmake.log"')
+        self.tool("ninja", "exit 0")
+        build = self.copy / "build"
+        (build / "downloads").mkdir(parents=True)
+        (build / "CMakeCache.txt").write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n", encoding="utf-8")
+        (build / "build.ninja").write_text("", encoding="utf-8")
+        process = self.command(self.copy / "render")
+        self.assertIn("The repository has moved", process.stderr)
+        self.assertTrue((build / "downloads").is_dir())
+        self.assertFalse((build / "build.ninja").exists())
+        self.assertIn("--preset release", (self.folder / "cmake.log").read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    unittest.main()

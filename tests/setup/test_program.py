@@ -1,0 +1,90 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The program finds its include files, fonts, ini and permissions: built, installed, and moved."""
+
+import shutil
+import unittest
+
+from common import BUILD, CMAKE, POVRAY, REPOSITORY, SCENE, SetupTest
+
+
+class ProgramTest(SetupTest):
+    def setUp(self):
+        super().setUp()
+        # No ini or permissions of the user who runs the test.
+        self.home = self.folder / "home"
+        self.home.mkdir()
+        (self.folder / "scene.pov").write_text(SCENE, encoding="utf-8")
+
+    def povray(self, program, *options):
+        return self.run_command(program, *options, env={"HOME": str(self.home), "POVINI": "", "POVINC": ""})
+
+    def assert_renders(self, program):
+        picture = self.folder / "scene.png"
+        picture.unlink(missing_ok=True)
+        process = self.povray(program, "+Iscene.pov", "+W16", "+H12", "-D")
+        self.assert_succeeds(process)
+        self.assertNotIn("cannot open an INI file", process.stderr)
+        self.assertNotIn("I/O restrictions are disabled", process.stderr)
+        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+
+
+class Program(ProgramTest):
+    def test_renders_from_another_folder(self):
+        self.assert_renders(POVRAY)
+
+    def test_renders_through_a_link(self):
+        link = self.folder / "povray-link"
+        link.symlink_to(POVRAY)
+        self.assert_renders(link)
+
+    def test_permissions_are_in_force(self):
+        """povray.conf was read: a file of the system outside the permitted folders stays closed."""
+        (self.folder / "scene.pov").write_text('#include "/usr/include/stdlib.h"\n', encoding="utf-8")
+        process = self.povray(POVRAY, "+Iscene.pov", "+W16", "+H12", "-D", "-F")
+        self.assertNotEqual(process.returncode, 0)
+        self.assertIn("I/O Restrictions", process.stderr)
+
+    def test_version_line(self):
+        said = self.povray(POVRAY, "--version").stderr
+        self.assertIn("unofficial", said)
+        self.assertIn("povray-tilt-lens", said)
+        self.assertIn("patch series", said)
+        self.assertNotIn(str(REPOSITORY), said)
+
+    def test_all_picture_formats_and_the_preview_are_in(self):
+        said = self.povray(POVRAY, "--version").stderr
+        for word in ("png", "jpeg", "tiff", "openexr", "SDL"):
+            self.assertIn(word, said)
+        self.assertRegex(said, r"Unsupported image formats: -\n")
+
+
+class Install(ProgramTest):
+    def install(self, prefix, env=None):
+        process = self.run_command(CMAKE, "--install", BUILD, "--prefix", prefix, env=env)
+        self.assert_succeeds(process)
+
+    def test_prefix_then_moved(self):
+        prefix = self.folder / "prefix"
+        self.install(prefix)
+        for name in ("bin/povray", "share/povray-3.7/include/colors.inc", "share/povray-3.7/ini/quickres.ini",
+                     "etc/povray/3.7/povray.conf", "etc/povray/3.7/povray.ini", "share/man/man1/povray.1"):
+            self.assertTrue((prefix / name).is_file(), name)
+        ini = (prefix / "etc/povray/3.7/povray.ini").read_text(encoding="utf-8")
+        self.assertIn(f'Library_Path="{prefix}/share/povray-3.7/include"', ini)
+        for name in ("etc/povray/3.7/povray.conf", "etc/povray/3.7/povray.ini"):
+            self.assertNotIn(str(REPOSITORY), (prefix / name).read_text(encoding="utf-8"))
+        self.assert_renders(prefix / "bin" / "povray")
+        moved = self.folder / "moved"
+        shutil.move(prefix, moved)
+        self.assert_renders(moved / "bin" / "povray")
+
+    def test_destdir(self):
+        self.install("/opt/tilt", env={"DESTDIR": str(self.folder / "stage")})
+        ini = self.folder / "stage/opt/tilt/etc/povray/3.7/povray.ini"
+        self.assertIn('"/opt/tilt/share/povray-3.7/include"', ini.read_text(encoding="utf-8"))
+        self.assertTrue((self.folder / "stage/opt/tilt/bin/povray").is_file())
+
+
+if __name__ == "__main__":
+    unittest.main()
