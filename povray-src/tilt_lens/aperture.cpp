@@ -25,15 +25,20 @@ constexpr double pi = 3.14159265358979323846;
 inline double SmallSin(double x)
 {
     const double s = x * x;
-    return x * (1 + s * (-1.0 / 6 + s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 +
-           s * (-1.0 / 39916800 + s * (1.0 / 6227020800)))))));
+    return x * (1 + s * (-1.0 / 6 +
+                         s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 +
+                                                                  s * (-1.0 / 39916800 +
+                                                                       s * (1.0 / 6227020800)))))));
 }
 
 inline double SmallCos(double x)
 {
     const double s = x * x;
-    return 1 + s * (-1.0 / 2 + s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 +
-           s * (-1.0 / 3628800 + s * (1.0 / 479001600 + s * (-1.0 / 87178291200)))))));
+    return 1 + s * (-1.0 / 2 +
+                    s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 +
+                                                           s * (-1.0 / 3628800 +
+                                                                s * (1.0 / 479001600 +
+                                                                     s * (-1.0 / 87178291200)))))));
 }
 /// @}
 
@@ -43,7 +48,7 @@ struct Concentric
 {
     bool sideways;  ///< in the right or left quarter
     double radius;  ///< its sign is that of the main coordinate
-    double slope;   ///< in [-1, 1]: 4/pi of the angle from the quarter's axis towards the other axis
+    double slope;  ///< in [-1, 1]: 4/pi of the angle from the quarter's axis towards the other axis
 };
 
 inline Concentric ToConcentric(double u, double v)
@@ -62,7 +67,7 @@ inline AperturePoint OnDisc(double u, double v)
     return c.sideways ? AperturePoint{along, across} : AperturePoint{across, along};
 }
 
-} // namespace
+}  // namespace
 
 struct Aperture::Outline
 {
@@ -103,16 +108,13 @@ class CellDistribution
         double total = 0;
         for (int i = 0; i < cells; ++i)
             total += weight[i];
-        double sum = 0;
+        double sum = 0;  // ends exactly at total, so cells without weight at the end begin at 1
         for (int i = 0; i < cells; ++i)
         {
             bound[i] = total > 0 ? static_cast<float>(sum / total) : 0.0f;
             sum += weight[i];
         }
-        // Exactly 1 from the last cell with weight on, where the sum may have been rounded.
         bound[cells] = 1.0f;
-        for (int i = cells - 1; i > 0 && weight[i] == 0; --i)
-            bound[i] = 1.0f;
 
         int cell = 0;
         for (int i = 0; i < cells; ++i)
@@ -198,8 +200,8 @@ class Tabulation
         for (int k = 0; k < side; ++k)
             for (int l = 0; l < side; ++l)
             {
-                const double w = Sanitized((i + (k + 0.5) / side) / cells,
-                                           (j + (l + 0.5) / side) / cells);
+                const double w =
+                    Sanitized((i + (k + 0.5) / side) / cells, (j + (l + 0.5) / side) / cells);
                 range.low = std::min(range.low, w);
                 range.high = std::max(range.high, w);
                 range.mean += w / (side * side);
@@ -227,7 +229,7 @@ class Tabulation
     std::vector<double> mean;
 };
 
-} // namespace
+}  // namespace
 
 struct Aperture::Table
 {
@@ -298,14 +300,14 @@ AperturePoint Aperture::operator()(double u, double v) const
 {
     switch (shape)
     {
-        case Shape::Disc:
-            break;
-        case Shape::Polygon:
-            return outline->Map(u, v);
-        case Shape::Picture:
-            return table->Map(u, v);
+    case Shape::Disc:
+        break;
+    case Shape::Polygon:
+        return outline->Map(u, v);
+    case Shape::Picture:
+        return table->Map(u, v);
     }
     return OnDisc(u, v);
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

@@ -4,8 +4,8 @@
 /// @file aperture.h
 /// The shape of the lens opening, as a map from the unit square of the sampler to aperture
 /// coordinates. Every map preserves measure (up to the constant area; for a picture, up to its
-/// weight), so uniform samples become uniform on the opening, and boxes of the square become regions
-/// of the same share of the opening, so stratified samples stay stratified.
+/// weight), so uniform samples become uniform on the opening, and boxes of the square become
+/// regions of the same share of the opening, so stratified samples stay stratified.
 
 #ifndef TILT_LENS_APERTURE_H
 #define TILT_LENS_APERTURE_H
@@ -29,13 +29,15 @@ class Aperture
   public:
     static constexpr int maxBlades = 1000;
 
-    /// The unit disc, by the concentric map of P. Shirley and K. Chiu, "A Low Distortion Map Between
-    /// Disk and Square", 1997. Continuous; a bijection between the closed square and the disc.
+    /// The unit disc, by the concentric map of P. Shirley and K. Chiu, "A Low Distortion Map
+    /// Between Disk and Square", 1997. Continuous; a bijection between the closed square and the
+    /// disc.
     static Aperture Disc();
 
     /// A regular polygon with its corners on the unit circle: the diaphragm's blades cut into the
-    /// lens that the f-number describes, so the opening has N/(2 pi) sin(2 pi/N) of the disc's area.
-    /// The first corner lies on the right-hand axis, turned by the angle from `a` towards `b`.
+    /// lens that the f-number describes, so the opening has N/(2 pi) sin(2 pi/N) of the disc's
+    /// area. The first corner lies on the right-hand axis, turned by the angle from `a` towards
+    /// `b`.
     ///
     /// The concentric map with the sectors of the disc made triangles: equal angles become equal
     /// lengths along an edge, which preserves areas. Continuous and a bijection like the disc's.
@@ -48,15 +50,15 @@ class Aperture
     /// grows *downward*. That is how POV-Ray's `bokeh { pigment { ... } }` lies over the lens: its
     /// focal blur moves the ray's origin by (u - 0.5) `XPerp` - (v - 0.5) `YPerp`, times half of
     /// `aperture`, with `XPerp` = up x direction and `YPerp` = direction x `XPerp`, that is, up. So
-    /// the caller passes the pigment's value at <u, v, 0>. (Up x direction is the camera's right only
-    /// for a left-handed camera, and the opposite of it otherwise.)
+    /// the caller passes the pigment's value at <u, v, 0>. (Up x direction is the camera's right
+    /// only for a left-handed camera, and the opposite of it otherwise.)
     ///
-    /// Weights have no upper limit, only their ratios count; negative and non-finite ones count as 0.
-    /// Each cell takes 4 of them, or 16 where they vary within the cell or around it. Details smaller
-    /// than half a cell may be missed.
+    /// Weights have no upper limit, only their ratios count; negative and non-finite ones count as
+    /// 0. Each cell takes 4 of them, or 16 where they vary within the cell or around it. Details
+    /// smaller than half a cell may be missed.
     ///
-    /// By inversion: u chooses a from the marginal distribution, v chooses b from the conditional one
-    /// of that column of cells, linearly within a cell. Monotone, a in u and b in falling v;
+    /// By inversion: u chooses a from the marginal distribution, v chooses b from the conditional
+    /// one of that column of cells, linearly within a cell. Monotone, a in u and b in falling v;
     /// continuous except across cells without weight and, in b, from column to column.
     /// @throws std::invalid_argument  no place has a positive weight
     static Aperture Picture(const std::function<double(double u, double v)>& weight);
@@ -81,6 +83,6 @@ class Aperture
     std::shared_ptr<const Table> table;      ///< of a picture only
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

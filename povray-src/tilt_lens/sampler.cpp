@@ -71,9 +71,9 @@ constexpr Directions MakeDirections(int dimension)
     return d;
 }
 
-/// What each hexadecimal digit of the index adds to the Sobol point. Bits are reversed, lowest first:
-/// the scrambling hash wants them so. 2 KiB, since the renderer needs the cache for its scene; a table
-/// of bytes would take eight times as much.
+/// What each hexadecimal digit of the index adds to the Sobol point. Bits are reversed, lowest
+/// first: the scrambling hash wants them so. 2 KiB, since the renderer needs the cache for its
+/// scene; a table of bytes would take eight times as much.
 struct DigitTable
 {
     Lanes entry[bits / 4][16];
@@ -97,8 +97,8 @@ constexpr DigitTable MakeDigitTable()
 
 constexpr DigitTable digitTable = MakeDigitTable();
 
-/// A bijection of 64-bit words without visible structure: the finaliser of SplitMix64 (D. Stafford's
-/// variant 13 of MurmurHash3's).
+/// A bijection of 64-bit words without visible structure: the finaliser of SplitMix64 (D.
+/// Stafford's variant 13 of MurmurHash3's).
 std::uint64_t Mix(std::uint64_t z)
 {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -127,8 +127,8 @@ std::uint32_t StreamHash(std::uint64_t key, std::uint32_t salt)
     return static_cast<std::uint32_t>(StreamWord(key, std::uint64_t{salt} + 3) >> 32);
 }
 
-/// Owen's nested uniform scrambling of a bit-reversed fraction: a bit is flipped or not depending on
-/// the seed and the bits below it (Vegdahl's hash).
+/// Owen's nested uniform scrambling of a bit-reversed fraction: a bit is flipped or not depending
+/// on the seed and the bits below it (Vegdahl's hash).
 inline std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
 {
     x ^= x * 0x3d20adeau;
@@ -146,7 +146,7 @@ inline double ToUnit(std::uint32_t x)
     return static_cast<std::int32_t>(x) * 0x1p-32 + (0.5 + 0x1p-33);
 }
 
-} // namespace
+}  // namespace
 
 PixelSampler::PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     : key(PixelKey(x, y, seed))
@@ -184,4 +184,4 @@ std::uint32_t PixelHash(std::uint32_t x, std::uint32_t y, std::uint32_t seed, st
     return StreamHash(PixelKey(x, y, seed), salt);
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

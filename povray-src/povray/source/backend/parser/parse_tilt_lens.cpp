@@ -1,0 +1,366 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file parse_tilt_lens.cpp
+/// The words inside `tilt_lens { ... }` are known by their spelling and only there, so that scenes
+/// may go on using them as identifiers.
+
+#include "backend/parser/parse_tilt_lens.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "backend/frame.h"
+#include "backend/parser/parse.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::FocusFamily;
+using tilt_lens::Statement;
+using tilt_lens::Vec3;
+
+namespace
+{
+
+struct Item
+{
+    const char* word;
+    const char* family;  ///< words of its family of focus, or NULL
+};
+
+const Item kItems[] = {{"film_width", NULL},
+                       {"focal_length", NULL},
+                       {"scene_unit", NULL},
+                       {"shift", NULL},
+                       {"f_stop", NULL},
+                       {"blades", NULL},
+                       {"tilt", "tilt and swing"},
+                       {"swing", "tilt and swing"},
+                       {"focus_tilt", "focus_tilt and focus_swing"},
+                       {"focus_swing", "focus_tilt and focus_swing"},
+                       {"focal_plane", "focal_plane"},
+                       {"focal_points", "focal_points"}};
+
+/// Words that people look for inside the block although they belong to the camera around it.
+const char* const kCameraWords[] = {"aperture",   "focal_point", "look_at",  "blur_samples", "confidence",
+                                    "variance",   "bokeh",       "angle",    "location",     "direction",
+                                    "right",      "up",          "sky",      "normal",       "translate",
+                                    "rotate",     "scale",       "matrix",   "transform"};
+
+/// Edits that turn one word into the other (Levenshtein).
+size_t EditDistance(const std::string& a, const std::string& b)
+{
+    std::vector<size_t> row(b.size() + 1);
+    for (size_t j = 0; j <= b.size(); j++)
+        row[j] = j;
+    for (size_t i = 1; i <= a.size(); i++)
+    {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= b.size(); j++)
+        {
+            const size_t kept = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min(kept, std::min(row[j], row[j - 1]) + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+const Item* FindItem(const std::string& word)
+{
+    const Item* item = std::find_if(std::begin(kItems), std::end(kItems),
+                                    [&](const Item& i) { return word == i.word; });
+    return item == std::end(kItems) ? NULL : item;
+}
+
+const Item& NearestItem(const std::string& word)
+{
+    return *std::min_element(std::begin(kItems), std::end(kItems),
+                             [&](const Item& a, const Item& b)
+                             { return EditDistance(word, a.word) < EditDistance(word, b.word); });
+}
+
+std::string AllWords()
+{
+    std::string words;
+    for (const Item& item : kItems)
+        words += std::string(words.empty() ? "" : ", ") + item.word;
+    return words;
+}
+
+Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
+
+} // namespace
+
+void TiltLensParser::ParseBlock(Camera& camera)
+{
+    if (parser.sceneData->languageVersion < 350)
+        parser.Error("tilt_lens in a camera of language version %g. It needs the camera syntax of version "
+                     "3.5 or later; put '#version 3.7;' at the top of the scene.",
+                     parser.sceneData->languageVersion / 100.0);
+    if (camera.Type != PERSPECTIVE_CAMERA)
+        parser.Error("tilt_lens in a camera that is not perspective. Only the perspective camera has a "
+                     "lens; remove the word for the camera's type, or the tilt_lens block.");
+    if (camera.TiltLens.open)
+        parser.Error("A second tilt_lens block in one camera (the first is in line %d). One is allowed; "
+                     "merge the two.", int(camera.TiltLens.line));
+
+    TiltLensCamera lens;
+    lens.given = lens.open = true;
+    lens.file = UCS2String(parser.Token.FileHandle->name());
+    lens.line = parser.Token.Token_File_Pos.lineno;
+    lens.column = parser.Token.Token_Col_No;
+    lens.offset = parser.Token.FileHandle->tellg().offset;
+
+    parser.Parse_Begin();
+    std::set<std::string> seen;
+    std::string word;
+    while (NextItem(word, seen))
+        ParseItem(word, lens.statement);
+    parser.Parse_End();
+    camera.TiltLens = lens;
+}
+
+bool TiltLensParser::NextItem(std::string& word, std::set<std::string>& seen)
+{
+    parser.Get_Token();
+    if (parser.Token.Token_Id == RIGHT_CURLY_TOKEN || parser.Token.Token_Id == END_OF_FILE_TOKEN)
+    {
+        parser.Unget_Token();
+        return false;
+    }
+    // the spelling decides, whatever a scene may have declared under that name
+    word = parser.Token.Token_String;
+    if (!FindItem(word))
+        UnknownItem(word);
+    ClaimOnce(word, seen);
+    return true;
+}
+
+void TiltLensParser::UnknownItem(const std::string& word)
+{
+    if (std::find(std::begin(kCameraWords), std::end(kCameraWords), word) != std::end(kCameraWords))
+        parser.Error("'%s' inside tilt_lens. It is an item of the camera itself; write it outside the "
+                     "tilt_lens block.", word.c_str());
+    parser.Error("Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(),
+                 NearestItem(word).word, AllWords().c_str());
+}
+
+/// Refuses an item that stands twice, and an item of a second family of focus.
+void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& seen)
+{
+    if (!seen.insert(word).second)
+        parser.Error("'%s' stands twice in tilt_lens. Each item is allowed once; remove one.", word.c_str());
+    const char* family = FindItem(word)->family;
+    if (family == NULL)
+        return;
+    for (const std::string& other : seen)
+    {
+        const char* otherFamily = FindItem(other)->family;
+        if (otherFamily != NULL && std::string(otherFamily) != family)
+            parser.Error("'%s' and '%s' in one tilt_lens: both say where the focus lies. One of tilt and swing, "
+                         "focus_tilt and focus_swing, focal_plane, focal_points is allowed; remove the "
+                         "others.", other.c_str(), word.c_str());
+    }
+}
+
+void TiltLensParser::ParseItem(const std::string& word, Statement& s)
+{
+    if (word == "film_width")
+        s.filmWidth = PositiveNumber(word);
+    else if (word == "focal_length")
+        s.focalLength = PositiveNumber(word);
+    else if (word == "scene_unit")
+        s.sceneUnit = PositiveNumber(word);
+    else if (word == "f_stop")
+        s.fStop = PositiveNumber(word);
+    else if (word == "tilt")
+        s.tilt = Number(word);
+    else if (word == "swing")
+        s.swing = Number(word);
+    else if (word == "focus_tilt")
+        s.family = FocusFamily::FocusTurn, s.focusTilt = Number(word);
+    else if (word == "focus_swing")
+        s.family = FocusFamily::FocusTurn, s.focusSwing = Number(word);
+    else if (word == "shift")
+        ParseShift(s);
+    else if (word == "blades")
+        ParseBlades(s);
+    else if (word == "focal_plane")
+        ParseFocalPlane(s);
+    else
+        ParseFocalPoints(s);
+}
+
+double TiltLensParser::Number(const std::string& word)
+{
+    const double value = parser.Parse_Float();
+    if (!std::isfinite(value))
+        parser.Error("%s %g in tilt_lens. It must be a finite number; check the expression.", word.c_str(),
+                     value);
+    return value;
+}
+
+double TiltLensParser::PositiveNumber(const std::string& word)
+{
+    const double value = Number(word);
+    if (!(value > 0.0))
+        parser.Error("%s %g in tilt_lens. It must be larger than 0; give a positive number.", word.c_str(),
+                     value);
+    return value;
+}
+
+Vec3 TiltLensParser::Vector(const std::string& word)
+{
+    EXPRESS v;
+    const int terms = parser.Parse_Unknown_Vector(v);
+    if (terms != 3)
+        parser.Error("%s in tilt_lens: found a value of %d numbers. A point or normal has three; write it as "
+                     "<x, y, z>.", word.c_str(), terms);
+    const Vec3 value{v[X], v[Y], v[Z]};
+    if (!IsFinite(value))
+        parser.Error("%s in tilt_lens: found <%g, %g, %g>. All three numbers must be finite; check the "
+                     "expression.", word.c_str(), v[X], v[Y], v[Z]);
+    return value;
+}
+
+void TiltLensParser::ParseShift(Statement& s)
+{
+    EXPRESS v;
+    const int terms = parser.Parse_Unknown_Vector(v);
+    // a plain number would be promoted to both directions: surely not what was meant
+    if (!(terms == 2 || (terms == 3 && v[Z] == 0.0)))
+        parser.Error("shift in tilt_lens: found a value of %d numbers. It takes two, in millimetres; write it "
+                     "as <right, up>.", terms);
+    if (!std::isfinite(v[X]) || !std::isfinite(v[Y]))
+        parser.Error("shift <%g, %g> in tilt_lens. Both numbers must be finite; check the expression.", v[X],
+                     v[Y]);
+    s.shiftRight = v[X];
+    s.shiftUp = v[Y];
+}
+
+void TiltLensParser::ParseBlades(Statement& s)
+{
+    const int kMost = 1000;  // edges far below any pixel
+    const double count = Number("blades");
+    if (!(count >= 3.0 && count <= kMost && count == std::floor(count)))
+        parser.Error("blades %g in tilt_lens. A diaphragm has a whole number of blades from 3 to %d; leave "
+                     "blades out for a round one.", count, kMost);
+    s.blades = int(count);
+    parser.Get_Token();
+    if (parser.Token.Token_Id == COMMA_TOKEN)
+        s.bladesAngle = Number("blades' angle");
+    else
+        parser.Unget_Token();
+}
+
+void TiltLensParser::ParseFocalPlane(Statement& s)
+{
+    s.family = FocusFamily::FocalPlane;
+    parser.Parse_Begin();
+    s.planeNormal = Vector("focal_plane");
+    if (!(Length(s.planeNormal) > 0.0))
+        parser.Error("focal_plane in tilt_lens has the normal <0, 0, 0>. A plane needs a direction; give "
+                     "another normal.");
+    s.planeNormal = Normalized(s.planeNormal);
+    parser.Parse_Comma();
+    s.planeDistance = Number("focal_plane's distance");
+    parser.Parse_End();
+}
+
+void TiltLensParser::ParseFocalPoints(Statement& s)
+{
+    s.family = FocusFamily::FocalPoints;
+    for (int i = 0; i < 3; i++)
+    {
+        if (i > 0)
+            parser.Parse_Comma();
+        s.points[i] = Vector("focal_points");
+    }
+}
+
+void TiltLensParser::TakeCameraItems(Camera& camera)
+{
+    if (!camera.TiltLens.given)
+        return;
+    Statement& s = camera.TiltLens.statement;
+    const bool lookAtGiven = camera.Look_At[X] != HUGE_VAL, focalPointGiven = camera.Focal_Point[X] != HUGE_VAL;
+    RequireConsistent(camera, camera.Angle != HUGE_VAL);
+    s.aperture = camera.Aperture;
+    if (focalPointGiven)
+        s.focalPoint = FromPov(camera.Focal_Point);
+    else if (lookAtGiven)
+        s.focalPoint = FromPov(camera.Look_At);
+    else if (camera.TiltLens.open)
+    {
+        const bool needsPoint = s.family == FocusFamily::LensTurn || s.family == FocusFamily::FocusTurn;
+        if (needsPoint && (s.aperture > 0.0 || s.fStop))
+            ErrorAtBlock(camera, "Nothing says where the focus lies: the camera has neither focal_point nor "
+                                 "look_at. Give focal_point, or focal_plane or focal_points in tilt_lens.");
+        // everything is sharp: any point in front will do
+        s.focalPoint = FromPov(camera.Location) + FromPov(camera.Direction);
+    }
+    TakeBlurSamples(camera);
+}
+
+void TiltLensParser::RequireConsistent(const Camera& camera, bool angleGiven)
+{
+    const Statement& s = camera.TiltLens.statement;
+    if (s.focalLength && angleGiven)
+        parser.Error("angle %g and focal_length %g in one camera: both set the angle of view. One is allowed; "
+                     "remove angle or focal_length.", camera.Angle, *s.focalLength);
+    if (s.fStop && camera.Aperture != 0.0)
+        parser.Error("aperture %g and f_stop %g in one camera: both set the lens diameter. One is allowed; "
+                     "remove aperture or f_stop.", camera.Aperture, *s.fStop);
+    if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))
+        parser.Error("aperture %g in a camera with tilt_lens. It is twice the lens diameter and must be finite "
+                     "and not negative; give another value.", camera.Aperture);
+    if (s.blades > 0 && camera.Bokeh != NULL)
+        parser.Error("blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove "
+                     "blades or bokeh.", s.blades);
+}
+
+/// Stock shows no blur where blur_samples is missing; tilt_lens has a default. One number is the most.
+void TiltLensParser::TakeBlurSamples(Camera& camera)
+{
+    const int kMin = 8, kMax = 1024;
+    if (camera.Blur_Samples == 0)
+        camera.Blur_Samples = kMax;
+    if (camera.Blur_Samples_Min == 0)
+        camera.Blur_Samples_Min = std::min(kMin, camera.Blur_Samples);
+}
+
+void TiltLensParser::Check(Camera& camera)
+{
+    TiltLensCamera& lens = camera.TiltLens;
+    if (!lens.given)
+        return;
+    const bool fresh = lens.open;
+    lens.open = false;
+    try
+    {
+        const tilt_lens::Lens solved = TiltLensCamera::Solve(camera);
+        if (fresh)
+            for (const std::string& doubt : Doubts(solved, lens.statement))
+                parser.messageFactory.WarningAt(0, lens.file.c_str(), lens.line, lens.column, lens.offset, "%s",
+                                                doubt.c_str());
+    }
+    catch (const tilt_lens::OpticsError& error)
+    {
+        ErrorAtBlock(camera, error.what());
+    }
+}
+
+void TiltLensParser::ErrorAtBlock(const Camera& camera, const std::string& text)
+{
+    const TiltLensCamera& lens = camera.TiltLens;
+    parser.messageFactory.ErrorAt(POV_EXCEPTION(kParseErr, text.c_str()), lens.file.c_str(), lens.line,
+                                  lens.column, lens.offset, "%s", text.c_str());
+}
+
+} // namespace pov

@@ -1,0 +1,60 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file parse_tilt_lens.h
+/// The parser's part in `camera { ... tilt_lens { ... } }`. A friend of Parser, so that upstream's
+/// parser needs one line for it and a call at each of four places.
+
+#ifndef POVRAY_BACKEND_PARSE_TILT_LENS_H
+#define POVRAY_BACKEND_PARSE_TILT_LENS_H
+
+#include <set>
+#include <string>
+
+#include "backend/frame.h"
+#include "backend/scene/camera.h"
+
+namespace pov
+{
+
+class Parser;
+
+class TiltLensParser
+{
+  public:
+    explicit TiltLensParser(Parser& parser) : parser(parser) {}
+
+    /// Parses `{ ... }` behind the word `tilt_lens`.
+    void ParseBlock(Camera& camera);
+
+    /// Takes from the camera's own items what the lens needs, while the parser can still tell which
+    /// of them were written. Call before POV-Ray fills in the others.
+    void TakeCameraItems(Camera& camera);
+
+    /// Solves the lens of a camera that is parsed and transformed, for its errors and warnings.
+    void Check(Camera& camera);
+
+  private:
+    Parser& parser;
+
+    bool NextItem(std::string& word, std::set<std::string>& seen);
+    void ParseItem(const std::string& word, tilt_lens::Statement& statement);
+    void UnknownItem(const std::string& word);
+    void ClaimOnce(const std::string& word, std::set<std::string>& seen);
+
+    double Number(const std::string& word);
+    double PositiveNumber(const std::string& word);
+    tilt_lens::Vec3 Vector(const std::string& word);
+    void ParseShift(tilt_lens::Statement& statement);
+    void ParseBlades(tilt_lens::Statement& statement);
+    void ParseFocalPlane(tilt_lens::Statement& statement);
+    void ParseFocalPoints(tilt_lens::Statement& statement);
+
+    void RequireConsistent(const Camera& camera, bool angleGiven);
+    void TakeBlurSamples(Camera& camera);
+    void ErrorAtBlock(const Camera& camera, const std::string& text);
+};
+
+} // namespace pov
+
+#endif

@@ -1,0 +1,154 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file tilt_lens_trace.cpp
+/// TracePixel's and TraceTask's part in `tilt_lens` pictures: one sample, one tile, one preview pixel.
+
+#include <algorithm>
+#include <vector>
+
+#include "backend/frame.h"
+#include "backend/colour/colour.h"
+#include "backend/math/vector.h"
+#include "backend/render/tracepixel.h"
+#include "backend/render/tracetask.h"
+#include "backend/scene/tilt_lens_view.h"
+#include "backend/texture/normal.h"
+#include "tilt_lens/ray.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Radiance;
+using tilt_lens::Sample;
+using tilt_lens::SampleId;
+
+namespace
+{
+
+Colour ToColour(const Radiance& v)
+{
+    return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
+}
+
+} // namespace
+
+/// Film point and lens point in, light out.
+void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, DBL width, DBL height, Radiance& light)
+{
+    // film point, in the picture's own directions
+    const double x = (id.x + sample.pixelX) / width - 0.5;
+    const double y = 0.5 - (id.y + sample.pixelY) / height;
+
+    // from a point of the lens through the focus of that film point
+    const tilt_lens::AperturePoint point = tiltLens->aperture(sample.lensU, sample.lensV);
+    const tilt_lens::LensRay way = MakeRay(tiltLens->lens, x, y, point.a, point.b);
+    Ray ray;
+    ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
+    Make_Vector(ray.Origin, camera.Location[X] + way.origin.x, camera.Location[Y] + way.origin.y,
+                camera.Location[Z] + way.origin.z);
+    Make_Vector(ray.Direction, way.direction.x, way.direction.y, way.direction.z);
+    VNormalizeEq(ray.Direction);
+    if (camera.Tnormal != NULL)
+    {
+        VECTOR film = {x, y, 0.0};
+        Perturb_Normal(ray.Direction, camera.Tnormal, film, NULL, NULL, threadData);
+        VNormalizeEq(ray.Direction);
+    }
+    EnterTiltLensInteriors(ray);
+
+    // whatever draws random numbers on the way draws this sample's own
+    SeedRandomNumbers(tilt_lens::PixelHash(id.x, id.y, id.index, 0));
+    Colour colour;
+    Trace::TraceTicket ticket(maxTraceLevel, adcBailout, sceneData->outputAlpha);
+    TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
+    light = {colour[pRED], colour[pGREEN], colour[pBLUE], colour[pFILTER], colour[pTRANSM]};
+}
+
+/// The lens points of one picture lie in few objects or none: the view has found out which to ask.
+void TracePixel::EnterTiltLensInteriors(Ray& ray)
+{
+    for (ObjectPtr object : tiltLens->aroundLens)
+        if (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, threadData))
+            ray.AppendInterior(object->interior);
+}
+
+void TracePixel::SeedRandomNumbers(unsigned int seed)
+{
+    crandRandomNumberGenerator = seed;
+    randomNumberGenerator.SetSeed(seed);
+    media.SeedRandomNumbers(seed);
+}
+
+/// A pixel of a preview or of a radiosity pretrace: not for the final picture, so a few samples do,
+/// one where only the places that are seen matter.
+void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colour& colour)
+{
+    const unsigned int samples = pretrace ? 1 : std::min(tiltLens->limits.min, tiltLens->limits.max);
+    // pretrace positions lie between pixels and, at the picture's edge, outside
+    SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
+    const tilt_lens::PixelSampler sampler(id.x, id.y, 0);
+    colour.clear();
+    for (id.index = 0; id.index < samples; id.index++)
+    {
+        Radiance light;
+        TraceTiltLensSample(id, sampler(id.index), width, height, light);
+        colour += ToColour(light);
+    }
+    colour /= samples;
+}
+
+/// A tile of the final picture, cell by cell. Cells lie on a grid of the whole picture, so that a tile
+/// that cuts through one works it out whole and keeps its own part.
+void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsigned int height,
+                                   std::vector<Colour>& pixels)
+{
+    const unsigned int size = tilt_lens::CellSampler::kSize;
+    const unsigned int left = rect.left, top = rect.top, right = rect.right, bottom = rect.bottom;
+    tilt_lens::CellSampler cell(tiltLens->limits);
+    tilt_lens::SamplingAccount account;
+    pixels.resize(rect.GetArea());
+
+    for (unsigned int cellTop = top - top % size; cellTop <= bottom; cellTop += size)
+        for (unsigned int cellLeft = left - left % size; cellLeft <= right; cellLeft += size)
+        {
+            cell.Run(cellLeft, cellTop, std::min(size, width - cellLeft), std::min(size, height - cellTop),
+                     [&](const SampleId& id, const Sample& sample, Radiance& light)
+                     { TraceTiltLensSample(id, sample, width, height, light); });
+            for (unsigned int y = std::max(top, cellTop); y <= std::min(bottom, cellTop + size - 1); y++)
+                for (unsigned int x = std::max(left, cellLeft); x <= std::min(right, cellLeft + size - 1); x++)
+                {
+                    const unsigned int u = x - cellLeft, v = y - cellTop;
+                    pixels[(y - top) * rect.GetWidth() + (x - left)] = ToColour(cell.Mean(u, v));
+                    account.pixelsBySamples[cell.Samples(u, v)]++;
+                    account.variance += cell.Variance(u, v);
+                }
+        }
+    tiltLens->Add(account);
+    threadData->Stats()[Number_Of_Pixels] += account.Pixels();
+    threadData->Stats()[Number_Of_Samples] += account.Samples();
+}
+
+/// Final render of a `tilt_lens` picture: takes the place of all anti-aliasing methods.
+void TraceTask::TiltLensSampling()
+{
+    POVRect rect;
+    std::vector<Colour> pixels;
+    unsigned int serial;
+
+    while (GetViewData()->GetNextRectangle(rect, serial) == true)
+    {
+        radiosity.BeforeTile(highReproducibility ? serial : 0);
+        trace.TraceTiltLensTile(rect, GetViewData()->GetWidth(), GetViewData()->GetHeight(), pixels);
+        radiosity.AfterTile();
+
+        GetViewDataPtr()->AfterTile();
+        GetViewData()->CompletedRectangle(rect, serial, pixels, 1, finalTrace);
+
+        Cooperate();
+    }
+}
+
+} // namespace pov

@@ -1,0 +1,66 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/frame.h"
+#include "backend/math/matrices.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/tilt_lens_camera.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Vec3;
+
+namespace
+{
+
+Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
+
+Vec3 TransformedPoint(const Vec3& p, const TRANSFORM* trans)
+{
+    VECTOR v = {p.x, p.y, p.z};
+    MTransPoint(v, v, trans);
+    return FromPov(v);
+}
+
+Vec3 TransformedNormal(const Vec3& n, const TRANSFORM* trans)
+{
+    VECTOR v = {n.x, n.y, n.z};
+    MTransNormal(v, v, trans);
+    return FromPov(v);
+}
+
+double Determinant(const TRANSFORM* trans)
+{
+    const MATRIX& m = trans->matrix;
+    return Dot(Vec3{m[0][0], m[0][1], m[0][2]},
+               Cross(Vec3{m[1][0], m[1][1], m[1][2]}, Vec3{m[2][0], m[2][1], m[2][2]}));
+}
+
+} // namespace
+
+void TiltLensCamera::Transform(const TRANSFORM* trans)
+{
+    if (!given)
+        return;
+    tilt_lens::Statement& s = statement;
+    const Vec3 normal = Normalized(s.planeNormal);
+    const Vec3 onPlane = TransformedPoint(normal * s.planeDistance, trans);
+    s.planeNormal = Normalized(TransformedNormal(normal, trans));
+    s.planeDistance = Dot(s.planeNormal, onPlane);
+    for (Vec3& point : s.points)
+        point = TransformedPoint(point, trans);
+    s.focalPoint = TransformedPoint(s.focalPoint, trans);
+    s.scale *= std::cbrt(std::fabs(Determinant(trans)));
+}
+
+tilt_lens::Lens TiltLensCamera::Solve(const Camera& camera)
+{
+    const tilt_lens::CameraFrame frame{FromPov(camera.Location), FromPov(camera.Direction),
+                                       FromPov(camera.Right), FromPov(camera.Up)};
+    return tilt_lens::Solve(frame, camera.TiltLens.statement);
+}
+
+} // namespace pov

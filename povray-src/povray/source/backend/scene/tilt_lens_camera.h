@@ -1,0 +1,42 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file tilt_lens_camera.h
+/// The `tilt_lens` block of a camera as POV-Ray's Camera carries it: what was written, where it was
+/// written, and how camera transformations act on it.
+
+#ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
+#define POVRAY_BACKEND_TILT_LENS_CAMERA_H
+
+#include "backend/frame.h"
+#include "base/povms.h"
+#include "base/stringutilities.h"
+#include "tilt_lens/optics.h"
+
+namespace pov
+{
+
+using namespace pov_base;
+
+class Camera;
+
+struct TiltLensCamera
+{
+    bool given = false;  ///< the camera has a `tilt_lens` block; all else is unused without
+    bool open = false;   ///< the block belongs to the camera statement that is being parsed
+    tilt_lens::Statement statement;
+
+    UCS2String file;     ///< where the block begins, for messages about it
+    POV_LONG line = 0, column = 0, offset = 0;
+
+    /// Carries plane, points and scale of the lens with the camera.
+    void Transform(const TRANSFORM* trans);
+
+    /// Solves the block for the camera it belongs to.
+    /// @throws tilt_lens::OpticsError
+    static tilt_lens::Lens Solve(const Camera& camera);
+};
+
+} // namespace pov
+
+#endif

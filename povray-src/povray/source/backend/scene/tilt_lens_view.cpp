@@ -1,0 +1,202 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/scene/tilt_lens_view.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "backend/frame.h"
+#include "backend/colour/colour.h"
+#include "backend/control/messagefactory.h"
+#include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
+#include "backend/scene/threaddata.h"
+#include "backend/scene/view.h"
+#include "backend/texture/pigment.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Vec3;
+
+namespace
+{
+
+tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene)
+{
+    const tilt_lens::Statement& s = camera.TiltLens.statement;
+    if (camera.Bokeh != NULL)
+    {
+        SceneThreadData thread(scene);
+        return tilt_lens::Aperture::Picture(
+            [&](double u, double v)
+            {
+                Colour colour;
+                VECTOR point = {u, v, 0.0};
+                Compute_Pigment(colour, camera.Bokeh, point, NULL, NULL, &thread);
+                return double(colour.greyscale());
+            });
+    }
+    if (s.blades > 0)
+        return tilt_lens::Aperture::Polygon(s.blades, s.bladesAngle * M_PI_180);
+    return tilt_lens::Aperture::Disc();
+}
+
+tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
+{
+    tilt_lens::SamplingLimits limits;
+    limits.max = camera.Blur_Samples;
+    limits.min = camera.Blur_Samples_Min;
+    limits.variance = camera.Variance;
+    limits.confidence = camera.Confidence;
+    return limits;
+}
+
+/// Half the extent of the lens along one world axis; a picture in the lens fills the square around the disc.
+double HalfExtent(double x, double y, bool square)
+{
+    return square ? std::fabs(x) + std::fabs(y) : std::hypot(x, y);
+}
+
+/// Every object with an interior whose bounding box meets the box around the lens.
+std::vector<ObjectPtr> ObjectsAroundLens(const Camera& camera, const tilt_lens::Lens& lens, const SceneData& scene)
+{
+    const bool square = camera.Bokeh != NULL;
+    const double half[3] = {HalfExtent(lens.lensX.x, lens.lensY.x, square),
+                            HalfExtent(lens.lensX.y, lens.lensY.y, square),
+                            HalfExtent(lens.lensX.z, lens.lensY.z, square)};
+    std::vector<ObjectPtr> objects;
+    for (ObjectPtr object : scene.objects)
+    {
+        bool apart = object->interior == NULL;
+        for (int i = X; i <= Z; i++)
+        {
+            const double low = object->BBox.Lower_Left[i], high = low + object->BBox.Lengths[i];
+            // boxes are single precision; leave them that much room
+            const double room = half[i] + 1e-6 * (std::fabs(low) + std::fabs(high));
+            apart = apart || camera.Location[i] + room < low || camera.Location[i] - room > high;
+        }
+        if (!apart)
+            objects.push_back(object);
+    }
+    return objects;
+}
+
+std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
+{
+    char text[160];
+    std::snprintf(text, sizeof text, format, a, b, c);
+    return text;
+}
+
+/// A distance in scene units; infinity in words.
+std::string Distance(double units)
+{
+    return std::isfinite(units) ? Line("%.6g", units) : "infinity";
+}
+
+} // namespace
+
+TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, shared_ptr<SceneData> scene) :
+    lens(solved),
+    aperture(ApertureOf(camera, scene)),
+    limits(LimitsOf(camera)),
+    aroundLens(ObjectsAroundLens(camera, solved, *scene))
+{
+}
+
+shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, const tilt_lens::Lens& lens,
+                                              shared_ptr<SceneData> scene)
+{
+    camera.Direction[X] = lens.direction.x;
+    camera.Direction[Y] = lens.direction.y;
+    camera.Direction[Z] = lens.direction.z;
+    camera.Aperture = 0.0;  // POV-Ray's own focal blur keeps out
+    if (lens.diameter == 0.0)
+        return shared_ptr<TiltLensView>();
+    return shared_ptr<TiltLensView>(new TiltLensView(camera, lens, scene));
+}
+
+void TiltLensView::Add(const tilt_lens::SamplingAccount& tile)
+{
+    boost::mutex::scoped_lock lock(accountMutex);
+    account.Add(tile);
+}
+
+std::string TiltLensView::Summary() const
+{
+    boost::mutex::scoped_lock lock(accountMutex);
+    const double pixels = std::max<double>(1.0, account.Pixels());
+    return "Tilt Lens Sampling\n" +
+           Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", account.Samples() / pixels,
+                account.Quantile(0.99), account.Most()) +
+           Line("  Standard error.......%.2g of white (estimated)\n", account.StandardError());
+}
+
+std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width)
+{
+    const double mm = 1.0 / lens.millimetre;
+    const Vec3 n = Normalized(lens.focus);
+    const Vec3 location{camera.Location[X], camera.Location[Y], camera.Location[Z]};
+    const double axisFocus = AxisFocusOf(lens);
+    const Vec3 point = axisFocus > 0.0 && std::isfinite(axisFocus) ? location + axisFocus * lens.axis
+                                                                   : location + n / Length(lens.focus);
+    std::string text = "Tilt Lens\n";
+    text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", TiltOf(lens), SwingOf(lens));
+    text += Line("  Focal length.........%.5g mm, film distance %.5g mm\n", lens.focalLength * mm,
+                 lens.filmDistance * mm);
+    if (lens.diameter > 0.0)
+        text += Line("  Aperture.............f/%.4g, diameter %.5g mm (%.5g units)\n",
+                     lens.focalLength / lens.diameter, lens.diameter * mm, lens.diameter);
+    else
+        text += "  Aperture.............none (pinhole)\n";
+    text += "  Sharp plane..........through " + Line("<%.6g, %.6g, %.6g>", point.x, point.y, point.z) +
+            Line(", normal <%.6g, %.6g, %.6g>", n.x, n.y, n.z) +
+            Line(", %.4g degrees to the film\n", FocusAngleOf(lens));
+    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens)) + " units from the lens\n";
+    if (lens.diameter > 0.0)
+    {
+        const tilt_lens::SharpRange sharp = SharpRangeOf(lens, width, 1.0);
+        text += "  Sharp on the axis....from " + Distance(sharp.near) + " to " + Distance(sharp.far) +
+                " units (blur of one pixel)\n";
+    }
+    return text;
+}
+
+/// A camera with `tilt_lens` gets its threads' common data, tells its numbers and takes over from all
+/// anti-aliasing; any other camera is left alone.
+void View::StartTiltLens(unsigned int& tracingmethod)
+{
+    Camera& camera = viewData.camera;
+    const TiltLensCamera block = camera.TiltLens;
+    if (!block.given)
+        return;
+    MessageFactory messages(10, 370, "Render", viewData.sceneData->backendAddress,
+                            viewData.sceneData->frontendAddress, viewData.sceneData->sceneId, viewData.viewId);
+    try
+    {
+        const tilt_lens::Lens lens = TiltLensCamera::Solve(camera);
+        viewData.tiltLens = TiltLensView::Create(camera, lens, viewData.sceneData);
+
+        POVMS_Object report(kPOVObjectClass_RenderOptions);
+        report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, lens, viewData.width).c_str());
+        RenderBackend::SendViewOutput(viewData.viewId, viewData.sceneData->frontendAddress,
+                                      kPOVMsgIdent_RenderOptions, report);
+    }
+    catch (const std::logic_error& error)
+    {
+        throw POV_EXCEPTION(kParamErr, error.what());
+    }
+    if (!viewData.tiltLens)
+        return;
+    if (tracingmethod != 0)
+        messages.WarningAt(0, block.file.c_str(), block.line, block.column, block.offset,
+                           "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
+                           "samples cover the pixel already. blur_samples and variance set the quality.");
+    tracingmethod = TiltLensView::kTracingMethod;
+}
+
+} // namespace pov

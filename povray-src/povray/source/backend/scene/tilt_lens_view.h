@@ -1,0 +1,65 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file tilt_lens_view.h
+/// What all render threads of a `tilt_lens` picture share: the solved lens, its aperture, the limits
+/// of sampling, and the account of what was spent.
+
+#ifndef POVRAY_BACKEND_TILT_LENS_VIEW_H
+#define POVRAY_BACKEND_TILT_LENS_VIEW_H
+
+#include <string>
+#include <vector>
+
+#include <boost/thread.hpp>
+
+#include "backend/frame.h"
+#include "backend/scene/camera.h"
+#include "tilt_lens/aperture.h"
+#include "tilt_lens/cell_sampler.h"
+#include "tilt_lens/optics.h"
+
+namespace pov
+{
+
+class SceneData;
+
+class TiltLensView
+{
+  public:
+    /// Beside POV-Ray's tracing methods 0 to 2, which are its kinds of anti-aliasing.
+    static const unsigned int kTracingMethod = 3;
+
+    /// Prepares a camera for its render: the shift and the angle of view go into its `direction`.
+    /// Returns what the threads share, or NULL where the lens is a pinhole: then POV-Ray's own camera
+    /// does all that is left to do.
+    /// @throws std::invalid_argument  a bokeh picture without any light
+    static shared_ptr<TiltLensView> Create(Camera& camera, const tilt_lens::Lens& lens,
+                                           shared_ptr<SceneData> scene);
+
+    const tilt_lens::Lens lens;
+    const tilt_lens::Aperture aperture;
+    const tilt_lens::SamplingLimits limits;
+
+    /// Objects that some lens point may lie in; rays from the lens ask no others.
+    const std::vector<ObjectPtr> aroundLens;
+
+    /// Adds the account of a finished tile.
+    void Add(const tilt_lens::SamplingAccount& tile);
+
+    /// Samples spent and error reached, for the statistics after the render.
+    std::string Summary() const;
+
+  private:
+    TiltLensView(const Camera& camera, const tilt_lens::Lens& lens, shared_ptr<SceneData> scene);
+
+    mutable boost::mutex accountMutex;
+    tilt_lens::SamplingAccount account;
+};
+
+/// The numbers of a lens that a photographer checks, one a line, for a picture `width` pixels wide.
+std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width);
+
+} // namespace pov
+
+#endif

@@ -1,0 +1,120 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file cell_sampler.h
+/// How many rays a pixel gets. The unit is a cell of 8 by 8 pixels on a grid fixed to the whole
+/// picture: its pixels are judged together, and no other pixel has a say, so that neither threads
+/// nor tiles nor sub-images change a value.
+///
+/// A pixel's samples are a prefix of one low-discrepancy sequence, taken in rounds that double it.
+/// After each round three things are known of the pixel, for each channel:
+///
+///     s^2 / n        variance of the mean if the n samples were independent (n - 1 in s^2);
+///     (A - B)^2 / 4  with A and B the means of the two halves of the prefix: one number, but it sees
+///                    what stratification gains. The halves of such a prefix fill each other's gaps,
+///                    so that their difference overstates the error of their mean, never the reverse;
+///     gain           the second over the first, pooled over the cell.
+///
+/// What decides is gain s^2 / n, with s^2 no smaller than its mean over the neighbouring pixels (a few
+/// equal samples beside an edge are no certainty), raised to the upper limit of the confidence
+/// interval that the number of samples leaves (chi-square).
+///
+/// Sources: M. E. Lee, R. A. Redner, S. P. Uselton, "Statistically optimized sampling for distributed
+/// ray tracing" (1985) for a stop by variance and confidence; A. B. Owen, "Monte Carlo theory, methods
+/// and examples", chapter 17, for estimating the error of randomised sequences.
+
+#ifndef TILT_LENS_CELL_SAMPLER_H
+#define TILT_LENS_CELL_SAMPLER_H
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "sampler.h"
+
+namespace tilt_lens
+{
+
+/// Red, green, blue, filter, transmit; linear.
+using Radiance = std::array<double, 5>;
+
+/// `blur_samples MIN, MAX`, `variance` and `confidence` of a camera.
+struct SamplingLimits
+{
+    std::uint32_t min = 8, max = 1024;  ///< samples per pixel, 1 <= min <= max
+    double variance = 1e-4;             ///< of a pixel's mean, where its brightness is at most 1
+    double confidence = 0.9;            ///< that the variance is below, (0, 1)
+};
+
+/// What a set of pixels cost and how good they are.
+struct SamplingAccount
+{
+    std::map<std::uint32_t, std::uint64_t> pixelsBySamples;  ///< samples of a pixel -> pixels
+    double variance = 0.0;                                   ///< sum over pixels, worst channel each
+
+    void Add(const SamplingAccount& other);
+    std::uint64_t Pixels() const;
+    std::uint64_t Samples() const;
+    std::uint32_t Most() const;
+    /// Samples that `share` of the pixels did not exceed.
+    std::uint32_t Quantile(double share) const;
+    /// Root of the mean estimated variance.
+    double StandardError() const;
+};
+
+/// Identifies one sample of one pixel.
+struct SampleId
+{
+    std::uint32_t x, y;   ///< pixel in the whole picture
+    std::uint32_t index;  ///< 0, 1, ... in the order taken
+};
+
+class CellSampler
+{
+  public:
+    static constexpr std::uint32_t kSize = 8;
+
+    /// Traces one sample; the position in the pixel is sample.pixelX, pixelY.
+    using Tracer = std::function<void(const SampleId& id, const Sample& sample, Radiance& result)>;
+
+    explicit CellSampler(const SamplingLimits& limits);
+
+    /// Samples the pixels [left, left + width) x [top, top + height), at most kSize each way. left and
+    /// top are multiples of kSize; the cell is smaller only at the picture's right and lower border.
+    void Run(std::uint32_t left, std::uint32_t top, std::uint32_t width, std::uint32_t height,
+             const Tracer& trace);
+
+    /// @name Results for pixel (x, y) of the cell, after Run.
+    /// @{
+    Radiance Mean(std::uint32_t x, std::uint32_t y) const;
+    std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const;
+    double Variance(std::uint32_t x, std::uint32_t y) const;  ///< estimate, of the mean, worst channel
+    /// @}
+
+  private:
+    struct Pixel
+    {
+        std::array<Radiance, 2> half{};  ///< sums of the samples before and after the middle
+        Radiance squares{};              ///< sum over both halves
+        std::uint32_t samples = 0;
+        std::uint32_t middle = 0;        ///< samples in the first half
+        double variance = 0.0;           ///< as Variance() gives it
+        bool open = true;                ///< wants more samples
+    };
+
+    SamplingLimits limits;
+    std::uint32_t left = 0, top = 0, width = 0, height = 0;
+    std::vector<Pixel> pixels;
+
+    void TakeSamples(std::uint32_t pixel, std::uint32_t until, const Tracer& trace);
+    void Judge();
+    double PooledGain() const;
+    Radiance SampleVariance(const Pixel& pixel) const;
+    Radiance NeighbourhoodVariance(std::uint32_t pixel, const std::vector<Radiance>& variances) const;
+};
+
+} // namespace tilt_lens
+
+#endif

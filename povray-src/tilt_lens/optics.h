@@ -1,0 +1,139 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file optics.h
+/// From what a scene says about a lens to the lens, the film and the plane of sharp focus.
+///
+/// Model: an ideal thin lens, tilted about its own centre, which is the camera's location; the film
+/// is flat and parallel to the camera's `right` and `up`. The chief rays pass the lens centre unbent,
+/// so a tilt moves no image point, and a shift moves the frame over the film.
+///
+/// With z the camera axis, the film at -s z, t the unit lens normal, f the focal length, the plane of
+/// sharp focus is k.X = 1 with
+///
+///     k = t/f - z/s                                       (X relative to the lens centre)
+///
+/// which is Scheimpflug's rule and the thin lens equation in one line. Everything here follows from
+/// it; nothing is divided by a distance that may vanish. k = 0 would be a plane at infinity.
+///
+/// Sources: T. Nakane et al., "Simulating tilt-shift lens using distributed ray tracing" (equation 1
+/// there is a special case); H. M. Merklinger, "Principles of View Camera Focus" (the hinge rule);
+/// A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model", Ray Tracing Gems II, chapter 31 (same
+/// model; the formulas here are derived anew and do not divide where that chapter does).
+
+#ifndef TILT_LENS_OPTICS_H
+#define TILT_LENS_OPTICS_H
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "vec3.h"
+
+namespace tilt_lens
+{
+
+/// The perspective camera as POV-Ray holds it after all transformations. World frame, scene units.
+struct CameraFrame
+{
+    Vec3 location;   ///< centre of the lens
+    Vec3 direction;  ///< from the lens centre to the middle of the frame
+    Vec3 right, up;  ///< the frame's full width and height at the end of `direction`
+};
+
+/// What says where the focus lies. Each family excludes the others.
+enum class FocusFamily
+{
+    LensTurn,    ///< `tilt`, `swing`, and the focal point; also the default, both zero
+    FocusTurn,   ///< `focus_tilt`, `focus_swing`, and the focal point
+    FocalPlane,  ///< `focal_plane`
+    FocalPoints  ///< `focal_points`
+};
+
+/// A `tilt_lens` block as it is written: film side in millimetres, angles in degrees, points and
+/// planes in world coordinates and scene units.
+struct Statement
+{
+    double filmWidth = 36.0;            ///< mm
+    std::optional<double> focalLength;  ///< mm; without it the angle of view fixes the film distance
+    double sceneUnit = 1000.0;          ///< mm in one scene unit
+    FocusFamily family = FocusFamily::LensTurn;
+    double tilt = 0.0, swing = 0.0;            ///< degrees, of the lens
+    double focusTilt = 0.0, focusSwing = 0.0;  ///< degrees, of the plane of sharp focus
+    Vec3 planeNormal{0.0, 0.0, 1.0};           ///< any length but 0
+    double planeDistance = 0.0;                ///< along the unit normal, from the world's origin
+    Vec3 points[3];                            ///< on the plane of sharp focus
+    double shiftRight = 0.0, shiftUp = 0.0;    ///< mm
+    std::optional<double> fStop;               ///< focal length / diameter
+    int blades = 0;                            ///< straight edges of the diaphragm; 0: round
+    double bladesAngle = 0.0;                  ///< degrees, counter-clockwise as the camera sees it
+
+    Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; from `focal_point`, or `look_at` without one
+    double aperture = 0.0;           ///< POV-Ray's number: twice the lens diameter, scene units; 0: none
+    double scale = 1.0;              ///< all scalings of the camera: cube root of the determinant
+};
+
+/// A lens, its film and its plane of sharp focus, ready to make rays. World frame unless said
+/// otherwise, relative to the lens centre, scene units.
+struct Lens
+{
+    Vec3 axisRight, axisUp, axis;  ///< orthonormal: along `right`, towards `up`, film normal into the scene
+    Vec3 normal;                   ///< unit lens normal t, t.axis > 0
+    double focalLength = 0.0;      ///< f
+    double filmDistance = 0.0;     ///< s, along the axis
+    double diameter = 0.0;         ///< of the aperture; 0: a pinhole
+    Vec3 focus;                    ///< k: the plane of sharp focus is k.X = 1
+    Vec3 direction, right, up;     ///< chief ray through (x, y) in [-0.5, 0.5]^2: direction + x right + y up
+    Vec3 lensX, lensY;             ///< lens point of aperture coordinates (a, b): a lensX + b lensY; unit disc = lens
+    double millimetre = 0.0;       ///< one millimetre of film, in scene units
+};
+
+/// A statement that no lens can follow. what() says what is wrong, the value found, what is allowed
+/// and what to do.
+class OpticsError : public std::runtime_error
+{
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Solves a statement for a camera.
+/// @throws OpticsError  a degenerate camera; a lens turned 90 degrees or more; a plane of focus
+///                      through the lens centre or behind the lens; a lens turned backward; a focal
+///                      length that cannot reach the plane or whose focus is nearer than itself.
+Lens Solve(const CameraFrame& camera, const Statement& given);
+
+/// Sensible pictures that are probably not what was meant: a lens tilt past 15 degrees, a tilt
+/// without an aperture. One sentence or two each.
+std::vector<std::string> Doubts(const Lens& lens, const Statement& given);
+
+/// @name Numbers a photographer checks.
+/// @{
+
+/// Lens tilt and swing in degrees that make this lens normal, signs as in `tilt` and `swing`.
+double TiltOf(const Lens& lens);
+double SwingOf(const Lens& lens);
+
+/// Angle in degrees between the plane of sharp focus and the film.
+double FocusAngleOf(const Lens& lens);
+
+/// Distance J of the hinge line from the lens centre, in the plane parallel to the film through that
+/// centre: J = f / sin(tilt) (Merklinger). Infinite for a lens parallel to the film.
+double HingeDistanceOf(const Lens& lens);
+
+/// Where the plane of sharp focus crosses the axis: distance from the lens centre. Infinite or
+/// negative where it does not cross in front.
+double AxisFocusOf(const Lens& lens);
+
+/// Near and far limit of sharpness on the axis, for a blur of `pixels` in a frame `width` pixels wide.
+/// far is infinite past the hyperfocal distance; both are infinite where nothing on the axis is sharp.
+struct SharpRange
+{
+    double near = 0.0, far = 0.0;  ///< scene units from the lens centre
+};
+SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
+/// @}
+
+} // namespace tilt_lens
+
+#endif

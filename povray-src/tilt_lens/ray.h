@@ -1,0 +1,50 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file ray.h
+/// The way of a ray: film point and lens point in, ray out. One formula without a branch or a
+/// division, so nothing happens where a pixel focuses at infinity or behind the lens:
+///
+///     D = direction + x right + y up      chief ray of the film point
+///     w = k.D                             1/w is where it meets the plane of sharp focus, in units of D
+///     l = a lensX + b lensY               point of the tilted lens
+///     ray: from l, along D - w l
+///
+/// For w > 0 the ray meets the chief ray in front of the lens at D/w, for w < 0 it comes from that
+/// point behind it, for w = 0 it is parallel to the chief ray.
+
+#ifndef TILT_LENS_RAY_H
+#define TILT_LENS_RAY_H
+
+#include "optics.h"
+
+namespace tilt_lens
+{
+
+struct LensRay
+{
+    Vec3 origin;     ///< relative to the lens centre, world axes, scene units
+    Vec3 direction;  ///< not normalised: parameter 1/w is the plane of sharp focus
+};
+
+/// @param x, y  film point as the picture shows it, [-0.5, 0.5]: right, up
+/// @param a, b  lens point in aperture coordinates, in the unit disc: right, up
+inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
+{
+    const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
+    const double w = Dot(lens.focus, chief);
+    const Vec3 point = a * lens.lensX + b * lens.lensY;
+    return {point, chief - w * point};
+}
+
+/// Vergence difference 1/T - w of a surface point at parameter T of a chief ray: the film image of
+/// the lens outline is this times the lens (in units of `right` and `up` after division by their
+/// lengths). Zero in focus, positive before the plane of sharp focus, finite for T infinite.
+inline double BlurVergence(const Lens& lens, const Vec3& chief, double T)
+{
+    return 1.0 / T - Dot(lens.focus, chief);
+}
+
+} // namespace tilt_lens
+
+#endif
