@@ -28,10 +28,28 @@ if(TILT_LENS_SANITIZE)
     add_link_options(-fsanitize=${TILT_LENS_SANITIZE})
 endif()
 
+# Tries ccache once: it stops every compilation where it cannot write its folder (an account without a home).
+function(tilt_lens_try_ccache)
+    set(probe "${CMAKE_BINARY_DIR}/CMakeFiles/ccache-probe.cpp")
+    file(WRITE "${probe}" "int probe;\n")
+    execute_process(COMMAND "${CCACHE_PROGRAM}" "${CMAKE_CXX_COMPILER}" -c "${probe}" -o "${probe}.o"
+        RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE said)
+    set(works OFF)
+    if(result EQUAL 0)
+        set(works ON)
+    else()
+        message(STATUS "Building without ccache, which does not work here: ${said}")
+    endif()
+    set(TILT_LENS_CCACHE_WORKS ${works} CACHE INTERNAL "Whether ccache compiled a trial file")
+endfunction()
+
 if(TILT_LENS_CCACHE)
     find_program(CCACHE_PROGRAM ccache)
     mark_as_advanced(CCACHE_PROGRAM)
-    if(CCACHE_PROGRAM)
+    if(CCACHE_PROGRAM AND NOT DEFINED TILT_LENS_CCACHE_WORKS)
+        tilt_lens_try_ccache()
+    endif()
+    if(CCACHE_PROGRAM AND TILT_LENS_CCACHE_WORKS)
         # Paths below this folder are hashed relative to it, and the folder itself is not: another clone hits.
         set(CMAKE_CXX_COMPILER_LAUNCHER
             /usr/bin/env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")

@@ -109,8 +109,10 @@ setup()
 {
     local target=povray
     [ "$1" = render ] || target=all
+    command -v dpkg-query apt-get >/dev/null || die "this set-up is for Debian 12: dpkg and apt-get are missing."
     install_packages "$1"
     mkdir -p "$build" || die "cannot create $build."
+    [ -w "$build" ] || die "cannot write into $build (it belongs to $(stat -c %U -- "$build"))."
     # One set-up at a time: two builds in one folder would spoil each other.
     exec {setup_lock}> "$build/setup.lock" || die "cannot write into $build."
     flock -n "$setup_lock" || { say "Waiting for another set-up in $build"; flock "$setup_lock"; }
