@@ -20,7 +20,9 @@ import manifest
 import pictures
 
 # The mean of a render's reference: this many pictures, each with other samples (batch.inc).
-BATCHES = 8
+# With fewer, the estimated deviation of a pixel has so few degrees of freedom that Gaussian limits
+# fail good pixels.
+BATCHES = 16
 ORACLE_BATCHES, ORACLE_SAMPLES, ORACLE_PROCESSES = 8, 512, 48
 
 
@@ -38,12 +40,14 @@ def arguments():
 
 
 def version_and_compiler(povray):
-    """The program's own words about itself."""
+    """What the program says about itself, and the compiler's mark in its file where it has one."""
     done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True,
                           check=True)
     text = done.stdout + done.stderr
     version = re.search(r"^POV-Ray \d.*$", text, re.MULTILINE)
-    compiler = re.findall(r"^ *Compiler (?:version|flags): *(.*)$", text, re.MULTILINE)
+    told = re.findall(r"^ *Compiler (?:version|flags): *(.*)$", text, re.MULTILINE)
+    mark = re.search(rb"GCC: \([^)\0]*\) [\d.]+|clang version [^\0]+", pathlib.Path(povray).read_bytes())
+    compiler = ([mark.group(0).decode()] if mark else []) + told
     return (version.group(0).strip() if version else "not told by the program",
             " ".join(compiler) or "not told by the program")
 
@@ -72,7 +76,8 @@ def make_oracle(entry, args, work):
                "--batches", str(ORACLE_BATCHES), "--samples", str(ORACLE_SAMPLES),
                "--processes", str(ORACLE_PROCESSES), "--work", str(work / "frames")]
     subprocess.run(command, check=True)
-    told = ["oracle", "render", str(entry.case.relative_to(manifest.ROOT)), *command[5:-2]]
+    told = ["oracle", "render", str(entry.case.relative_to(manifest.ROOT)), *command[3:-2]]
+    told[3] = str(entry.file.relative_to(manifest.ROOT))
     return output, told, args.stock, ORACLE_BATCHES * ORACLE_SAMPLES
 
 

@@ -6,7 +6,7 @@
 
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
-#include "checks.inc"
+#include "dots.inc"
 
 #ifndef (Blades_Sign) #declare Blades_Sign = 1; #end  // -1: the mirrored lens, which must fail
 
@@ -17,8 +17,8 @@ camera
   right image_width/image_height*x
   look_at <0.1, 0.7, 3>
   angle 40
-  aperture 1
-  focal_point <0.3, 0.6, 2>
+  aperture 3
+  focal_point <-0.5, 0.6, -1>
   blur_samples 32, 4096  confidence 0.95  variance 1/100000
   tilt_lens { blades 6, 15*Blades_Sign }
 }

@@ -6,7 +6,7 @@
 
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
-#include "checks.inc"
+#include "dots.inc"
 
 #ifndef (Tilt_Sign) #declare Tilt_Sign = 1; #end
 #ifndef (Blades_Sign) #declare Blades_Sign = 1; #end  // -1: the mirrored lens, which must fail
@@ -18,8 +18,8 @@ camera
   right image_width/image_height*x
   look_at <0.1, 0.7, 3>
   angle 40
-  aperture 0.8
-  focal_point <0.3, 0.6, 2>
+  aperture 2
+  focal_point <-0.5, 0.6, -1>
   blur_samples 32, 4096  confidence 0.95  variance 1/100000
   tilt_lens { scene_unit 200  tilt 7*Tilt_Sign  blades 3, 20*Blades_Sign }
 }

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The oracle program itself, live: a few frames agree with the stored oracle, and with the wrong
+sign of the tilt they do not. So the stored pictures can still be made by this program and this
+machine's unpatched POV-Ray."""
+
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
+import manifest  # noqa: E402
+import pictures  # noqa: E402
+
+CASE = "tilt"
+# 128 pinholes leave an RMSE of about 0.012 in this case; the wrong sign makes 0.06.
+LIMITS = {"kind": "limits", "rmse_max": 0.025, "mean_max": 0.002}
+BATCHES, SAMPLES, PROCESSES, SEED = 8, 16, 16, 1001
+
+
+def live(args, case, name):
+    """The oracle's picture of a case, with few frames."""
+    output = args.work / (name + ".exr")
+    subprocess.run([args.oracle, "render", str(case), str(output), "--povray", args.stock,
+                    "--work", str(args.work / name), "--batches", str(BATCHES), "--samples", str(SAMPLES),
+                    "--processes", str(PROCESSES), "--seed", str(SEED)], check=True)
+    return output
+
+
+def outcome(args, picture):
+    """One of pictures.OUTCOMES."""
+    try:
+        figures = pictures.compare(args.compare, picture, manifest.FOLDER / "oracle" / (CASE + ".exr"), LIMITS)
+        print(f"RMSE {figures['rmse']:.5f}, signed mean {figures['mean']:+.6f}")
+    except pictures.Trouble as trouble:
+        print(f"{trouble.outcome}: {trouble}")
+        return trouble.outcome
+    return "same"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for option in ("--oracle", "--compare", "--stock"):
+        parser.add_argument(option, required=True)
+    parser.add_argument("--work", required=True, type=pathlib.Path)
+    args = parser.parse_args()
+    shutil.rmtree(args.work, ignore_errors=True)
+    args.work.mkdir(parents=True)
+
+    case = manifest.ORACLE_CASES / (CASE + ".json")
+    right = outcome(args, live(args, case, "right"))
+
+    description = json.loads(case.read_text())
+    description["camera"]["focus"]["tilt"] *= -1
+    shutil.copyfile(case.parent / description["scene"], args.work / description["scene"])
+    reversed_case = args.work / "reversed.json"
+    reversed_case.write_text(json.dumps(description))
+    wrong = outcome(args, live(args, reversed_case, "reversed_tilt"))
+    return 0 if (right, wrong) == ("same", "different") else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Every kind of failure is told apart from the others: each is made once, with a stand-in for the
+program that renders, and a folder of references of the test's own."""
+
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+TOOLS = pathlib.Path(__file__).resolve().parents[1] / "tools"
+sys.path.insert(0, str(TOOLS))
+import manifest  # noqa: E402
+import pictures  # noqa: E402
+
+NAME = "oracle/tilt"
+
+
+def png(width, height, value):
+    """A grey 16-bit PNG."""
+    rows = b"".join(b"\0" + struct.pack(">H", value) * 3 * width for _ in range(height))
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 2, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+class FailureKinds(unittest.TestCase):
+    """check_picture.py with a stand-in for the fork."""
+
+    def setUp(self):
+        self.compare = os.environ["COMPARE"]
+        self.holder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.holder.cleanup)
+        self.folder = pathlib.Path(self.holder.name)
+        self.references = self.folder / "references"
+        (self.references / "oracle").mkdir(parents=True)
+        self.entry = manifest.entries()[NAME]
+        self.reference = self.references / "oracle" / "tilt.exr"
+        self.picture(self.folder / "grey.png", self.entry.width, self.entry.height, 30000)
+        subprocess.run([self.compare, "average", str(self.reference), str(self.folder / "grey.png")], check=True)
+        self.record = dict.fromkeys(manifest.FIELDS, "something") | {
+            "file": "oracle/tilt.exr", "sources_sha256": self.entry.sources_sha256(),
+            "pixels_sha256": pictures.pixel_hash(self.compare, self.reference),
+            "comparison": manifest.ORACLE_COMPARISON}
+        self.save(self.record)
+
+    def picture(self, path, width, height, value):
+        """A grey picture in a file."""
+        path.write_bytes(png(width, height, value))
+        return path
+
+    def save(self, record):
+        """The manifest of the test's own."""
+        manifest.save({NAME: record} if record else {}, self.references)
+
+    def check(self, script, *more):
+        """Runs check_picture.py; `script`: what the stand-in does. Returns exit code and messages."""
+        stand_in = self.folder / "stand_in"
+        stand_in.write_text("#!/bin/sh\n" + script + "\n")
+        stand_in.chmod(0o755)
+        done = subprocess.run([sys.executable, str(TOOLS / "check_picture.py"), NAME, "--povray", str(stand_in),
+                               "--compare", self.compare, "--work", str(self.folder / "work"),
+                               "--references", str(self.references), *more],
+                              capture_output=True, text=True, check=False)
+        return done.returncode, done.stderr
+
+    def expect(self, outcome, script):
+        """The outcome is this one, named in the message and in the page."""
+        code, message = self.check(script)
+        self.assertEqual(code, pictures.OUTCOMES[outcome], message)
+        self.assertIn(outcome, message)
+        page = self.folder / "work" / NAME / "as_is" / "index.html"
+        self.assertIn(outcome, page.read_text())
+        return message, page
+
+    def copy_of(self, width, height, value):
+        """A stand-in that writes this picture."""
+        return f"cp '{self.picture(self.folder / 'result.png', width, height, value)}' new.png"
+
+    def test_same(self):
+        code, message = self.check(self.copy_of(self.entry.width, self.entry.height, 30000))
+        self.assertEqual(code, 0, message)
+
+    def test_different(self):
+        _, page = self.expect("different", self.copy_of(self.entry.width, self.entry.height, 31000))
+        for word in ("new.png", "reference.png", "difference.png", "Worst pixels", "Render it again",
+                     "Accept the change", "update_references.py"):
+            self.assertIn(word, page.read_text())
+        for name in ("new.png", "reference.png", "difference.png"):
+            self.assertTrue((page.parent / name).is_file(), name)
+
+    def test_wrong_size(self):
+        self.expect("wrong size", self.copy_of(self.entry.width, self.entry.height + 1, 30000))
+
+    def test_crash(self):
+        message, _ = self.expect("crash", "echo all is lost; kill -SEGV $$")
+        self.assertIn("signal 11", message)
+        self.assertIn("all is lost", message)
+
+    def test_error_exit(self):
+        message, _ = self.expect("crash", "exit 3")
+        self.assertIn("exit code 3", message)
+
+    def test_no_output(self):
+        self.expect("no output", "exit 0")
+
+    def test_an_old_output_does_not_count(self):
+        self.check(self.copy_of(self.entry.width, self.entry.height, 30000))
+        self.expect("no output", "exit 0")
+
+    def test_unreadable(self):
+        self.expect("unreadable", "echo this is no picture > new.png")
+
+    def test_missing_reference(self):
+        self.reference.unlink()
+        self.expect("missing reference", self.copy_of(self.entry.width, self.entry.height, 30000))
+        self.assertFalse(self.reference.exists(), "a missing reference must not be made up")
+
+    def test_missing_entry(self):
+        self.save(None)
+        self.expect("missing reference", self.copy_of(self.entry.width, self.entry.height, 30000))
+
+    def test_stale_reference(self):
+        self.record["sources_sha256"] = {path: "0" * 64 for path in self.record["sources_sha256"]}
+        self.save(self.record)
+        self.expect("stale reference", self.copy_of(self.entry.width, self.entry.height, 30000))
+
+    def test_expected_difference_that_is_none(self):
+        code, message = self.check(self.copy_of(self.entry.width, self.entry.height, 30000), "--expect", "different")
+        self.assertEqual(code, pictures.OUTCOMES["failure"], message)
+
+    def test_expected_difference(self):
+        code, message = self.check(self.copy_of(self.entry.width, self.entry.height, 31000), "--expect", "different")
+        self.assertEqual(code, 0, message)
+
+    def test_a_crash_is_not_the_expected_difference(self):
+        code, message = self.check("exit 1", "--expect", "different")
+        self.assertEqual(code, pictures.OUTCOMES["crash"], message)
+
+    def test_not_finite(self):
+        header = b"PF\n1 1\n-1.0\n"
+        picture = self.folder / "nan.pfm"
+        picture.write_bytes(header + struct.pack("<fff", 1.0, float("nan"), 1.0))
+        with self.assertRaises(pictures.Trouble) as caught:
+            pictures.compare(self.compare, picture, picture, {"kind": "exact"})
+        self.assertEqual(caught.exception.outcome, "not finite")
+
+    def test_manifest_checks(self):
+        def complaints(names=(NAME,)):
+            return "\n".join(manifest.complaints(manifest.load(self.references), self.references, names,
+                                                 self.compare))
+
+        self.assertEqual(complaints(), "")
+        self.assertIn("has no entry", complaints((NAME, "oracle/other")))
+        self.assertIn("no such case", complaints(()))
+        self.picture(self.folder / "other.png", self.entry.width, self.entry.height, 1)
+        subprocess.run([self.compare, "average", str(self.references / "stray.exr"),
+                        str(self.folder / "other.png")], check=True)
+        self.assertIn("stray.exr: is no entry's picture", complaints())
+        (self.references / "stray.exr").replace(self.reference)
+        self.assertIn("not those the manifest tells of", complaints())
+        self.reference.unlink()
+        self.assertIn("is missing", complaints())
+        del self.record["reason"]
+        self.save(self.record)
+        self.assertIn("lacks reason", complaints())
+
+
+if __name__ == "__main__":
+    unittest.main()
