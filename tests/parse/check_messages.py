@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Runs POV-Ray on each case of a file and compares what it says with what the case expects.
+
+An expected error must be the only one, name file and line, contain the expected parts in their order,
+end the program with an exit code that is not zero, and leave no picture. Where no error is expected the
+picture must be there. Warnings must be those expected, no more.
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import cases_file
+
+PICTURE = "picture.png"
+# POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The
+# renderer's have their place on a line of its own.
+KIND = r"((?:Parse |Possible |Render |Fatal )?(?:Error|Warning)): (.*)"
+MESSAGE = re.compile(r"File '([^']*)' line (\d+): " + KIND)
+PLACE = re.compile(r"File: (.*\S) +Line: (\d+)\n(?=" + KIND + ")")
+PLACELESS = re.compile(KIND)
+
+
+def messages_of(text):
+    """(kind, file, line, text) of each message in the output of POV-Ray."""
+    found = []
+    for line in PLACE.sub(r"File '\1' line \2: ", re.sub(r"\n (?=\S)", " ", text)).split("\n"):
+        match = MESSAGE.match(line)
+        file, number = (match[1], int(match[2])) if match else (None, 0)
+        match = match or PLACELESS.match(line)
+        if match:
+            kind, said = match.groups()[-2:]
+            found.append(("error" if "Error" in kind else "warning", file, number, re.sub(r"\s+", " ", said).strip()))
+    return found
+
+
+def has_parts(text, parts):
+    """Whether the parts stand in the text in this order."""
+    at = 0
+    for part in parts:
+        at = text.find(part, at)
+        if at < 0:
+            return False
+        at += len(part)
+    return True
+
+
+def run(povray, case, folder, library):
+    """Exit code (None: it did not end) and output of POV-Ray."""
+    for name, text in case.files.items():
+        (folder / name).write_text(text)
+    (folder / "none.ini").write_text("")
+    command = [povray, f"+I{cases_file.SCENE}", f"+O{PICTURE}", "+W8", "+H6", "-D", "-P", "+WT1",
+               *[f"+L{path}" for path in library], *case.options]
+    try:
+        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=60, check=False,
+                              env={**os.environ, "POVINI": str(folder / "none.ini")})
+        return command, done.returncode, done.stdout.decode(errors="replace")
+    except subprocess.TimeoutExpired as late:
+        return command, None, (late.stdout or b"").decode(errors="replace")
+
+
+def compare_messages(case, found, kind):
+    """What is wrong with the messages of one kind."""
+    wanted = case.parts(kind)
+    given = [message for message in found if message[0] == kind]
+    if len(wanted) != len(given):
+        yield f"{len(given)} {kind}s, expected {len(wanted)}"
+    for parts in wanted:
+        fits = [message for message in given if has_parts(message[3], parts)]
+        if not fits:
+            yield f"no {kind} with the parts: " + " | ".join(parts)
+        elif not any(message[1:3] == case.place for message in fits):
+            yield (f"the {kind} names {fits[0][1]} line {fits[0][2]}, "
+                   f"expected {case.place[0]} line {case.place[1]}")
+
+
+def check(povray, case, library):
+    """What is wrong, and the report for people; an empty list where all is well."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        command, code, output = run(povray, case, folder, library)
+        picture = (folder / PICTURE).exists()
+    found = messages_of(output)
+    wrong = [*compare_messages(case, found, "error"), *compare_messages(case, found, "warning")]
+    said = re.sub(r"\s+", " ", output)
+    wrong += ["nowhere said: " + " | ".join(parts) for parts in case.parts("says") if not has_parts(said, parts)]
+    refused = bool(case.parts("error"))
+    if code is None:
+        wrong.append("it did not end within 60 s")
+    elif code < 0:
+        wrong.append(f"it crashed: signal {-code}")
+    elif refused != (code != 0):
+        wrong.append(f"exit code {code}")
+    if refused == picture:
+        wrong.append("there is a picture" if picture else "there is no picture")
+    if not wrong:
+        return wrong, ""
+    files = "".join(f"--- {file}\n{text}" for file, text in case.files.items())
+    tail = output[output.find("[Parsing"):] if "[Parsing" in output else output[-1500:]
+    return wrong, f"{' '.join(command)}\n{files}--- messages\n{tail.strip()[:1200]}\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("cases", type=pathlib.Path)
+    parser.add_argument("--povray", required=True)
+    parser.add_argument("--library", action="append", default=[], help="further folder of include files")
+    parser.add_argument("--only", default="", help="cases whose name contains this")
+    args = parser.parse_args()
+    try:
+        cases = [case for case in cases_file.read_cases(args.cases) if args.only in case.name]
+    except (cases_file.BadCase, OSError) as error:
+        sys.exit(f"{args.cases.name}: {error}")
+    if not cases:
+        sys.exit(f"{args.cases.name}: no case named {args.only}")
+    failed = 0
+    for case in cases:
+        wrong, report = check(os.path.abspath(args.povray), case, args.library)
+        if wrong:
+            failed += 1
+            print(f"FAILED {args.cases.stem}: {case.name}")
+            print("".join(f"  {line}\n" for line in wrong) + report)
+    print(f"{args.cases.stem}: {len(cases) - failed} of {len(cases)} cases as expected")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
