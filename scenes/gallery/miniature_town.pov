@@ -26,7 +26,7 @@ camera {
   look_at <22, 0, 26>
   angle 39
   focal_point Focus
-  blur_samples 16, 256  confidence 0.95  variance 1/8000
+  blur_samples 16, 160  confidence 0.95  variance 1/3000
   tilt_lens {
     scene_unit 1000/220
     focus_tilt -36

@@ -3,7 +3,7 @@
 //
 // Shift: a tall house from across the street, its walls upright.
 //
-//   ./render scenes/tutorial/shift.pov +W640 +H360
+//   ./render scenes/tutorial/shift.pov +W640 +H360 +A0.2
 //
 // Look for: the camera looks straight ahead at eye level and the walls stay parallel, yet the gables are
 // in the picture: the frame was moved up over the film plane instead of the camera turned up.

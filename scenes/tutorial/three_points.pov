@@ -13,17 +13,17 @@
 global_settings { assumed_gamma 1 }
 #include "tutorial_set.inc"
 
-#declare P_1 = <-7.5, 4.5, -9>;
-#declare P_2 = < 7.0, 8.5,  4>;
-#declare P_3 = <-4.0, 6.5, 27>;
+#declare P_1 = <-7.5,  3.5, -9>;
+#declare P_2 = < 7.0,  9.0,  4>;
+#declare P_3 = <-5.0, 11.5, 25>;
 
 camera {
   perspective
   right x*image_width/image_height
   location <2, 21, -42>
-  look_at <0, 3.5, 5>
-  angle 34
-  blur_samples 16, 256  confidence 0.95  variance 1/10000
+  look_at <0, 5.4, 6>
+  angle 41
+  blur_samples 16, 128  confidence 0.95  variance 1/3000
   tilt_lens {
     scene_unit 10                    // one unit is 10 mm
     f_stop 1.4
@@ -70,7 +70,7 @@ Pin(P_3, <0.85, 0.06, 0.06>)
 #declare S = seed(5);
 #for (J, 0, 9)
   #for (I, 0, 5)
-    #declare P = <-15+6*I+4*(rand(S)-0.5), 2+6*rand(S), -14+6.5*J+4*(rand(S)-0.5)>;
+    #declare P = <-15+6*I+4*(rand(S)-0.5), 2.5+9*rand(S), -14+6.5*J+4*(rand(S)-0.5)>;
     #if (min(vlength(P-P_1), vlength(P-P_2), vlength(P-P_3)) > 4.5)
       Pin(P, (rand(S) < 0.5 ? <0.93, 0.92, 0.88> : <0.16, 0.30, 0.46>))
     #end
