@@ -26,15 +26,17 @@ def live(args, case, name):
     """The oracle's picture of a case, with few frames."""
     output = args.work / (name + ".exr")
     subprocess.run([args.oracle, "render", str(case), str(output), "--povray", args.stock,
-                    "--work", str(args.work / name), "--batches", str(BATCHES), "--samples", str(SAMPLES),
-                    "--processes", str(PROCESSES), "--seed", str(SEED)], check=True)
+                    "--work", str(args.work / name), "--batches", str(BATCHES),
+                    "--samples", str(SAMPLES), "--processes", str(PROCESSES),
+                    "--seed", str(SEED)], check=True)
     return output
 
 
 def outcome(args, picture):
     """One of pictures.OUTCOMES."""
+    stored = manifest.FOLDER / "oracle" / (CASE + ".exr")
     try:
-        figures = pictures.compare(args.compare, picture, manifest.FOLDER / "oracle" / (CASE + ".exr"), LIMITS)
+        figures = pictures.compare(args.compare, picture, stored, LIMITS)
         print(f"RMSE {figures['rmse']:.5f}, signed mean {figures['mean']:+.6f}")
     except pictures.Trouble as trouble:
         print(f"{trouble.outcome}: {trouble}")

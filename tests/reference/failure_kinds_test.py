@@ -27,9 +27,11 @@ def png(width, height, value):
     rows = b"".join(b"\0" + struct.pack(">H", value) * 3 * width for _ in range(height))
 
     def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        check = struct.pack(">I", zlib.crc32(kind + data))
+        return struct.pack(">I", len(data)) + kind + data + check
 
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 2, 0, 0, 0))
+    header = struct.pack(">IIBBBBB", width, height, 16, 2, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header)
             + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
@@ -45,8 +47,8 @@ class FailureKinds(unittest.TestCase):
         (self.references / "oracle").mkdir(parents=True)
         self.entry = manifest.entries()[NAME]
         self.reference = self.references / "oracle" / "tilt.exr"
-        self.picture(self.folder / "grey.png", self.entry.width, self.entry.height, 30000)
-        subprocess.run([self.compare, "average", str(self.reference), str(self.folder / "grey.png")], check=True)
+        grey = self.picture(self.folder / "grey.png", self.entry.width, self.entry.height, 30000)
+        subprocess.run([self.compare, "average", str(self.reference), str(grey)], check=True)
         self.record = dict.fromkeys(manifest.FIELDS, "something") | {
             "file": "oracle/tilt.exr", "sources_sha256": self.entry.sources_sha256(),
             "pixels_sha256": pictures.pixel_hash(self.compare, self.reference),
@@ -63,12 +65,13 @@ class FailureKinds(unittest.TestCase):
         manifest.save({NAME: record} if record else {}, self.references)
 
     def check(self, script, *more):
-        """Runs check_picture.py; `script`: what the stand-in does. Returns exit code and messages."""
+        """Runs check_picture.py; `script`: what the stand-in does. Gives exit code and messages."""
         stand_in = self.folder / "stand_in"
         stand_in.write_text("#!/bin/sh\n" + script + "\n")
         stand_in.chmod(0o755)
-        done = subprocess.run([sys.executable, str(TOOLS / "check_picture.py"), NAME, "--povray", str(stand_in),
-                               "--compare", self.compare, "--work", str(self.folder / "work"),
+        done = subprocess.run([sys.executable, str(TOOLS / "check_picture.py"), NAME,
+                               "--povray", str(stand_in), "--compare", self.compare,
+                               "--work", str(self.folder / "work"),
                                "--references", str(self.references), *more],
                               capture_output=True, text=True, check=False)
         return done.returncode, done.stderr
@@ -92,8 +95,8 @@ class FailureKinds(unittest.TestCase):
 
     def test_different(self):
         _, page = self.expect("different", self.copy_of(self.entry.width, self.entry.height, 31000))
-        for word in ("new.png", "reference.png", "difference.png", "Worst pixels", "Render it again",
-                     "Accept the change", "update_references.py"):
+        for word in ("new.png", "reference.png", "difference.png", "Worst pixels",
+                     "Render it again", "Accept the change", "update_references.py"):
             self.assertIn(word, page.read_text())
         for name in ("new.png", "reference.png", "difference.png"):
             self.assertTrue((page.parent / name).is_file(), name)
@@ -135,11 +138,13 @@ class FailureKinds(unittest.TestCase):
         self.expect("stale reference", self.copy_of(self.entry.width, self.entry.height, 30000))
 
     def test_expected_difference_that_is_none(self):
-        code, message = self.check(self.copy_of(self.entry.width, self.entry.height, 30000), "--expect", "different")
+        right = self.copy_of(self.entry.width, self.entry.height, 30000)
+        code, message = self.check(right, "--expect", "different")
         self.assertEqual(code, pictures.OUTCOMES["failure"], message)
 
     def test_expected_difference(self):
-        code, message = self.check(self.copy_of(self.entry.width, self.entry.height, 31000), "--expect", "different")
+        wrong = self.copy_of(self.entry.width, self.entry.height, 31000)
+        code, message = self.check(wrong, "--expect", "different")
         self.assertEqual(code, 0, message)
 
     def test_a_crash_is_not_the_expected_difference(self):
@@ -156,8 +161,8 @@ class FailureKinds(unittest.TestCase):
 
     def test_manifest_checks(self):
         def complaints(names=(NAME,)):
-            return "\n".join(manifest.complaints(manifest.load(self.references), self.references, names,
-                                                 self.compare))
+            records = manifest.load(self.references)
+            return "\n".join(manifest.complaints(records, self.references, names, self.compare))
 
         self.assertEqual(complaints(), "")
         self.assertIn("has no entry", complaints((NAME, "oracle/other")))
@@ -167,7 +172,7 @@ class FailureKinds(unittest.TestCase):
                         str(self.folder / "other.png")], check=True)
         self.assertIn("stray.exr: is no entry's picture", complaints())
         (self.references / "stray.exr").replace(self.reference)
-        self.assertIn("not those the manifest tells of", complaints())
+        self.assertIn("not those of the manifest", complaints())
         self.reference.unlink()
         self.assertIn("is missing", complaints())
         del self.record["reason"]

@@ -34,7 +34,7 @@ def arguments():
 
 
 def render(program, args, folder):
-    """Renders in a folder of its own, with a copy of the scene's neighbours; returns the picture."""
+    """Renders in a folder of its own, with copies of the scene's neighbours; gives the picture."""
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir(parents=True)
@@ -45,15 +45,18 @@ def render(program, args, folder):
     settings = folder / "none.ini"
     settings.write_text("")
     picture = folder / "picture.png"
-    command = [program, f"+I{scene.name}", f"+O{picture.name}", "+FN16", f"+W{args.width}", f"+H{args.height}",
-               f"+L{args.includes}", "-D", "-V", "-GA", "-P", "+WT1", *(args.options or ["-A"])]
+    command = [program, f"+I{scene.name}", f"+O{picture.name}", "+FN16",
+               f"+W{args.width}", f"+H{args.height}", f"+L{args.includes}",
+               "-D", "-V", "-GA", "-P", "+WT1", *(args.options or ["-A"])]
     log = folder / "messages.txt"
     with log.open("wb") as messages:
         done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=messages,
-                              stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(settings)}, check=False)
+                              stderr=subprocess.STDOUT, check=False,
+                              env={**os.environ, "POVINI": str(settings)})
     if done.returncode != 0 or not picture.is_file():
         end = "\n".join(log.read_text(errors="replace").splitlines()[-12:])
-        raise SystemExit(f"{program} made no picture of {args.scene} (exit code {done.returncode}):\n{end}")
+        raise SystemExit(f"{program} made no picture of {args.scene} "
+                         f"(exit code {done.returncode}):\n{end}")
     return picture
 
 
@@ -67,7 +70,8 @@ def pixels(compare, picture):
 def main():
     args = arguments()
     if not (args.examples / args.scene).is_file():
-        print(f"there is no {args.examples / args.scene}: is the package povray-examples installed?", file=sys.stderr)
+        print(f"there is no {args.examples / args.scene}: is povray-examples installed?",
+              file=sys.stderr)
         return 1
     # absolute, for the programs run in other folders
     stock, fork = shutil.which(args.stock), shutil.which(args.fork)

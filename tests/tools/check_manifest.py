@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Checks that every reference picture has its entry, every entry its picture, and that they agree."""
+"""Checks that every reference picture has its entry, every entry its picture, and both agree."""
 
 import argparse
 import pathlib
@@ -15,7 +15,8 @@ def main():
     parser.add_argument("--compare", required=True, help="the comparison program")
     parser.add_argument("--references", type=pathlib.Path, default=manifest.FOLDER)
     args = parser.parse_args()
-    found = manifest.complaints(manifest.load(args.references), args.references, manifest.entries(), args.compare)
+    records = manifest.load(args.references)
+    found = manifest.complaints(records, args.references, manifest.entries(), args.compare)
     for line in found:
         print(line, file=sys.stderr)
     return 1 if found else 0

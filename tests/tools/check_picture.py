@@ -53,14 +53,16 @@ def report(entry, args, folder, trouble):
     """Says what is wrong, on the standard error and as a page."""
     folder.mkdir(parents=True, exist_ok=True)
     job = entry.job(args.povray, args.declare)
-    rerun = "cd " + shlex.quote(str(folder)) + " && " + shlex.join(pictures.command_of(job, entry.output))
+    rerun = f"cd {shlex.quote(str(folder))} && {shlex.join(pictures.command_of(job, entry.output))}"
     tool = str(pathlib.Path(__file__).with_name("update_references.py"))
-    accept = [tool, entry.name, "--povray", args.povray, "--compare", args.compare, "--reason", "WHY"]
+    accept = [tool, entry.name, "--povray", args.povray, "--compare", args.compare,
+              "--reason", "WHY"]
     if entry.case:
         accept += ["--oracle", str(pathlib.Path(args.compare).with_name("oracle"))]
-    page = failure_page.write(folder, entry.name, trouble,
-                              {"Render it again": rerun, "Accept the change": accept},
-                              folder / entry.output, args.references / (entry.name + ".exr"), args.compare)
+    commands = {"Render it again": rerun, "Accept the change": accept}
+    reference = args.references / (entry.name + ".exr")
+    page = failure_page.write(folder, entry.name, trouble, commands, folder / entry.output,
+                              reference, args.compare)
     print(f"{entry.name}: {trouble.outcome}: {trouble}\nsee {page}", file=sys.stderr)
 
 
@@ -85,7 +87,8 @@ def main():
     if outcome == args.expect:
         return 0
     if outcome == "same":
-        print(f"{entry.name}: the comparison passed, but {args.expect!r} was expected", file=sys.stderr)
+        print(f"{entry.name}: the comparison passed, but {args.expect!r} was expected",
+              file=sys.stderr)
         return pictures.OUTCOMES["failure"]
     return pictures.OUTCOMES[outcome]
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The list of reference pictures, MANIFEST.json, and the pictures that it should list.
 
-Every case tests/oracle/cases/NAME.json makes the reference oracle/NAME.exr, rendered by the unpatched
-program. Every scene named in tests/reference/pictures.json makes renders/NAME.exr, rendered by the
-fork itself. update_references.py writes files and manifest, nothing else does.
+Every case tests/oracle/cases/NAME.json makes the reference oracle/NAME.exr, rendered by the
+unpatched program. Every scene named in tests/reference/pictures.json makes renders/NAME.exr,
+rendered by the fork itself. update_references.py writes files and manifest, nothing else does.
 """
 
 import dataclasses
@@ -109,5 +109,5 @@ def complaints(manifest, folder, names, compare):
         if not path.is_file():
             found.append(f"{name}: its picture {entry['file']} is missing")
         elif pictures.pixel_hash(compare, path) != entry["pixels_sha256"]:
-            found.append(f"{name}: the pixels of {entry['file']} are not those the manifest tells of")
+            found.append(f"{name}: the pixels of {entry['file']} are not those of the manifest")
     return found

@@ -85,14 +85,16 @@ def render(job, folder, output):
             done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=messages,
                                   stderr=subprocess.STDOUT, timeout=job.timeout, check=False)
     except subprocess.TimeoutExpired:
-        raise Trouble("timeout", f"no picture after {job.timeout:.0f} s; messages in {log}") from None
+        reason = f"no picture after {job.timeout:.0f} s; messages in {log}"
+        raise Trouble("timeout", reason) from None
     except OSError as error:
         raise Trouble("failure", f"cannot run {job.povray}: {error.strerror}") from None
     if done.returncode != 0:
-        how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit code {done.returncode}"
+        code = done.returncode
+        how = f"signal {-code}" if code < 0 else f"exit code {code}"
         raise Trouble("crash", f"{job.povray} ended with {how}; messages in {log}:\n{tail(log)}")
     if not picture.is_file():
-        raise Trouble("no output", f"the program ended well but wrote no {picture}; messages in {log}")
+        raise Trouble("no output", f"the program ended well but wrote no {picture}; see {log}")
     return command
 
 

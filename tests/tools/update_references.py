@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Makes reference pictures and their entries in MANIFEST.json: the only program that does.
 
-Give names (oracle/tilt), or folders (oracle, renders) for all of one kind. Names that no case and no
-scene stands for any more are removed by --prune.
+Give names (oracle/tilt), or folders (oracle, renders) for all of one kind. --prune removes what no
+case and no scene stands for any more.
 """
 
 import argparse
@@ -30,23 +30,26 @@ def arguments():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--reason", required=True, help="why the pictures change; kept in the manifest")
+    parser.add_argument("--reason", required=True, help="why they change; kept in the manifest")
     parser.add_argument("--povray", help="the fork, for renders/")
-    parser.add_argument("--stock", default="/usr/bin/povray", help="the unpatched program, for oracle/")
+    parser.add_argument("--stock", default="/usr/bin/povray",
+                        help="the unpatched program, for oracle/")
     parser.add_argument("--oracle", help="the oracle program, for oracle/")
     parser.add_argument("--compare", required=True, help="the comparison program")
-    parser.add_argument("--prune", action="store_true", help="remove what nothing stands for any more")
+    parser.add_argument("--prune", action="store_true",
+                        help="remove what nothing stands for any more")
     return parser.parse_args()
 
 
 def version_and_compiler(povray):
     """What the program says about itself, and the compiler's mark in its file where it has one."""
-    done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          check=True)
+    done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, check=True)
     text = done.stdout + done.stderr
     version = re.search(r"^POV-Ray \d.*$", text, re.MULTILINE)
     told = re.findall(r"^ *Compiler (?:version|flags): *(.*)$", text, re.MULTILINE)
-    mark = re.search(rb"GCC: \([^)\0]*\) [\d.]+|clang version [^\0]+", pathlib.Path(povray).read_bytes())
+    mark = re.search(rb"GCC: \([^)\0]*\) [\d.]+|clang version [^\0]+",
+                     pathlib.Path(povray).read_bytes())
     compiler = ([mark.group(0).decode()] if mark else []) + told
     return (version.group(0).strip() if version else "not told by the program",
             " ".join(compiler) or "not told by the program")
@@ -101,7 +104,8 @@ def make_render(entry, args, work):
 
 def standard_error(compare, picture):
     """Root mean square of the standard errors that a reference holds."""
-    done = subprocess.run([compare, "error", str(picture)], capture_output=True, text=True, check=True)
+    done = subprocess.run([compare, "error", str(picture)], capture_output=True, text=True,
+                          check=True)
     return json.loads(done.stdout)["standard_error"]
 
 
@@ -146,7 +150,8 @@ def main():
     args = arguments()
     known = manifest.entries()
     wanted = [name for name in known if name in args.names or name.split("/")[0] in args.names]
-    unknown = [name for name in args.names if not any(name in (item, item.split("/")[0]) for item in known)]
+    folders = {name.split("/")[0] for name in known}
+    unknown = [name for name in args.names if name not in known and name not in folders]
     if unknown:
         print("no such picture:", ", ".join(unknown), file=sys.stderr)
         return 1
