@@ -38,7 +38,7 @@ camera {
       Tilt_Lens_Real(Tilt_Lens_TS_24, 1000, 3.5, 0, 0, <0, 5>)
     #break
   #end
-  blur_samples 16, 256  confidence 0.95  variance 1/10000
+  blur_samples 16, 128  confidence 0.95  variance 1/3000
 }
 
 light_source { <-150, 130, -60>*1000 color rgb <1.00, 0.91, 0.76>*2 parallel point_at 0 }
