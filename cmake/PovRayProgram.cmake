@@ -22,9 +22,9 @@ target_compile_definitions(povray_settings INTERFACE HAVE_CONFIG_H _GNU_SOURCE=1
     BOOST_BIND_GLOBAL_PLACEHOLDERS)     # upstream's way of using them; Boost prints a note without this
 target_compile_options(povray_settings INTERFACE -pipe -fno-enforce-eh-specs)
 target_include_directories(povray_settings INTERFACE "${POVRAY_GENERATED}")
-foreach(folder IN ITEMS source source/backend source/base source/frontend vfe vfe/unix unix)
-    target_include_directories(povray_settings INTERFACE "${POVRAY_SOURCE}/${folder}")
-endforeach()
+set(povray_folders source source/backend source/base source/frontend vfe vfe/unix unix)
+list(TRANSFORM povray_folders PREPEND "${POVRAY_SOURCE}/")
+target_include_directories(povray_settings INTERFACE ${povray_folders})
 target_include_directories(povray_settings INTERFACE "${POVRAY_OWN}/source" "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
 target_link_libraries(povray_settings INTERFACE tilt_lens
     PNG::PNG JPEG::JPEG TIFF::TIFF OpenEXR::OpenEXR ZLIB::ZLIB Boost::thread Boost::date_time
@@ -52,6 +52,9 @@ set_target_properties(povray PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY
 if(TILT_LENS_PATCHES AND povray_own_core)
     add_library(povray_own OBJECT ${povray_own_core})
     target_link_libraries(povray_own PRIVATE povray_settings)
+    # Warnings for our own lines only: not for upstream's headers, nor for their message codes such as 'OCLA'.
+    target_include_directories(povray_own SYSTEM PRIVATE ${povray_folders})
+    target_compile_options(povray_own PRIVATE -Wall -Wno-multichar)
     target_link_libraries(povray PRIVATE povray_own)
 endif()
 
