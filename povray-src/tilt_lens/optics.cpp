@@ -3,7 +3,6 @@
 
 #include "optics.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <limits>
 
@@ -19,6 +18,9 @@ const double kInfinity = std::numeric_limits<double>::infinity();
 /// A lens turned further has so little left of its own plane that the picture is of no use; makers
 /// stop at about 10 degrees.
 const double kDoubtfulTilt = 15.0;
+
+/// What rounding may leave, relative to the numbers it comes from, where nothing ought to be left.
+const double kRounding = 1e-14;
 
 double Radians(double degrees) { return degrees * (kPi / 180.0); }
 double Degrees(double radians) { return radians * (180.0 / kPi); }
@@ -49,13 +51,16 @@ Axes AxesOf(const CameraFrame& camera)
 {
     const Vec3 right = Normalized(camera.right);
     const Vec3 upUnit = Normalized(camera.up);
-    const Vec3 up = Normalized(upUnit - Dot(upUnit, right) * right);
+    const Vec3 upAcross = upUnit - Dot(upUnit, right) * right;
+    const Vec3 up = Normalized(upAcross);
     Vec3 axis = Normalized(Cross(right, up));
     if (Dot(axis, camera.direction) < 0.0)
         axis = -axis;  // POV-Ray's cameras are left-handed unless `right` is negative
     const Axes axes{right, up, axis};
-    if (!IsFinite(right) || !IsFinite(up) || !IsFinite(axis) || !IsFinite(camera.direction) ||
-        !IsFinite(camera.location) || !(Dot(axis, camera.direction) > 0.0))
+    // of vectors that depend on each other rounding leaves something, too
+    const bool independent = Length(upAcross) > kRounding &&
+                             Dot(axis, camera.direction) > kRounding * Length(camera.direction);
+    if (!independent || !IsFinite(right) || !IsFinite(axis) || !IsFinite(camera.location))
         throw OpticsError("The camera spans no picture: direction " + Text(camera.direction) +
                           ", right " + Text(camera.right) + ", up " + Text(camera.up) +
                           ". The three must be finite and independent; give other vectors.");
@@ -76,11 +81,12 @@ Vec3 TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, con
                        std::cos(tilt) * std::cos(swing)});
 }
 
-/// The plane of sharp focus n.X = d (n unit, camera axes, about the lens centre) as k = n/d.
+/// The plane of sharp focus n.X = d (n unit, camera axes, about the lens centre) as k = n/d; reach is
+/// the size of the world coordinates that d was computed from.
 Vec3 FocusOfPlane(const Vec3& normal, double distance, double reach)
 {
     // A plane nearer to the lens centre than rounding can tell is a plane through it.
-    if (!(std::fabs(distance) > 1e-14 * reach))
+    if (!(std::fabs(distance) > kRounding * reach))
         throw OpticsError("The plane of sharp focus passes through the lens centre (its distance from "
                           "the camera's location is " + Number(distance) + "). It must keep away from "
                           "the location; move the plane or the camera.");
@@ -91,15 +97,15 @@ Vec3 FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Statement&
 {
     const Vec3 a = given.points[0] - camera.location;
     const Vec3 ab = given.points[1] - given.points[0], ac = given.points[2] - given.points[0];
-    const Vec3 normal = Cross(ab, ac);
+    const Vec3 normal = Cross(Normalized(ab), Normalized(ac));
     // sine of the angle at A; 1e-12 is what is left of doubles that were typed with a few digits
-    if (!(Length(normal) > 1e-12 * Length(ab) * Length(ac)))
+    if (!(Length(normal) > 1e-12))
         throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " +
                           Text(given.points[1]) + ", " + Text(given.points[2]) +
                           ". They must span a plane; move one of them off the line.");
     const Vec3 unit = axes.ToCamera(Normalized(normal));
     const Vec3 point = axes.ToCamera(a);
-    return FocusOfPlane(unit, Dot(unit, point), Length(point));
+    return FocusOfPlane(unit, Dot(unit, point), Length(point) + Length(camera.location));
 }
 
 Vec3 FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const Statement& given)
@@ -124,14 +130,13 @@ Vec3 GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& gi
             throw OpticsError("The normal of focal_plane has no direction: " + Text(given.planeNormal) +
                               ". It must be finite and not zero; write it as a plane's normal.");
         const Vec3 unit = given.planeNormal / length;
-        const double offset = Dot(unit, camera.location);
-        return FocusOfPlane(axes.ToCamera(unit), given.planeDistance - offset,
-                            std::max(std::fabs(given.planeDistance), std::fabs(offset)));
+        return FocusOfPlane(axes.ToCamera(unit), given.planeDistance - Dot(unit, camera.location),
+                            std::fabs(given.planeDistance) + Length(camera.location));
     }
     const Vec3 normal = TurnedNormal(given.focusTilt, given.focusSwing, "The plane of sharp focus",
                                      "focus_tilt", "focus_swing");
     const Vec3 point = FocalPointInCamera(axes, camera, given);
-    return FocusOfPlane(normal, Dot(normal, point), Length(point));
+    return FocusOfPlane(normal, Dot(normal, point), Length(point) + Length(camera.location));
 }
 
 /// Lens normal t, focal length f, film distance s and focus vector k; camera axes, scene units.
@@ -244,13 +249,28 @@ Vec3 FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement
 
 void RequireUsable(const Lens& lens)
 {
-    const double numbers[] = {lens.focalLength, lens.filmDistance, Length(lens.focus), Length(lens.direction),
-                              lens.diameter};
-    for (double number : numbers)
-        if (!std::isfinite(number))
-            throw OpticsError("The camera's numbers leave the range of floating point: focal length " +
-                              Number(lens.focalLength) + ", film distance " + Number(lens.filmDistance) +
-                              " units. All must be finite; give moderate lengths.");
+    const bool positive = lens.focalLength > 0.0 && lens.filmDistance > 0.0 && lens.millimetre > 0.0 &&
+                          lens.diameter >= 0.0 && Dot(lens.direction, lens.axis) > 0.0;
+    const double sum = lens.focalLength + lens.filmDistance + lens.millimetre + lens.diameter;
+    if (!positive || !std::isfinite(sum + Length(lens.focus) + Length(lens.direction)))
+        throw OpticsError("The camera's numbers leave the range of floating point or have the wrong sign: focal "
+                          "length " + Number(lens.focalLength) + ", film distance " + Number(lens.filmDistance) +
+                          ", lens diameter " + Number(lens.diameter) + ", a millimetre of film " +
+                          Number(lens.millimetre) + " units. All must be finite and positive; give moderate "
+                          "lengths.");
+}
+
+/// A vector of the lens in camera axes, without what is only rounding: the numbers of a parallel lens
+/// are to read 0 and infinity however the camera is turned.
+Vec3 InCamera(const Lens& lens, const Vec3& v)
+{
+    const double rounding = kRounding * Length(v);
+    const auto part = [&](const Vec3& axis)
+    {
+        const double along = Dot(v, axis);
+        return std::fabs(along) > rounding ? along : 0.0;
+    };
+    return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
 } // namespace
@@ -288,8 +308,9 @@ Lens Solve(const CameraFrame& camera, const Statement& given)
 std::vector<std::string> Doubts(const Lens& lens, const Statement& given)
 {
     std::vector<std::string> doubts;
-    const double turn = Degrees(std::acos(std::min(1.0, Dot(lens.normal, lens.axis))));
-    if (turn > kDoubtfulTilt)
+    const Vec3 t = InCamera(lens, lens.normal);
+    const double turn = Degrees(std::atan2(std::hypot(t.x, t.y), t.z));
+    if (turn > kDoubtfulTilt * (1.0 + kRounding))
         doubts.push_back("The lens is turned by " + Number(turn) + " degrees; real lenses stop at about 10. "
                          "The picture is right, but check focal length, scene_unit and the plane of focus.");
     if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
@@ -300,28 +321,31 @@ std::vector<std::string> Doubts(const Lens& lens, const Statement& given)
 
 double TiltOf(const Lens& lens)
 {
-    return Degrees(std::atan2(-Dot(lens.normal, lens.axisUp), Dot(lens.normal, lens.axis)));
+    const Vec3 t = InCamera(lens, lens.normal);
+    return Degrees(std::atan2(-t.y, t.z)) + 0.0;  // never -0
 }
 
 double SwingOf(const Lens& lens)
 {
-    return Degrees(std::atan2(-Dot(lens.normal, lens.axisRight), Dot(lens.normal, lens.axis)));
+    const Vec3 t = InCamera(lens, lens.normal);
+    return Degrees(std::atan2(-t.x, t.z)) + 0.0;
 }
 
 double FocusAngleOf(const Lens& lens)
 {
-    const double across = std::hypot(Dot(lens.focus, lens.axisRight), Dot(lens.focus, lens.axisUp));
-    return Degrees(std::atan2(across, std::fabs(Dot(lens.focus, lens.axis))));
+    const Vec3 k = InCamera(lens, lens.focus);
+    return Degrees(std::atan2(std::hypot(k.x, k.y), std::fabs(k.z)));
 }
 
 double HingeDistanceOf(const Lens& lens)
 {
-    return 1.0 / std::hypot(Dot(lens.focus, lens.axisRight), Dot(lens.focus, lens.axisUp));
+    const Vec3 k = InCamera(lens, lens.focus);
+    return 1.0 / std::hypot(k.x, k.y);
 }
 
 double AxisFocusOf(const Lens& lens)
 {
-    return 1.0 / Dot(lens.focus, lens.axis);
+    return 1.0 / InCamera(lens, lens.focus).z;
 }
 
 SharpRange SharpRangeOf(const Lens& lens, double width, double pixels)

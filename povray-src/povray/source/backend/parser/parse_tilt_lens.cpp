@@ -8,8 +8,10 @@
 #include "backend/parser/parse_tilt_lens.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <vector>
+#include <cstdarg>
+#include <cstdio>
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
@@ -49,7 +51,14 @@ const Item kItems[] = {{"film_width", NULL},
 const char* const kCameraWords[] = {"aperture",   "focal_point", "look_at",  "blur_samples", "confidence",
                                     "variance",   "bokeh",       "angle",    "location",     "direction",
                                     "right",      "up",          "sky",      "normal",       "translate",
-                                    "rotate",     "scale",       "matrix",   "transform"};
+                                    "rotate",     "scale",       "matrix",   "transform",    "perspective"};
+
+std::string Lowercase(std::string word)
+{
+    for (char& c : word)
+        c = char(std::tolower((unsigned char)c));
+    return word;
+}
 
 /// Edits that turn one word into the other (Levenshtein).
 size_t EditDistance(const std::string& a, const std::string& b)
@@ -78,8 +87,9 @@ const Item* FindItem(const std::string& word)
     return item == std::end(kItems) ? NULL : item;
 }
 
-const Item& NearestItem(const std::string& word)
+const Item& NearestItem(const std::string& found)
 {
+    const std::string word = Lowercase(found);
     return *std::min_element(std::begin(kItems), std::end(kItems),
                              [&](const Item& a, const Item& b)
                              { return EditDistance(word, a.word) < EditDistance(word, b.word); });
@@ -93,9 +103,36 @@ std::string AllWords()
     return words;
 }
 
+/// Makes macros look undeclared while it lives, also where an error ends the block.
+class HiddenMacros
+{
+  public:
+    explicit HiddenMacros(const std::vector<SYM_ENTRY*>& macros) : macros(macros) { Mark(IDENTIFIER_TOKEN); }
+    ~HiddenMacros() { Mark(MACRO_ID_TOKEN); }
+
+  private:
+    const std::vector<SYM_ENTRY*> macros;
+
+    void Mark(TOKEN token)
+    {
+        for (SYM_ENTRY* macro : macros)
+            macro->Token_Number = token;
+    }
+};
+
 Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
 
 } // namespace
+
+TiltLensPlace TiltLensParser::Here() const
+{
+    TiltLensPlace place;
+    place.file = UCS2String(parser.Token.FileHandle->name());
+    place.line = parser.Token.Token_File_Pos.lineno;
+    place.column = parser.Token.Token_Col_No;
+    place.offset = parser.Token.FileHandle->tellg().offset;
+    return place;
+}
 
 void TiltLensParser::ParseBlock(Camera& camera)
 {
@@ -108,15 +145,13 @@ void TiltLensParser::ParseBlock(Camera& camera)
                      "lens; remove the word for the camera's type, or the tilt_lens block.");
     if (camera.TiltLens.open)
         parser.Error("A second tilt_lens block in one camera (the first is in line %d). One is allowed; "
-                     "merge the two.", int(camera.TiltLens.line));
+                     "merge the two.", int(camera.TiltLens.place.line));
 
     TiltLensCamera lens;
     lens.given = lens.open = true;
-    lens.file = UCS2String(parser.Token.FileHandle->name());
-    lens.line = parser.Token.Token_File_Pos.lineno;
-    lens.column = parser.Token.Token_Col_No;
-    lens.offset = parser.Token.FileHandle->tellg().offset;
+    lens.place = Here();
 
+    const HiddenMacros hidden(MacrosNamedAsItems());
     parser.Parse_Begin();
     std::set<std::string> seen;
     std::string word;
@@ -124,6 +159,20 @@ void TiltLensParser::ParseBlock(Camera& camera)
         ParseItem(word, lens.statement);
     parser.Parse_End();
     camera.TiltLens = lens;
+}
+
+/// A macro runs as soon as its name is read, even where only the next item's word is looked for.
+std::vector<SYM_ENTRY*> TiltLensParser::MacrosNamedAsItems()
+{
+    std::vector<SYM_ENTRY*> macros;
+    for (const Item& known : kItems)
+        for (int table = parser.Table_Index; table > 0; table--)
+        {
+            SYM_ENTRY* entry = parser.Find_Symbol(table, known.word);
+            if (entry != NULL && entry->Token_Number == MACRO_ID_TOKEN)
+                macros.push_back(entry);
+        }
+    return macros;
 }
 
 bool TiltLensParser::NextItem(std::string& word, std::set<std::string>& seen)
@@ -136,26 +185,32 @@ bool TiltLensParser::NextItem(std::string& word, std::set<std::string>& seen)
     }
     // the spelling decides, whatever a scene may have declared under that name
     word = parser.Token.Token_String;
-    if (!FindItem(word))
-        UnknownItem(word);
+    item = Here();
+    if (parser.Token.Token_Id == STRING_LITERAL_TOKEN || !FindItem(word))
+        NotAnItem(word);
     ClaimOnce(word, seen);
     return true;
 }
 
-void TiltLensParser::UnknownItem(const std::string& word)
+void TiltLensParser::NotAnItem(const std::string& word)
 {
+    const bool isWord = !word.empty() && (std::isalpha((unsigned char)word[0]) || word[0] == '_') &&
+                        parser.Token.Token_Id != STRING_LITERAL_TOKEN;
+    if (!isWord)
+        ErrorAt(item, "Found '%s' in tilt_lens where an item should begin. Items follow each other without "
+                      "commas or other signs; known are %s.", word.c_str(), AllWords().c_str());
     if (std::find(std::begin(kCameraWords), std::end(kCameraWords), word) != std::end(kCameraWords))
-        parser.Error("'%s' inside tilt_lens. It is an item of the camera itself; write it outside the "
-                     "tilt_lens block.", word.c_str());
-    parser.Error("Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(),
-                 NearestItem(word).word, AllWords().c_str());
+        ErrorAt(item, "'%s' inside tilt_lens. It is an item of the camera itself; write it outside the "
+                      "tilt_lens block.", word.c_str());
+    ErrorAt(item, "Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(),
+            NearestItem(word).word, AllWords().c_str());
 }
 
 /// Refuses an item that stands twice, and an item of a second family of focus.
 void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& seen)
 {
     if (!seen.insert(word).second)
-        parser.Error("'%s' stands twice in tilt_lens. Each item is allowed once; remove one.", word.c_str());
+        ErrorAt(item, "'%s' stands twice in tilt_lens. Each item is allowed once; remove one.", word.c_str());
     const char* family = FindItem(word)->family;
     if (family == NULL)
         return;
@@ -163,9 +218,9 @@ void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& s
     {
         const char* otherFamily = FindItem(other)->family;
         if (otherFamily != NULL && std::string(otherFamily) != family)
-            parser.Error("'%s' and '%s' in one tilt_lens: both say where the focus lies. One of tilt and swing, "
-                         "focus_tilt and focus_swing, focal_plane, focal_points is allowed; remove the "
-                         "others.", other.c_str(), word.c_str());
+            ErrorAt(item, "'%s' and '%s' in one tilt_lens: both say where the focus lies. One of tilt and "
+                          "swing, focus_tilt and focus_swing, focal_plane, focal_points is allowed; remove "
+                          "the others.", other.c_str(), word.c_str());
     }
 }
 
@@ -201,7 +256,7 @@ double TiltLensParser::Number(const std::string& word)
 {
     const double value = parser.Parse_Float();
     if (!std::isfinite(value))
-        parser.Error("%s %g in tilt_lens. It must be a finite number; check the expression.", word.c_str(),
+        ErrorAt(item, "%s %g in tilt_lens. It must be a finite number; check the expression.", word.c_str(),
                      value);
     return value;
 }
@@ -210,7 +265,7 @@ double TiltLensParser::PositiveNumber(const std::string& word)
 {
     const double value = Number(word);
     if (!(value > 0.0))
-        parser.Error("%s %g in tilt_lens. It must be larger than 0; give a positive number.", word.c_str(),
+        ErrorAt(item, "%s %g in tilt_lens. It must be larger than 0; give a positive number.", word.c_str(),
                      value);
     return value;
 }
@@ -220,11 +275,11 @@ Vec3 TiltLensParser::Vector(const std::string& word)
     EXPRESS v;
     const int terms = parser.Parse_Unknown_Vector(v);
     if (terms != 3)
-        parser.Error("%s in tilt_lens: found a value of %d numbers. A point or normal has three; write it as "
+        ErrorAt(item, "%s in tilt_lens: found a value of %d numbers. A point or normal has three; write it as "
                      "<x, y, z>.", word.c_str(), terms);
     const Vec3 value{v[X], v[Y], v[Z]};
     if (!IsFinite(value))
-        parser.Error("%s in tilt_lens: found <%g, %g, %g>. All three numbers must be finite; check the "
+        ErrorAt(item, "%s in tilt_lens: found <%g, %g, %g>. All three numbers must be finite; check the "
                      "expression.", word.c_str(), v[X], v[Y], v[Z]);
     return value;
 }
@@ -235,10 +290,10 @@ void TiltLensParser::ParseShift(Statement& s)
     const int terms = parser.Parse_Unknown_Vector(v);
     // a plain number would be promoted to both directions: surely not what was meant
     if (!(terms == 2 || (terms == 3 && v[Z] == 0.0)))
-        parser.Error("shift in tilt_lens: found a value of %d numbers. It takes two, in millimetres; write it "
+        ErrorAt(item, "shift in tilt_lens: found a value of %d numbers. It takes two, in millimetres; write it "
                      "as <right, up>.", terms);
     if (!std::isfinite(v[X]) || !std::isfinite(v[Y]))
-        parser.Error("shift <%g, %g> in tilt_lens. Both numbers must be finite; check the expression.", v[X],
+        ErrorAt(item, "shift <%g, %g> in tilt_lens. Both numbers must be finite; check the expression.", v[X],
                      v[Y]);
     s.shiftRight = v[X];
     s.shiftUp = v[Y];
@@ -249,7 +304,7 @@ void TiltLensParser::ParseBlades(Statement& s)
     const int kMost = 1000;  // edges far below any pixel
     const double count = Number("blades");
     if (!(count >= 3.0 && count <= kMost && count == std::floor(count)))
-        parser.Error("blades %g in tilt_lens. A diaphragm has a whole number of blades from 3 to %d; leave "
+        ErrorAt(item, "blades %g in tilt_lens. A diaphragm has a whole number of blades from 3 to %d; leave "
                      "blades out for a round one.", count, kMost);
     s.blades = int(count);
     parser.Get_Token();
@@ -265,7 +320,7 @@ void TiltLensParser::ParseFocalPlane(Statement& s)
     parser.Parse_Begin();
     s.planeNormal = Vector("focal_plane");
     if (!(Length(s.planeNormal) > 0.0))
-        parser.Error("focal_plane in tilt_lens has the normal <0, 0, 0>. A plane needs a direction; give "
+        ErrorAt(item, "focal_plane in tilt_lens has the normal <0, 0, 0>. A plane needs a direction; give "
                      "another normal.");
     s.planeNormal = Normalized(s.planeNormal);
     parser.Parse_Comma();
@@ -288,41 +343,52 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
 {
     if (!camera.TiltLens.given)
         return;
+    if (camera.Type != PERSPECTIVE_CAMERA)
+        ErrorAt(camera.TiltLens.place, "The default camera's tilt_lens meets a camera that is not perspective. "
+                                       "Only the perspective camera has a lens; remove the block from the "
+                                       "default camera.");
+    camera.TiltLens.statement.aperture = camera.Aperture;
+    RequireConsistent(camera);
+    TakeFocalPoint(camera);
+    TakeBlurSamples(camera);
+}
+
+void TiltLensParser::RequireConsistent(const Camera& camera)
+{
+    const Statement& s = camera.TiltLens.statement;
+    const TiltLensPlace& place = camera.TiltLens.place;
+    if (s.focalLength && camera.Angle != HUGE_VAL)
+        ErrorAt(place, "angle %g and focal_length %g in one camera: both set the angle of view. One is allowed; "
+                       "remove angle or focal_length.", camera.Angle, *s.focalLength);
+    if (s.fStop && camera.Aperture != 0.0)
+        ErrorAt(place, "aperture %g and f_stop %g in one camera: both set the lens diameter. One is allowed; "
+                       "remove aperture or f_stop.", camera.Aperture, *s.fStop);
+    if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))
+        ErrorAt(place, "aperture %g in a camera with tilt_lens. It is twice the lens diameter and must be "
+                       "finite and not negative; give another value.", camera.Aperture);
+    if (s.blades > 0 && camera.Bokeh != NULL)
+        ErrorAt(place, "blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove "
+                       "blades or bokeh.", s.blades);
+}
+
+/// `focal_point`, else `look_at`: both are marked as infinite while they are not written.
+void TiltLensParser::TakeFocalPoint(Camera& camera)
+{
     Statement& s = camera.TiltLens.statement;
-    const bool lookAtGiven = camera.Look_At[X] != HUGE_VAL, focalPointGiven = camera.Focal_Point[X] != HUGE_VAL;
-    RequireConsistent(camera, camera.Angle != HUGE_VAL);
-    s.aperture = camera.Aperture;
-    if (focalPointGiven)
+    if (camera.Focal_Point[X] != HUGE_VAL)
         s.focalPoint = FromPov(camera.Focal_Point);
-    else if (lookAtGiven)
+    else if (camera.Look_At[X] != HUGE_VAL)
         s.focalPoint = FromPov(camera.Look_At);
     else if (camera.TiltLens.open)
     {
         const bool needsPoint = s.family == FocusFamily::LensTurn || s.family == FocusFamily::FocusTurn;
         if (needsPoint && (s.aperture > 0.0 || s.fStop))
-            ErrorAtBlock(camera, "Nothing says where the focus lies: the camera has neither focal_point nor "
-                                 "look_at. Give focal_point, or focal_plane or focal_points in tilt_lens.");
+            ErrorAt(camera.TiltLens.place, "Nothing says where the focus lies: the camera has neither "
+                                           "focal_point nor look_at. Give focal_point, or focal_plane or "
+                                           "focal_points in tilt_lens.");
         // everything is sharp: any point in front will do
         s.focalPoint = FromPov(camera.Location) + FromPov(camera.Direction);
     }
-    TakeBlurSamples(camera);
-}
-
-void TiltLensParser::RequireConsistent(const Camera& camera, bool angleGiven)
-{
-    const Statement& s = camera.TiltLens.statement;
-    if (s.focalLength && angleGiven)
-        parser.Error("angle %g and focal_length %g in one camera: both set the angle of view. One is allowed; "
-                     "remove angle or focal_length.", camera.Angle, *s.focalLength);
-    if (s.fStop && camera.Aperture != 0.0)
-        parser.Error("aperture %g and f_stop %g in one camera: both set the lens diameter. One is allowed; "
-                     "remove aperture or f_stop.", camera.Aperture, *s.fStop);
-    if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))
-        parser.Error("aperture %g in a camera with tilt_lens. It is twice the lens diameter and must be finite "
-                     "and not negative; give another value.", camera.Aperture);
-    if (s.blades > 0 && camera.Bokeh != NULL)
-        parser.Error("blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove "
-                     "blades or bokeh.", s.blades);
 }
 
 /// Stock shows no blur where blur_samples is missing; tilt_lens has a default. One number is the most.
@@ -347,20 +413,24 @@ void TiltLensParser::Check(Camera& camera)
         const tilt_lens::Lens solved = TiltLensCamera::Solve(camera);
         if (fresh)
             for (const std::string& doubt : Doubts(solved, lens.statement))
-                parser.messageFactory.WarningAt(0, lens.file.c_str(), lens.line, lens.column, lens.offset, "%s",
-                                                doubt.c_str());
+                parser.messageFactory.WarningAt(0, lens.place.file.c_str(), lens.place.line,
+                                                lens.place.column, lens.place.offset, "%s", doubt.c_str());
     }
     catch (const tilt_lens::OpticsError& error)
     {
-        ErrorAtBlock(camera, error.what());
+        ErrorAt(lens.place, "%s", error.what());
     }
 }
 
-void TiltLensParser::ErrorAtBlock(const Camera& camera, const std::string& text)
+void TiltLensParser::ErrorAt(const TiltLensPlace& place, const char* format, ...)
 {
-    const TiltLensCamera& lens = camera.TiltLens;
-    parser.messageFactory.ErrorAt(POV_EXCEPTION(kParseErr, text.c_str()), lens.file.c_str(), lens.line,
-                                  lens.column, lens.offset, "%s", text.c_str());
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    parser.messageFactory.ErrorAt(POV_EXCEPTION(kParseErr, text), place.file.c_str(), place.line, place.column,
+                                  place.offset, "%s", text);
 }
 
 } // namespace pov

@@ -10,6 +10,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "backend/frame.h"
 #include "backend/scene/camera.h"
@@ -18,13 +19,14 @@ namespace pov
 {
 
 class Parser;
+struct Sym_Table_Entry;
 
 class TiltLensParser
 {
   public:
     explicit TiltLensParser(Parser& parser) : parser(parser) {}
 
-    /// Parses `{ ... }` behind the word `tilt_lens`.
+    /// Parses `{ ... }` behind the word `tilt_lens`. Inside, the items hide macros of their names.
     void ParseBlock(Camera& camera);
 
     /// Takes from the camera's own items what the lens needs, while the parser can still tell which
@@ -36,11 +38,14 @@ class TiltLensParser
 
   private:
     Parser& parser;
+    TiltLensPlace item;  ///< where the current item's word stands; its value may end lines later
 
+    TiltLensPlace Here() const;
     bool NextItem(std::string& word, std::set<std::string>& seen);
     void ParseItem(const std::string& word, tilt_lens::Statement& statement);
-    void UnknownItem(const std::string& word);
+    void NotAnItem(const std::string& word);
     void ClaimOnce(const std::string& word, std::set<std::string>& seen);
+    std::vector<Sym_Table_Entry*> MacrosNamedAsItems();
 
     double Number(const std::string& word);
     double PositiveNumber(const std::string& word);
@@ -50,9 +55,12 @@ class TiltLensParser
     void ParseFocalPlane(tilt_lens::Statement& statement);
     void ParseFocalPoints(tilt_lens::Statement& statement);
 
-    void RequireConsistent(const Camera& camera, bool angleGiven);
+    void RequireConsistent(const Camera& camera);
+    void TakeFocalPoint(Camera& camera);
     void TakeBlurSamples(Camera& camera);
-    void ErrorAtBlock(const Camera& camera, const std::string& text);
+
+    /// printf-like; throws.
+    void ErrorAt(const TiltLensPlace& place, const char* format, ...);
 };
 
 } // namespace pov

@@ -20,14 +20,19 @@ using namespace pov_base;
 
 class Camera;
 
+/// A place in a scene file, for messages.
+struct TiltLensPlace
+{
+    UCS2String file;
+    POV_LONG line = 0, column = 0, offset = 0;
+};
+
 struct TiltLensCamera
 {
     bool given = false;  ///< the camera has a `tilt_lens` block; all else is unused without
     bool open = false;   ///< the block belongs to the camera statement that is being parsed
+    TiltLensPlace place; ///< of the block's first word
     tilt_lens::Statement statement;
-
-    UCS2String file;     ///< where the block begins, for messages about it
-    POV_LONG line = 0, column = 0, offset = 0;
 
     /// Carries plane, points and scale of the lens with the camera.
     void Transform(const TRANSFORM* trans);

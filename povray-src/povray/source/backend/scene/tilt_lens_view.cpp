@@ -37,7 +37,7 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
                 Colour colour;
                 VECTOR point = {u, v, 0.0};
                 Compute_Pigment(colour, camera.Bokeh, point, NULL, NULL, &thread);
-                return double(colour.greyscale());
+                return std::min(1.0, double(colour.greyscale()));  // as stock, which draws lens points by chance
             });
     }
     if (s.blades > 0)
@@ -92,10 +92,24 @@ std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
     return text;
 }
 
-/// A distance in scene units; infinity in words.
-std::string Distance(double units)
+/// A vector for reading: what is only rounding error beside the largest number is a zero.
+std::string Text(const Vec3& v)
 {
-    return std::isfinite(units) ? Line("%.6g", units) : "infinity";
+    const double least = 1e-12 * std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+    const auto number = [=](double x) { return Line("%.6g", std::fabs(x) <= least ? 0.0 : x); };
+    return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">";
+}
+
+/// A distance in scene units, `scale` being a usual one; what is infinite but for rounding, in words.
+std::string Distance(double units, double scale)
+{
+    return units < 1e12 * scale ? Line("%.6g", units) : "infinity";
+}
+
+/// An angle in degrees, without the rounding error of a lens that is not turned.
+double Tidy(double degrees)
+{
+    return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;
 }
 
 } // namespace
@@ -139,29 +153,32 @@ std::string TiltLensView::Summary() const
 std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width)
 {
     const double mm = 1.0 / lens.millimetre;
-    const Vec3 n = Normalized(lens.focus);
     const Vec3 location{camera.Location[X], camera.Location[Y], camera.Location[Z]};
-    const double axisFocus = AxisFocusOf(lens);
-    const Vec3 point = axisFocus > 0.0 && std::isfinite(axisFocus) ? location + axisFocus * lens.axis
-                                                                   : location + n / Length(lens.focus);
+    const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens);
+    // a point to check the plane by: on the axis where it crosses in front, else the nearest one
+    const bool crosses = axisFocus > 0.0 && std::isfinite(axisFocus);
+    const Vec3 point = crosses ? axisFocus * lens.axis : lens.focus / (distance * distance);
+
     std::string text = "Tilt Lens\n";
-    text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", TiltOf(lens), SwingOf(lens));
-    text += Line("  Focal length.........%.5g mm, film distance %.5g mm\n", lens.focalLength * mm,
+    text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", Tidy(TiltOf(lens)),
+                 Tidy(SwingOf(lens)));
+    text += Line("  Focal length.........%.5g mm, film at %.5g mm\n", lens.focalLength * mm,
                  lens.filmDistance * mm);
     if (lens.diameter > 0.0)
-        text += Line("  Aperture.............f/%.4g, diameter %.5g mm (%.5g units)\n",
-                     lens.focalLength / lens.diameter, lens.diameter * mm, lens.diameter);
+        text += Line("  Aperture.............f/%.4g, diameter %.5g mm", lens.focalLength / lens.diameter,
+                     lens.diameter * mm) + Line(" (%.5g units)\n", lens.diameter);
     else
-        text += "  Aperture.............none (pinhole)\n";
-    text += "  Sharp plane..........through " + Line("<%.6g, %.6g, %.6g>", point.x, point.y, point.z) +
-            Line(", normal <%.6g, %.6g, %.6g>", n.x, n.y, n.z) +
-            Line(", %.4g degrees to the film\n", FocusAngleOf(lens));
-    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens)) + " units from the lens\n";
+        text += "  Aperture.............none (pinhole): everything is sharp\n";
+    text += "  Sharp plane through.." + Text(location + point) + "\n";
+    text += "    normal............." + Text(lens.focus / distance) + "\n";
+    text += Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
+    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), 1.0 / distance) + " units from the lens\n";
     if (lens.diameter > 0.0)
     {
         const tilt_lens::SharpRange sharp = SharpRangeOf(lens, width, 1.0);
-        text += "  Sharp on the axis....from " + Distance(sharp.near) + " to " + Distance(sharp.far) +
-                " units (blur of one pixel)\n";
+        text += "  Sharp on the axis....from " + Distance(sharp.near, 1.0 / distance) +
+                " to " + Distance(sharp.far, 1.0 / distance) +
+                " units (blur of 1 pixel)\n";
     }
     return text;
 }
@@ -171,9 +188,9 @@ std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, 
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
-    const TiltLensCamera block = camera.TiltLens;
-    if (!block.given)
+    if (!camera.TiltLens.given)
         return;
+    const TiltLensPlace place = camera.TiltLens.place;
     MessageFactory messages(10, 370, "Render", viewData.sceneData->backendAddress,
                             viewData.sceneData->frontendAddress, viewData.sceneData->sceneId, viewData.viewId);
     try
@@ -188,12 +205,13 @@ void View::StartTiltLens(unsigned int& tracingmethod)
     }
     catch (const std::logic_error& error)
     {
-        throw POV_EXCEPTION(kParamErr, error.what());
+        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
+                         place.offset, "%s", error.what());
     }
     if (!viewData.tiltLens)
         return;
     if (tracingmethod != 0)
-        messages.WarningAt(0, block.file.c_str(), block.line, block.column, block.offset,
+        messages.WarningAt(0, place.file.c_str(), place.line, place.column, place.offset,
                            "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
                            "samples cover the pixel already. blur_samples and variance set the quality.");
     tracingmethod = TiltLensView::kTracingMethod;
