@@ -100,7 +100,8 @@ class OpticsError : public std::runtime_error
 /// Solves a statement for a camera.
 /// @throws OpticsError  a degenerate camera; a lens turned 90 degrees or more; a plane of focus
 ///                      through the lens centre or behind the lens; a lens turned backward; a focal
-///                      length that cannot reach the plane or whose focus is nearer than itself.
+///                      length that cannot reach the plane or whose focus is nearer than itself; numbers that are
+///                      not finite, and lengths that are not positive.
 Lens Solve(const CameraFrame& camera, const Statement& given);
 
 /// Sensible pictures that are probably not what was meant: a lens tilt past 15 degrees, a tilt
