@@ -31,8 +31,9 @@ class SetupTest(unittest.TestCase):
 
     def run_command(self, *command, cwd=None, env=None, timeout=60):
         """Runs COMMAND with ENV added to the environment; returns the finished process with its output."""
+        inherited = {name: value for name, value in os.environ.items() if name not in ("POVINI", "POVINC")}
         return subprocess.run([str(word) for word in command], cwd=cwd or self.folder, timeout=timeout,
-                              env={**os.environ, **(env or {})}, stdin=subprocess.DEVNULL,
+                              env={**inherited, **(env or {})}, stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, errors="replace", check=False)
 
     def assert_succeeds(self, process):
