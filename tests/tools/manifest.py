@@ -19,6 +19,10 @@ ORACLE_CASES = ROOT / "tests" / "oracle" / "cases"
 SCENES = ROOT / "tests" / "reference" / "scenes"
 SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 
+# The mean of a render's reference: this many pictures, each with other samples (batch.inc).
+# With fewer, the estimated deviation of a pixel has so few degrees of freedom that Gaussian limits
+# fail good pixels.
+BATCHES = 16
 # Limits against the oracle, both linear and over all channels.
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
 FIELDS = ["file", "pixels_sha256", "scene", "sources_sha256", "command", "binary", "upstream",
@@ -35,6 +39,7 @@ class Entry:
     width: int
     height: int
     options: list             # of the fork
+    batches: int              # independent pictures behind a reference of the fork's own
     comparison: dict
 
     @property
@@ -67,11 +72,12 @@ def entries():
     for case in sorted(ORACLE_CASES.glob("*.json")):
         width, height = json.loads(case.read_text())["picture"]
         found.append(Entry("oracle/" + case.stem, case.with_suffix(".pov"), case, width, height, [],
-                           ORACLE_COMPARISON))
+                           0, ORACLE_COMPARISON))
     for name, item in json.loads(SCENE_LIST.read_text()).items():
         width, height = item["picture"]
         found.append(Entry("renders/" + name, SCENES / (name + ".pov"), None, width, height,
-                           item.get("options", []), item["comparison"]))
+                           item.get("options", []), item.get("batches", BATCHES),
+                           item["comparison"]))
     return {entry.name: entry for entry in found}
 
 

@@ -19,10 +19,6 @@ import tempfile
 import manifest
 import pictures
 
-# The mean of a render's reference: this many pictures, each with other samples (batch.inc).
-# With fewer, the estimated deviation of a pixel has so few degrees of freedom that Gaussian limits
-# fail good pixels.
-BATCHES = 16
 ORACLE_BATCHES, ORACLE_SAMPLES, ORACLE_PROCESSES = 8, 512, 48
 
 
@@ -90,7 +86,7 @@ def make_render(entry, args, work):
     if not args.povray:
         raise SystemExit(f"{entry.name}: give --povray")
     files = []
-    for batch in range(BATCHES):
+    for batch in range(entry.batches):
         job = entry.job(args.povray, [f"Batch={batch}"])
         job.width += 2 * batch
         job.height += 2 * batch
@@ -99,7 +95,7 @@ def make_render(entry, args, work):
         files.append(str(work / name))
     output = work / "mean.exr"
     subprocess.run([args.compare, "average", str(output), *files], check=True)
-    return output, ["povray", *command[1:]], args.povray, BATCHES
+    return output, ["povray", *command[1:]], args.povray, entry.batches
 
 
 def standard_error(compare, picture):

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 // Radiosity, alpha of a filter, and a camera that is moved after its lens was set.
+// One picture is its reference, compared within limits: a larger picture is not the same with other
+// samples, because radiosity's samples depend on the picture's size.
 
 #version 3.7;
 global_settings
@@ -9,19 +11,17 @@ global_settings
   assumed_gamma 1.0
   radiosity { pretrace_start 0.08 pretrace_end 0.02 count 40 nearest_count 4 error_bound 0.8 recursion_limit 1 always_sample off }
 }
-#include "batch.inc"
 
 camera
 {
   perspective
   location <0, 0, -4>
   direction 1.2*z
-  right Frame_Right*x
-  up Frame_Up*y
+  right image_width/image_height*x
   aperture 0.25
   focal_point <0, 0, 0>
   blur_samples 16, 256  confidence 0.95  variance 1/5000
-  tilt_lens { scene_unit 250  film_width 36*Wider  swing 6 }
+  tilt_lens { scene_unit 250  swing 6 }
   rotate <8, -12, 0>
   translate 1.5*y
 }
