@@ -32,10 +32,19 @@ class Random
   public:
     explicit Random(std::uint64_t seed) : engine(seed) {}
 
-    double operator()(double low, double high) { return low + (high - low) * double(engine() >> 11) * 0x1p-53; }
-    double Power(double lowExponent, double highExponent) { return std::pow(10.0, (*this)(lowExponent, highExponent)); }
+    double operator()(double low, double high)
+    {
+        return low + (high - low) * double(engine() >> 11) * 0x1p-53;
+    }
+    double Power(double lowExponent, double highExponent)
+    {
+        return std::pow(10.0, (*this)(lowExponent, highExponent));
+    }
     bool Coin() { return engine() >> 63; }
-    Vec3 Vector(double most) { return {(*this)(-most, most), (*this)(-most, most), (*this)(-most, most)}; }
+    Vec3 Vector(double most)
+    {
+        return {(*this)(-most, most), (*this)(-most, most), (*this)(-most, most)};
+    }
 
     Vec3 Direction()
     {
@@ -68,21 +77,22 @@ inline std::ostream& operator<<(std::ostream& out, const Request& request)
     const CameraFrame& c = request.camera;
     const Statement& s = request.given;
     std::ostringstream text;
-    text << std::setprecision(17) << "location " << c.location << " direction " << c.direction << " right "
-         << c.right << " up " << c.up << "\nfilm_width " << s.filmWidth << " scene_unit " << s.sceneUnit
-         << " scale " << s.scale << " family " << int(s.family);
+    text << std::setprecision(17) << "location " << c.location << " direction " << c.direction
+         << " right " << c.right << " up " << c.up << "\nfilm_width " << s.filmWidth
+         << " scene_unit " << s.sceneUnit << " scale " << s.scale << " family " << int(s.family);
     if (s.focalLength)
         text << " focal_length " << *s.focalLength;
-    text << "\ntilt " << s.tilt << " swing " << s.swing << " focus_tilt " << s.focusTilt << " focus_swing "
-         << s.focusSwing << " focal_plane " << s.planeNormal << ", " << s.planeDistance << " focal_points "
-         << s.points[0] << s.points[1] << s.points[2] << " focal_point " << s.focalPoint << "\nshift <"
-         << s.shiftRight << ", " << s.shiftUp << "> aperture " << s.aperture;
+    text << "\ntilt " << s.tilt << " swing " << s.swing << " focus_tilt " << s.focusTilt
+         << " focus_swing " << s.focusSwing << " focal_plane " << s.planeNormal << ", "
+         << s.planeDistance << " focal_points " << s.points[0] << s.points[1] << s.points[2]
+         << " focal_point " << s.focalPoint << "\nshift <" << s.shiftRight << ", " << s.shiftUp
+         << "> aperture " << s.aperture;
     if (s.fStop)
         text << " f_stop " << *s.fStop;
     return out << text.str();
 }
 
-/// A camera at the origin that looks along z, width 1.6, height 1.2, an angle of view of 53 degrees.
+/// A camera at the origin that looks along z, width 1.6, height 1.2, angle of view 53 degrees.
 inline Request PlainRequest()
 {
     Request request;
@@ -111,7 +121,8 @@ inline CameraFrame RandomFrame(Random& random)
     camera.up = unit * (up + (random.Coin() ? random(-0.3, 0.3) : 0.0) * right);
     camera.direction = 0.5 * unit * aspect / std::tan(random(5.0, 50.0) * kDegree) * axis;
     if (random.Coin())
-        camera.direction = camera.direction + random(-0.3, 0.3) * camera.right + random(-0.3, 0.3) * camera.up;
+        camera.direction =
+            camera.direction + random(-0.3, 0.3) * camera.right + random(-0.3, 0.3) * camera.up;
     return camera;
 }
 
@@ -133,7 +144,8 @@ inline void RandomFocus(Random& random, const CameraFrame& camera, double distan
     s.focusSwing = random(-75.0, 75.0);
 
     const Vec3 across = random.Direction();
-    const Vec3 normal = Normalized(axis + std::tan(random(0.0, 75.0) * kDegree) * Normalized(Cross(axis, across)));
+    const Vec3 normal =
+        Normalized(axis + std::tan(random(0.0, 75.0) * kDegree) * Normalized(Cross(axis, across)));
     s.planeNormal = random.Power(-1.0, 1.0) * (random.Coin() ? normal : -normal);
     s.planeDistance = Dot(s.planeNormal, s.focalPoint) / Length(s.planeNormal);
     const Vec3 u = Normalized(Cross(normal, random.Direction())), v = Cross(normal, u);
@@ -150,8 +162,9 @@ inline Request RandomRequest(Random& random, FocusFamily family, bool focalLengt
     s.family = family;
     s.filmWidth = random(8.0, 200.0);
     s.sceneUnit = random.Power(0.0, 4.0);
-    const double filmDistance =
-        s.filmWidth * Dot(AxisOf(request.camera), request.camera.direction) / Length(request.camera.right);
+    const double filmDistance = s.filmWidth *
+                                Dot(AxisOf(request.camera), request.camera.direction) /
+                                Length(request.camera.right);
     if (focalLengthGiven)
         s.focalLength = filmDistance * random(0.8, 1.2);
     RandomFocus(random, request.camera, filmDistance / s.sceneUnit * random.Power(0.7, 4.0), s);
@@ -164,13 +177,14 @@ inline Request RandomRequest(Random& random, FocusFamily family, bool focalLengt
     return request;
 }
 
-/// Whether all of the film lies well behind the lens and no lens point near the film, as in a camera
-/// that could be built.
+/// Whether all of the film lies well behind the lens and no lens point near the film, as in a
+/// camera that could be built.
 inline bool CouldBeBuilt(const Lens& lens)
 {
     for (int corner = 0; corner < 4; corner++)
     {
-        const Vec3 chief = lens.direction + (corner & 1 ? 0.5 : -0.5) * lens.right + (corner & 2 ? 0.5 : -0.5) * lens.up;
+        const Vec3 chief = lens.direction + (corner & 1 ? 0.5 : -0.5) * lens.right +
+                           (corner & 2 ? 0.5 : -0.5) * lens.up;
         if (!(Dot(lens.normal, chief) > 0.2 * Length(chief)))
             return false;
     }
@@ -179,7 +193,8 @@ inline bool CouldBeBuilt(const Lens& lens)
 }
 
 /// The next random request that has a lens, and one that could be built.
-inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
+inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven,
+                               Lens& lens)
 {
     for (;;)
     {
@@ -190,7 +205,7 @@ inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLen
         }
         catch (const OpticsError&)
         {
-            continue;  // no lens does that: a focal length too long, a plane too near
+            continue; // no lens does that: a focal length too long, a plane too near
         }
         if (CouldBeBuilt(lens))
             return request;

@@ -1,0 +1,92 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file cell_results.h
+/// What the tests of the sampling loop share: simple light, and the results of a cell.
+
+#ifndef TILT_LENS_TESTS_CELL_RESULTS_H
+#define TILT_LENS_TESTS_CELL_RESULTS_H
+
+#include <cstdint>
+#include <vector>
+
+#include "tilt_lens/cell_sampler.h"
+
+namespace tilt_lens
+{
+
+constexpr std::uint32_t kSize = CellSampler::kSize;
+
+inline Radiance Grey(double value)
+{
+    return {value, value, value, 0.0, 0.0};
+}
+
+/// A uniform number in (0, 1) of its own for every sample.
+inline double Noise(const SampleId& id, std::uint32_t salt)
+{
+    return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
+}
+
+inline void Constant(const SampleId&, const Sample&, Radiance& light)
+{
+    light = Grey(0.7);
+}
+
+/// Independent noise of variance 1/12 that no stratification sees.
+inline void WhiteNoise(const SampleId& id, const Sample&, Radiance& light)
+{
+    light = Grey(Noise(id, 1));
+}
+
+/// A slanted edge between black and white, seen in focus.
+inline void Edge(const SampleId& id, const Sample& s, Radiance& light)
+{
+    light = Grey(0.3 * (id.x + s.pixelX) + (id.y + s.pixelY) > 20.0 ? 1.0 : 0.0);
+}
+
+struct Result
+{
+    Radiance mean;
+    std::uint32_t samples;
+    double variance;
+
+    bool operator==(const Result& b) const
+    {
+        return mean == b.mean && samples == b.samples && variance == b.variance;
+    }
+};
+
+inline std::vector<Result> ResultsOf(CellSampler& sampler, std::uint32_t left, std::uint32_t top,
+                                     std::uint32_t width, std::uint32_t height,
+                                     const CellSampler::Tracer& trace)
+{
+    sampler.Run(left, top, width, height, trace);
+    std::vector<Result> results;
+    for (std::uint32_t y = 0; y < height; y++)
+        for (std::uint32_t x = 0; x < width; x++)
+            results.push_back({sampler.Mean(x, y), sampler.Samples(x, y), sampler.Variance(x, y)});
+    return results;
+}
+
+inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
+                                     std::uint32_t top, const CellSampler::Tracer& trace)
+{
+    CellSampler sampler(limits);
+    return ResultsOf(sampler, left, top, kSize, kSize, trace);
+}
+
+inline SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance,
+                             double confidence = 0.9)
+{
+    SamplingLimits limits;
+    limits.min = min;
+    limits.max = max;
+    limits.variance = variance;
+    limits.confidence = confidence;
+    return limits;
+}
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,179 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// How many digits the camera keeps, over a million random cameras and rays. The reference counts in
+// long double, which has at least 11 bits more; a sample of it is held against 50 digits.
+
+#include <cfloat>
+#include <cstdio>
+#include <map>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
+
+#include "random_cameras.h"
+#include "reference_camera.h"
+#include "tilt_lens/ray.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+static_assert(LDBL_MANT_DIG >= 64, "the reference needs more digits than double has");
+
+const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
+                                 FocusFamily::FocalPlane, FocusFamily::FocalPoints};
+const char* const kFamilyNames[] = {"lens turn", "focus turn", "focal plane", "focal points"};
+
+/// Length of the difference in units of the last place of a number of this length (2^-52 of it).
+template <typename Real>
+double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
+{
+    return double((value - truth).Length() / truth.Length()) * 0x1p52;
+}
+
+template <typename Real>
+Vec<Real> As(const Vec3& v)
+{
+    return Vec<Real>(v);
+}
+
+/// MakeRay's own formula in a longer type, for the lens as it is.
+LensRay ExactRay(const Lens& lens, double x, double y, double a, double b,
+                 Vec<long double>& direction)
+{
+    using V = Vec<long double>;
+    const V chief = V(lens.direction) + V(lens.right) * x + V(lens.up) * y;
+    const V point = V(lens.lensX) * a + V(lens.lensY) * b;
+    direction = chief - point * V(lens.focus).Dot(chief);
+    return {{double(point.x), double(point.y), double(point.z)}, {}};
+}
+
+TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
+{
+    Random random(21);
+    double worst = 0.0, sum = 0.0;
+    int rays = 0;
+    for (int i = 0; i < 10000; i++)
+    {
+        Lens lens;
+        const Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
+        for (int j = 0; j < 100; j++, rays++)
+        {
+            const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
+                         b = random(-0.7, 0.7);
+            Vec<long double> truth;
+            const LensRay exact = ExactRay(lens, x, y, a, b, truth),
+                          ray = MakeRay(lens, x, y, a, b);
+            const double ulps = Ulps(As<long double>(ray.direction), truth);
+            // written so that NaN fails
+            if (!(ulps <= 4.0) || !(Length(ray.origin - exact.origin) <= 0x1p-50 * lens.diameter))
+                FAIL() << ulps << " ulp\n"
+                       << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
+            worst = std::max(worst, ulps);
+            sum += ulps;
+        }
+    }
+    std::printf("[          ] %d rays: mean %.2f ulp, worst %.2f ulp\n", rays, sum / rays, worst);
+}
+
+/// Errors of whole cameras, statement to ray.
+struct Tally
+{
+    double worst = 0.0, sum = 0.0;
+    std::uint64_t over = 0, rays = 0;
+};
+
+TEST(Precision, AMillionCamerasFromStatementToRay)
+{
+    // Angle between the ray and its reference, in units of 2^-52. A plane written by its distance
+    // from the origin is known, seen from the lens, no better than the lens' own place is.
+    Random random(22);
+    Tally tallies[4];
+    const int cameras = 1000000;
+    for (int i = 0; i < cameras; i++)
+    {
+        Lens lens;
+        const Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
+        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
+                     b = random(-0.7, 0.7);
+        const LensRay ray = MakeRay(lens, x, y, a, b);
+        const auto truth =
+            ReferenceCamera<long double>(request.camera, request.given).Ray(x, y, a, b);
+        const Vec<long double> unit = truth.direction.Unit();
+        const double loss = request.given.family == FocusFamily::FocalPlane
+                                ? 1.0 + Length(request.camera.location) * Length(lens.focus)
+                                : 1.0;
+        const double ulps =
+            double(unit.Cross(As<long double>(ray.direction).Unit()).Length()) * 0x1p52 / loss;
+        const double origin = double((As<long double>(ray.origin) - truth.origin).Length()) /
+                              lens.diameter * 0x1p52 / loss;
+        if (!(ulps <= 1000.0) || !(origin <= 1000.0) || !(Length(ray.direction) > 0.0))
+            FAIL() << ulps << " ulp, origin " << origin << '\n'
+                   << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
+        Tally& tally = tallies[i % 4];
+        tally.worst = std::max(tally.worst, ulps);
+        tally.sum += ulps;
+        tally.over += ulps > 16.0;
+        tally.rays++;
+    }
+    for (int family = 0; family < 4; family++)
+    {
+        const Tally& t = tallies[family];
+        std::printf("[          ] %-12s %d cameras: mean %.2f, worst %.1f times 2^-52 rad; %.4f %% "
+                    "above 16\n",
+                    kFamilyNames[family], int(t.rays), t.sum / t.rays, t.worst,
+                    100.0 * t.over / t.rays);
+        EXPECT_LT(t.sum / t.rays, 4.0);
+        EXPECT_LT(t.over, t.rays / 1000);
+    }
+}
+
+TEST(Precision, TheReferenceHasTheDigitsItNeeds)
+{
+    using Real = boost::multiprecision::cpp_bin_float_50;
+    Random random(23);
+    double worst = 0.0;
+    for (int i = 0; i < 400; i++)
+    {
+        Lens lens;
+        const Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
+        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
+                     b = random(-0.7, 0.7);
+        const auto truth = ReferenceCamera<Real>(request.camera, request.given).Ray(x, y, a, b);
+        const auto used =
+            ReferenceCamera<long double>(request.camera, request.given).Ray(x, y, a, b);
+        const Vec<Real> direction(used.direction.x, used.direction.y, used.direction.z);
+        worst = std::max(worst, Ulps(direction, truth.direction));
+    }
+    EXPECT_LT(worst, 0.1) << "units of double's last place";
+}
+
+TEST(Precision, ScalesFrom1em9To1e9AreAlike)
+{
+    Random random(24);
+    for (int i = 0; i < 20000; i++)
+    {
+        Lens lens;
+        Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
+        const double scale = random.Power(-9, 9);
+        request.camera.location = scale * request.camera.location;
+        for (Vec3* v : {&request.camera.direction, &request.camera.right, &request.camera.up,
+                        &request.given.focalPoint, &request.given.points[0],
+                        &request.given.points[1], &request.given.points[2]})
+            *v = scale * *v;
+        request.given.planeDistance *= scale;
+        request.given.scale = scale;
+        lens = Solved(request);
+        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
+                     b = random(-0.7, 0.7);
+        const LensRay ray = MakeRay(lens, x, y, a, b);
+        const auto truth =
+            ReferenceCamera<long double>(request.camera, request.given).Ray(x, y, a, b);
+        ASSERT_LE(Ulps(As<long double>(ray.direction), truth.direction), 1000.0) << request;
+    }
+}
+
+} // namespace
+} // namespace tilt_lens

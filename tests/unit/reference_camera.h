@@ -1,0 +1,182 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file reference_camera.h
+/// The camera once more, with any number type and in the plainest way: the plane of sharp focus as
+/// normal and distance, the thin lens equation, the point where chief ray and plane meet, a ray
+/// through it. It shares no formula with the library beyond the laws of optics, and divides where
+/// the library must not: more digits pay for that.
+
+#ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
+#define TILT_LENS_TESTS_REFERENCE_CAMERA_H
+
+#include <cmath>
+
+#include "tilt_lens/optics.h"
+
+namespace tilt_lens
+{
+
+template <typename Real>
+struct Vec
+{
+    Real x, y, z;
+
+    Vec() : x(0), y(0), z(0) {}
+    Vec(const Real& x, const Real& y, const Real& z) : x(x), y(y), z(z) {}
+    explicit Vec(const Vec3& v) : x(v.x), y(v.y), z(v.z) {}
+
+    Vec operator+(const Vec& b) const { return {x + b.x, y + b.y, z + b.z}; }
+    Vec operator-(const Vec& b) const { return {x - b.x, y - b.y, z - b.z}; }
+    Vec operator*(const Real& s) const { return {x * s, y * s, z * s}; }
+    Real Dot(const Vec& b) const { return x * b.x + y * b.y + z * b.z; }
+    Vec Cross(const Vec& b) const
+    {
+        return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
+    }
+    Real Length() const
+    {
+        using std::sqrt;
+        return sqrt(Dot(*this));
+    }
+    Vec Unit() const { return *this * (Real(1) / Length()); }
+};
+
+template <typename Real>
+struct ReferenceRay
+{
+    Vec<Real> origin, direction; ///< relative to the lens centre
+};
+
+template <typename Real>
+class ReferenceCamera
+{
+  public:
+    using V = Vec<Real>;
+
+    ReferenceCamera(const CameraFrame& camera, const Statement& given)
+        : camera(camera), given(given)
+    {
+        right = V(camera.right).Unit();
+        const V cross = V(camera.right).Cross(V(camera.up)).Unit();
+        axis = cross.Dot(V(camera.direction)) < 0 ? cross * Real(-1) : cross;
+        up = axis.Cross(right);
+        if (up.Dot(V(camera.up)) < 0)
+            up = up * Real(-1);
+        millimetre = Real(given.scale) / Real(given.sceneUnit);
+        if (given.focalLength)
+            f = Real(*given.focalLength) * millimetre;
+        else
+            s = Real(given.filmWidth) * millimetre * axis.Dot(V(camera.direction)) /
+                V(camera.right).Length();
+        if (given.family == FocusFamily::LensTurn)
+            SolveLens();
+        else
+            SolvePlane();
+        Frame();
+    }
+
+    /// The ray through the lens point (a, b) and the point of sharp focus of the film point (x, y).
+    ReferenceRay<Real> Ray(double x, double y, double a, double b) const
+    {
+        const V chief = direction + V(camera.right) * Real(x) + V(camera.up) * Real(y);
+        const V l = Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b));
+        const Real parameter = d / n.Dot(chief);
+        const V way = chief * parameter - l;
+        return {l, way * (Real(1) / parameter)};
+    }
+
+  private:
+    const CameraFrame camera;
+    const Statement given;
+    V right, up, axis, direction;
+    V t, n;                           ///< unit normals of lens and plane of sharp focus
+    Real d, f, s, radius, millimetre; ///< n.X = d, focal length, film distance
+
+    V TurnedAxis(double tiltDegrees, double swingDegrees) const
+    {
+        using std::atan;
+        using std::tan;
+        const Real degree = atan(Real(1)) / 45;
+        return (axis - up * tan(Real(tiltDegrees) * degree) -
+                right * tan(Real(swingDegrees) * degree))
+            .Unit();
+    }
+
+    V Local(const Vec3& world) const { return V(world) - V(camera.location); }
+
+    void SolveLens()
+    {
+        t = TurnedAxis(given.tilt, given.swing);
+        const V P = Local(given.focalPoint);
+        if (given.focalLength)
+            s = f * P.Dot(axis) / (P.Dot(t) - f);
+        else
+            f = s * P.Dot(t) / (s + P.Dot(axis));
+        const V k = t * (Real(1) / f) - axis * (Real(1) / s);
+        d = Real(1) / k.Length();
+        n = k * d;
+    }
+
+    void SolvePlane()
+    {
+        using std::sqrt;
+        GivenPlane();
+        if (given.focalLength)
+        {
+            const V across = (n - axis * n.Dot(axis)) * (f / d);
+            t = across + axis * sqrt(Real(1) - across.Dot(across));
+            s = Real(1) / (t.Dot(axis) / f - n.Dot(axis) / d);
+            return;
+        }
+        const V q = axis * (Real(1) / s) + n * (Real(1) / d);
+        f = Real(1) / q.Length();
+        t = q * f;
+    }
+
+    void GivenPlane()
+    {
+        if (given.family == FocusFamily::FocalPlane)
+        {
+            n = V(given.planeNormal).Unit();
+            d = Real(given.planeDistance) - n.Dot(V(camera.location));
+            return;
+        }
+        V P = Local(given.focalPoint);
+        if (given.family == FocusFamily::FocusTurn)
+            n = TurnedAxis(given.focusTilt, given.focusSwing);
+        else
+        {
+            P = Local(given.points[0]);
+            n = (Local(given.points[1]) - P).Cross(Local(given.points[2]) - P).Unit();
+        }
+        d = n.Dot(P);
+    }
+
+    void Frame()
+    {
+        radius =
+            (given.fStop ? f / Real(*given.fStop) : Real(given.aperture) / 2 * Real(given.scale)) /
+            2;
+        const Real width = V(camera.right).Length(), perMillimetre = width / Real(given.filmWidth);
+        const Real depth = s / (Real(given.filmWidth) * millimetre) * width;
+        const V middle(camera.direction);
+        direction = middle + axis * (depth - axis.Dot(middle)) +
+                    right * (Real(given.shiftRight) * perMillimetre) +
+                    up * (Real(given.shiftUp) * perMillimetre);
+    }
+
+    /// The smallest turn that takes the axis to the lens normal (Rodrigues): what lies along the
+    /// line that both planes share stays, the rest turns by the angle between them.
+    V Turned(const V& v) const
+    {
+        const V turn = axis.Cross(t);
+        const Real sine = turn.Length(), cosine = axis.Dot(t);
+        const V about = turn * (Real(1) / sine);
+        return v * cosine + about.Cross(v) * sine + about * (about.Dot(v) * (Real(1) - cosine));
+    }
+};
+
+} // namespace tilt_lens
+
+#endif
