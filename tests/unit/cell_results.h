@@ -58,8 +58,7 @@ struct Result
 };
 
 inline std::vector<Result> ResultsOf(CellSampler& sampler, std::uint32_t left, std::uint32_t top,
-                                     std::uint32_t width, std::uint32_t height,
-                                     const CellSampler::Tracer& trace)
+    std::uint32_t width, std::uint32_t height, const CellSampler::Tracer& trace)
 {
     sampler.Run(left, top, width, height, trace);
     std::vector<Result> results;
@@ -70,14 +69,14 @@ inline std::vector<Result> ResultsOf(CellSampler& sampler, std::uint32_t left, s
 }
 
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
-                                     std::uint32_t top, const CellSampler::Tracer& trace)
+    std::uint32_t top, const CellSampler::Tracer& trace)
 {
     CellSampler sampler(limits);
     return ResultsOf(sampler, left, top, kSize, kSize, trace);
 }
 
-inline SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance,
-                             double confidence = 0.9)
+inline SamplingLimits Limits(
+    std::uint32_t min, std::uint32_t max, double variance, double confidence = 0.9)
 {
     SamplingLimits limits;
     limits.min = min;

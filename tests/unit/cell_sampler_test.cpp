@@ -39,12 +39,11 @@ TEST(CellSamplerLimits, VarianceZeroTakesTheMaximumEverywhere)
 
 TEST(CellSamplerLimits, MinimumAndMaximumAreKept)
 {
-    const std::uint32_t cases[][2] = {{1, 1}, {1, 2},    {1, 3},   {3, 3},    {3, 100},
-                                      {7, 9}, {8, 1000}, {37, 37}, {100, 400}};
+    const std::uint32_t cases[][2] = {
+        {1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 100}, {7, 9}, {8, 1000}, {37, 37}, {100, 400}};
     for (const auto& c : cases)
-        for (const CellSampler::Tracer& trace :
-             {CellSampler::Tracer(Constant), CellSampler::Tracer(WhiteNoise),
-              CellSampler::Tracer(Edge)})
+        for (const CellSampler::Tracer& trace : {CellSampler::Tracer(Constant),
+                 CellSampler::Tracer(WhiteNoise), CellSampler::Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
                 for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), 8, 8, trace))
                 {
@@ -81,12 +80,12 @@ TEST(CellSamplerOrder, CellsDoNotDependOnWhatRanBefore)
     const SamplingLimits limits = Limits(8, 512, 1e-4);
     CellSampler used(limits);
     for (const CellSampler::Tracer& trace :
-         {CellSampler::Tracer(Edge), CellSampler::Tracer(WhiteNoise)})
+        {CellSampler::Tracer(Edge), CellSampler::Tracer(WhiteNoise)})
         for (const std::uint32_t left : {48u, 0u, 16u, 48u})
         {
             ResultsOf(used, 8, 24, 3, 5, Constant);
-            EXPECT_TRUE(ResultsOf(used, left, 8, kSize, kSize, trace) ==
-                        ResultsOf(limits, left, 8, trace))
+            EXPECT_TRUE(
+                ResultsOf(used, left, 8, kSize, kSize, trace) == ResultsOf(limits, left, 8, trace))
                 << left;
         }
 }
@@ -152,7 +151,7 @@ TEST(CellSamplerStop, EveryChannelCounts)
 TEST(CellSamplerStop, OneBadSampleLeavesTheOtherPixelsAlone)
 {
     for (const double bad :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     {
         const auto trace = [&](const SampleId& id, const Sample& s, Radiance& light)
         {

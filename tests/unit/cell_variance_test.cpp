@@ -73,10 +73,8 @@ double LampMean(std::uint32_t, std::uint32_t)
     return 0.01;
 }
 
-const Picture kPictures[] = {{"white noise", WhiteNoise, Half},
-                             {"linear", Linear, LinearMean},
-                             {"blurred edge", BlurredEdge, BlurredEdgeMean},
-                             {"checker", Checker, Half}};
+const Picture kPictures[] = {{"white noise", WhiteNoise, Half}, {"linear", Linear, LinearMean},
+    {"blurred edge", BlurredEdge, BlurredEdgeMean}, {"checker", Checker, Half}};
 const Picture kLamp = {"lamp", Lamp, LampMean};
 
 /// Errors of many cells against the truth.
@@ -135,9 +133,8 @@ Score ReportedScoreOf(const Picture& picture, double V)
     std::printf("[          ] V %g %-12s MSE/V %.3f, claimed/V %.2f, beyond 2 sqrt(V) %.1f %%, "
                 "above the minimum "
                 "%.0f %% with MSE/V %.3f, samples %.1f\n",
-                V, picture.name, s.MeanError() / V, s.claimed / s.pixels / V, 100 * s.Beyond(),
-                100.0 * s.aboveMin / s.pixels, s.MeanErrorAboveMin() / V,
-                double(s.samples) / s.pixels);
+        V, picture.name, s.MeanError() / V, s.claimed / s.pixels / V, 100 * s.Beyond(),
+        100.0 * s.aboveMin / s.pixels, s.MeanErrorAboveMin() / V, double(s.samples) / s.pixels);
     return s;
 }
 

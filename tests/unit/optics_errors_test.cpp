@@ -57,129 +57,126 @@ void FocusTurn(Request& r, double tilt, double swing)
 }
 
 const BadCase kBadCases[] = {
-    {"LensTurnedBy90",
-     [](Request& r) { r.given.tilt = 90; },
-     {"lens is turned by 90", "tilt 90", "between", "turn it less"}},
-    {"LensSwungBackward",
-     [](Request& r) { r.given.swing = -120; },
-     {"lens is turned", "swing -120", "between", "turn it less"}},
-    {"FocusTurnedBy90",
-     [](Request& r) { FocusTurn(r, 0, 90); },
-     {"plane of sharp focus is turned", "focus_swing 90", "between", "turn it less"}},
+    {"LensTurnedBy90", [](Request& r) { r.given.tilt = 90; },
+        {"lens is turned by 90", "tilt 90", "between", "turn it less"}},
+    {"LensSwungBackward", [](Request& r) { r.given.swing = -120; },
+        {"lens is turned", "swing -120", "between", "turn it less"}},
+    {"FocusTurnedBy90", [](Request& r) { FocusTurn(r, 0, 90); },
+        {"plane of sharp focus is turned", "focus_swing 90", "between", "turn it less"}},
     {"PointsOnOneLine",
-     [](Request& r) {
-         Points(r, {0, 0, 2}, {1, 1, 3}, {3, 3, 5});
-     },
-     {"on one line", "<1, 1, 3>", "must span a plane", "move one"}},
+        [](Request& r) {
+            Points(r, {0, 0, 2}, {1, 1, 3}, {3, 3, 5});
+        },
+        {"on one line", "<1, 1, 3>", "must span a plane", "move one"}},
     {"PointsTwice",
-     [](Request& r) {
-         Points(r, {0, 0, 2}, {0, 0, 2}, {3, 3, 5});
-     },
-     {"on one line", "<0, 0, 2>", "must span a plane", "move one"}},
+        [](Request& r) {
+            Points(r, {0, 0, 2}, {0, 0, 2}, {3, 3, 5});
+        },
+        {"on one line", "<0, 0, 2>", "must span a plane", "move one"}},
     {"PlaneThroughLens",
-     [](Request& r) {
-         Plane(r, {0, 1, 0}, 0);
-     },
-     {"through the lens centre", "is 0", "must keep away", "move the plane"}},
+        [](Request& r) {
+            Plane(r, {0, 1, 0}, 0);
+        },
+        {"through the lens centre", "is 0", "must keep away", "move the plane"}},
     {"PlaneThroughLensFarAway",
-     [](Request& r)
-     {
-         r.camera.location = {3e7, 1e7, 0};
-         Plane(r, {1, -3, 0}, 0);
-     },
-     {"through the lens centre", "distance", "must keep away", "move the plane"}},
+        [](Request& r)
+        {
+            r.camera.location = {3e7, 1e7, 0};
+            Plane(r, {1, -3, 0}, 0);
+        },
+        {"through the lens centre", "distance", "must keep away", "move the plane"}},
     {"PointsThroughLens",
-     [](Request& r) {
-         Points(r, {1, 0, 2}, {-1, 0, 3}, {0, 0, 1});
-     },
-     {"through the lens centre", "must keep away"}},
+        [](Request& r) {
+            Points(r, {1, 0, 2}, {-1, 0, 3}, {0, 0, 1});
+        },
+        {"through the lens centre", "must keep away"}},
     {"FocusTurnThroughLens",
-     [](Request& r)
-     {
-         FocusTurn(r, 45, 0);
-         r.given.focalPoint = {0, 1, 1};
-     },
-     {"through the lens centre", "must keep away"}},
+        [](Request& r)
+        {
+            FocusTurn(r, 45, 0);
+            r.given.focalPoint = {0, 1, 1};
+        },
+        {"through the lens centre", "must keep away"}},
     {"LensTurnedBackward",
-     [](Request& r) {
-         Plane(r, {0, 0, 1}, -0.02);
-     },
-     {"between lens and film", "-0.02", "turned backward", "move or turn"}},
+        [](Request& r) {
+            Plane(r, {0, 0, 1}, -0.02);
+        },
+        {"between lens and film", "-0.02", "turned backward", "move or turn"}},
     {"NoNormal",
-     [](Request& r) {
-         Plane(r, {0, 0, 0}, 1);
-     },
-     {"normal of focal_plane", "<0, 0, 0>", "not zero", "write it as"}},
+        [](Request& r) {
+            Plane(r, {0, 0, 0}, 1);
+        },
+        {"normal of focal_plane", "<0, 0, 0>", "not zero", "write it as"}},
     {"FocalPointBehind",
-     [](Request& r) {
-         r.given.focalPoint = {0, 0, -1};
-     },
-     {"not in front", "-1 units", "must lie in front", "give another"}},
+        [](Request& r) {
+            r.given.focalPoint = {0, 0, -1};
+        },
+        {"not in front", "-1 units", "must lie in front", "give another"}},
     {"FocalPointBehindTurnedLens",
-     [](Request& r)
-     {
-         r.given.tilt = 60;
-         r.given.focalPoint = {0, 5, 1};
-     },
-     {"turned so far", "must lie before the lens", "turn the lens less"}},
+        [](Request& r)
+        {
+            r.given.tilt = 60;
+            r.given.focalPoint = {0, 5, 1};
+        },
+        {"turned so far", "must lie before the lens", "turn the lens less"}},
     {"FocusNearerThanFocalLength",
-     [](Request& r)
-     {
-         r.given.focalLength = 50;
-         r.given.focalPoint = {0, 0, 0.04};
-     },
-     {"nearer than the focal length", "0.04", "0.05", "forms no picture", "focus farther"}},
+        [](Request& r)
+        {
+            r.given.focalLength = 50;
+            r.given.focalPoint = {0, 0, 0.04};
+        },
+        {"nearer than the focal length", "0.04", "0.05", "forms no picture", "focus farther"}},
     {"FocusAtFocalLength",
-     [](Request& r)
-     {
-         r.given.focalLength = 50;
-         r.given.focalPoint = {0, 0, 0.05};
-     },
-     {"nearer than the focal length", "0.05", "focus farther"}},
+        [](Request& r)
+        {
+            r.given.focalLength = 50;
+            r.given.focalPoint = {0, 0, 0.05};
+        },
+        {"nearer than the focal length", "0.05", "focus farther"}},
     {"HingeNearerThanFocalLength",
-     [](Request& r)
-     {
-         r.given.focalLength = 50;
-         Plane(r, {0, 1, 0}, -0.04);
-     },
-     {"No tilt of this lens", "0.04", "must be larger", "shorter focal_length"}},
+        [](Request& r)
+        {
+            r.given.focalLength = 50;
+            Plane(r, {0, 1, 0}, -0.04);
+        },
+        {"No tilt of this lens", "0.04", "must be larger", "shorter focal_length"}},
     {"PlaneTooNear",
-     [](Request& r)
-     {
-         r.given.focalLength = 50;
-         Plane(r, {0, 0, 1}, 0.04);
-     },
-     {"nearer than this lens can focus", "0.04", "focus farther"}},
+        [](Request& r)
+        {
+            r.given.focalLength = 50;
+            Plane(r, {0, 0, 1}, 0.04);
+        },
+        {"nearer than this lens can focus", "0.04", "focus farther"}},
     {"UpAlongRight",
-     [](Request& r) {
-         r.camera.up = {2, 0, 0};
-     },
-     {"spans no picture", "up <2, 0, 0>", "must be finite and independent", "other vectors"}},
+        [](Request& r) {
+            r.camera.up = {2, 0, 0};
+        },
+        {"spans no picture", "up <2, 0, 0>", "must be finite and independent", "other vectors"}},
     {"UpAlongSlantedRight",
-     [](Request& r)
-     {
-         r.camera.right = {0.1, 0.2, 0.3};
-         r.camera.up = 2.7 * r.camera.right;
-     },
-     {"spans no picture", "must be finite and independent"}},
+        [](Request& r)
+        {
+            r.camera.right = {0.1, 0.2, 0.3};
+            r.camera.up = 2.7 * r.camera.right;
+        },
+        {"spans no picture", "must be finite and independent"}},
     {"DirectionInFilm",
-     [](Request& r)
-     {
-         r.camera.right = {0.1, 0.2, 0.3};
-         r.camera.up = {0.7, -0.3, 0.1};
-         r.camera.direction = 0.3 * r.camera.right + 0.7 * r.camera.up;
-     },
-     {"spans no picture", "must be finite and independent"}},
+        [](Request& r)
+        {
+            r.camera.right = {0.1, 0.2, 0.3};
+            r.camera.up = {0.7, -0.3, 0.1};
+            r.camera.direction = 0.3 * r.camera.right + 0.7 * r.camera.up;
+        },
+        {"spans no picture", "must be finite and independent"}},
     {"NoRight",
-     [](Request& r) {
-         r.camera.right = {0, 0, 0};
-     },
-     {"spans no picture", "right <0, 0, 0>"}},
+        [](Request& r) {
+            r.camera.right = {0, 0, 0};
+        },
+        {"spans no picture", "right <0, 0, 0>"}},
     {"NoDirection",
-     [](Request& r) {
-         r.camera.direction = {0, 0, 0};
-     },
-     {"spans no picture", "direction <0, 0, 0>"}},
+        [](Request& r) {
+            r.camera.direction = {0, 0, 0};
+        },
+        {"spans no picture", "direction <0, 0, 0>"}},
 };
 
 class BadStatement : public testing::TestWithParam<BadCase>
@@ -187,8 +184,7 @@ class BadStatement : public testing::TestWithParam<BadCase>
 };
 
 INSTANTIATE_TEST_SUITE_P(Optics, BadStatement, testing::ValuesIn(kBadCases),
-                         [](const testing::TestParamInfo<BadCase>& info)
-                         { return std::string(info.param.name); });
+    [](const testing::TestParamInfo<BadCase>& info) { return std::string(info.param.name); });
 
 TEST_P(BadStatement, IsRefusedInWords)
 {
@@ -224,19 +220,32 @@ TEST(BadCamera, DependentVectorsAreFoundThroughTheirRounding)
     }
 }
 
+TEST(BadCamera, APlaneThroughTheLensIsFoundThroughItsRounding)
+{
+    Random random(12);
+    for (int i = 0; i < 1000; i++)
+    {
+        Request request = PlainRequest();
+        request.camera.location = random.Power(-6, 9) * random.Direction();
+        const Vec3 normal = random.Power(-1, 1) * random.Direction();
+        Plane(request, normal, Dot(normal, request.camera.location) / Length(normal));
+        ASSERT_THROW(Solved(request), OpticsError) << request;
+    }
+}
+
 /// Every number of a request, so that each can be spoiled.
 std::vector<double*> NumbersOf(Request& r)
 {
     Statement& s = r.given;
-    std::vector<double*> numbers = {&s.filmWidth, &s.sceneUnit, &s.shiftRight,
-                                    &s.shiftUp,   &*s.fStop,    &s.scale};
+    std::vector<double*> numbers = {
+        &s.filmWidth, &s.sceneUnit, &s.shiftRight, &s.shiftUp, &*s.fStop, &s.scale};
     if (s.focalLength)
         numbers.push_back(&*s.focalLength);
     for (Vec3* v : {&r.camera.location, &r.camera.direction, &r.camera.right, &r.camera.up})
         numbers.insert(numbers.end(), {&v->x, &v->y, &v->z});
     if (s.family == FocusFamily::FocalPlane)
         numbers.insert(numbers.end(),
-                       {&s.planeNormal.x, &s.planeNormal.y, &s.planeNormal.z, &s.planeDistance});
+            {&s.planeNormal.x, &s.planeNormal.y, &s.planeNormal.z, &s.planeDistance});
     else if (s.family == FocusFamily::FocalPoints)
         for (Vec3& p : s.points)
             numbers.insert(numbers.end(), {&p.x, &p.y, &p.z});
@@ -289,7 +298,7 @@ void ExpectErrorOrLens(const Request& request, bool errorWanted)
 TEST(BadNumbers, NoneGivesALensOfNonsense)
 {
     const FocusFamily families[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
-                                    FocusFamily::FocalPlane, FocusFamily::FocalPoints};
+        FocusFamily::FocalPlane, FocusFamily::FocalPoints};
     for (const FocusFamily family : families)
         for (const bool focalLength : {false, true})
         {
@@ -297,7 +306,7 @@ TEST(BadNumbers, NoneGivesALensOfNonsense)
             const std::size_t count = NumbersOf(sound).size();
             for (std::size_t i = 0; i < count; i++)
                 for (const double bad :
-                     {kNaN, kInfinity, -kInfinity, 0.0, -1.0, 1e300, -1e300, 1e-300})
+                    {kNaN, kInfinity, -kInfinity, 0.0, -1.0, 1e300, -1e300, 1e-300})
                 {
                     Request request = sound;
                     double* number = NumbersOf(request)[i];

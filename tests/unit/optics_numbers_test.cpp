@@ -162,7 +162,7 @@ TEST(PhysicalUnits, NormalLensGivesTheTextbooksNumbers)
         request.given.focalPoint = {0, 0, 1e9};
         const Lens far = Solved(request);
         EXPECT_NEAR(2 * std::atan2(0.5 * Length(far.right), Dot(far.direction, far.axis)) / kDegree,
-                    39.5978, 1e-4);
+            39.5978, 1e-4);
         EXPECT_NEAR(far.diameter * unit, 25.0, 1e-12);
         request.given.focalPoint = {0, 0, 1000.0 / unit}; // one metre: 1/s = 1/50 - 1/1000
         EXPECT_NEAR(Solved(request).filmDistance * unit, 1000.0 / 19.0, 1e-11);

@@ -51,11 +51,10 @@ class EveryFamily : public testing::TestWithParam<std::tuple<FocusFamily, bool>>
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    Optics, EveryFamily,
+INSTANTIATE_TEST_SUITE_P(Optics, EveryFamily,
     testing::Combine(testing::Values(FocusFamily::LensTurn, FocusFamily::FocusTurn,
-                                     FocusFamily::FocalPlane, FocusFamily::FocalPoints),
-                     testing::Bool()));
+                         FocusFamily::FocalPlane, FocusFamily::FocalPoints),
+        testing::Bool()));
 
 TEST_P(EveryFamily, AxesAndNormalAreUnitVectors)
 {
@@ -91,11 +90,11 @@ TEST_P(EveryFamily, LengthsAndFrameAreThoseAskedFor)
             else
             {
                 EXPECT_NEAR(Dot(lens.direction, lens.axis),
-                            Dot(request.camera.direction, lens.axis), 1e-15 * width * 8);
+                    Dot(request.camera.direction, lens.axis), 1e-15 * width * 8);
             }
             // the frame lies before the lens as the film behind it
-            EXPECT_NEAR(Dot(lens.direction, lens.axis) / width * film / lens.filmDistance, 1.0,
-                        4e-15);
+            EXPECT_NEAR(
+                Dot(lens.direction, lens.axis) / width * film / lens.filmDistance, 1.0, 4e-15);
             const Vec3 moved = CameraPart(lens, lens.direction - request.camera.direction) *
                                (film / width * s.sceneUnit);
             EXPECT_NEAR(moved.x, s.shiftRight, 1e-14 * s.filmWidth);
@@ -131,9 +130,9 @@ TEST_P(EveryFamily, FocusIsWhereTheStatementPutsIt)
                 break;
             case FocusFamily::FocalPlane:
                 EXPECT_NEAR(sharp(s.planeDistance / Length(s.planeNormal) * s.planeNormal), 1.0,
-                            tolerance * (1.0 + 20.0 * Length(lens.focus)));
-                EXPECT_LT(Length(Cross(Normalized(lens.focus), Normalized(s.planeNormal))),
-                          tolerance);
+                    tolerance * (1.0 + 20.0 * Length(lens.focus)));
+                EXPECT_LT(
+                    Length(Cross(Normalized(lens.focus), Normalized(s.planeNormal))), tolerance);
                 break;
             case FocusFamily::FocalPoints:
                 for (const Vec3& point : s.points)
@@ -172,12 +171,12 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
             const double out = s * t.z / (across * across);
             for (const double along : {-1.0, 0.0, 1.0})
             {
-                const Vec3 point{out * t.x - along * s * t.y / across,
-                                 out * t.y + along * s * t.x / across, -s};
+                const Vec3 point{
+                    out * t.x - along * s * t.y / across, out * t.y + along * s * t.x / across, -s};
                 EXPECT_NEAR(Dot(t, point) / Length(point), 0.0, 1e-14);
                 // the point inherits the rounding of t, k that of t/f
                 EXPECT_NEAR(Dot(k, point), 1.0,
-                            4e-15 * (Length(k) + 1.0 / lens.focalLength) * Length(point));
+                    4e-15 * (Length(k) + 1.0 / lens.focalLength) * Length(point));
             }
         });
 }
@@ -189,13 +188,13 @@ TEST_P(EveryFamily, HingeRule)
         {
             const double turn = AngleBetween(lens.normal, lens.axis);
             EXPECT_NEAR(HingeDistanceOf(lens) * std::sin(turn) / lens.focalLength, 1.0,
-                        4e-15 / std::sin(turn));
-            // the hinge line lies in the plane of sharp focus and in the plane through the lens parallel
-            // to the film, on the side from which the lens leans away
+                4e-15 / std::sin(turn));
+            // the hinge line lies in the plane of sharp focus and in the plane through the lens
+            // parallel to the film, on the side from which the lens leans away
             const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
             const double across = std::hypot(t.x, t.y);
-            const Vec3 foot{HingeDistanceOf(lens) * t.x / across,
-                            HingeDistanceOf(lens) * t.y / across, 0.0};
+            const Vec3 foot{
+                HingeDistanceOf(lens) * t.x / across, HingeDistanceOf(lens) * t.y / across, 0.0};
             EXPECT_NEAR(Dot(k, foot), 1.0, 1e-12);
             if (request.given.family == FocusFamily::LensTurn)
             {
@@ -324,7 +323,7 @@ TEST(PaperEquation, HoldsBothWays)
         const Vec3 n = CameraPart(back, back.focus);
         const double slope = (s + distance) / s; // by which an error of the lens' angle grows
         ASSERT_NEAR(std::atan2(-n.y, n.z), angle,
-                    1e-15 * (2.0 + slope * std::fabs(turn) + 20.0 / distance));
+            1e-15 * (2.0 + slope * std::fabs(turn) + 20.0 / distance));
         ASSERT_NEAR(back.focalLength / lens.focalLength, 1.0, 1e-13);
     }
 }

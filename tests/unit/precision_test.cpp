@@ -23,7 +23,7 @@ namespace
 static_assert(LDBL_MANT_DIG >= 64, "the reference needs more digits than double has");
 
 const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
-                                 FocusFamily::FocalPlane, FocusFamily::FocalPoints};
+    FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 const char* const kFamilyNames[] = {"lens turn", "focus turn", "focal plane", "focal points"};
 
 /// Length of the difference in units of the last place of a number of this length (2^-52 of it).
@@ -40,8 +40,8 @@ Vec<Real> As(const Vec3& v)
 }
 
 /// MakeRay's own formula in a longer type, for the lens as it is.
-LensRay ExactRay(const Lens& lens, double x, double y, double a, double b,
-                 Vec<long double>& direction)
+LensRay ExactRay(
+    const Lens& lens, double x, double y, double a, double b, Vec<long double>& direction)
 {
     using V = Vec<long double>;
     const V chief = V(lens.direction) + V(lens.right) * x + V(lens.up) * y;
@@ -123,8 +123,7 @@ TEST(Precision, AMillionCamerasFromStatementToRay)
         const Tally& t = tallies[family];
         std::printf("[          ] %-12s %d cameras: mean %.2f, worst %.1f times 2^-52 rad; %.4f %% "
                     "above 16\n",
-                    kFamilyNames[family], int(t.rays), t.sum / t.rays, t.worst,
-                    100.0 * t.over / t.rays);
+            kFamilyNames[family], int(t.rays), t.sum / t.rays, t.worst, 100.0 * t.over / t.rays);
         EXPECT_LT(t.sum / t.rays, 4.0);
         EXPECT_LT(t.over, t.rays / 1000);
     }
@@ -160,8 +159,8 @@ TEST(Precision, ScalesFrom1em9To1e9AreAlike)
         const double scale = random.Power(-9, 9);
         request.camera.location = scale * request.camera.location;
         for (Vec3* v : {&request.camera.direction, &request.camera.right, &request.camera.up,
-                        &request.given.focalPoint, &request.given.points[0],
-                        &request.given.points[1], &request.given.points[2]})
+                 &request.given.focalPoint, &request.given.points[0], &request.given.points[1],
+                 &request.given.points[2]})
             *v = scale * *v;
         request.given.planeDistance *= scale;
         request.given.scale = scale;

@@ -193,8 +193,8 @@ inline bool CouldBeBuilt(const Lens& lens)
 }
 
 /// The next random request that has a lens, and one that could be built.
-inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven,
-                               Lens& lens)
+inline Request SolvableRequest(
+    Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
 {
     for (;;)
     {

@@ -19,14 +19,14 @@ namespace
 
 const double kInfinity = std::numeric_limits<double>::infinity();
 const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
-                                 FocusFamily::FocalPlane, FocusFamily::FocalPoints};
+    FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 
 struct LensCoordinates
 {
     double a, b;
 };
-const LensCoordinates kLensPoints[] = {{0, 0},      {1, 0},      {0, 1},
-                                       {-0.6, 0.8}, {0.3, -0.4}, {-0.7, -0.7}};
+const LensCoordinates kLensPoints[] = {
+    {0, 0}, {1, 0}, {0, 1}, {-0.6, 0.8}, {0.3, -0.4}, {-0.7, -0.7}};
 
 /// Calls check(request, lens, random) for random cameras of every family, with and without
 /// focal length.
@@ -51,21 +51,19 @@ Vec3 ChiefRay(const Lens& lens, double x, double y)
 TEST(Ray, ChiefRayPassesTheLensCentreUnbent)
 {
     ForManyCameras(4000,
-                   [](const Request&, const Lens& lens, Random& random)
-                   {
-                       const double x = random(-0.5, 0.5), y = random(-0.5, 0.5);
-                       const LensRay ray = MakeRay(lens, x, y, 0.0, 0.0);
-                       EXPECT_EQ(Length(ray.origin), 0.0);
-                       EXPECT_LT(
-                           Length(ray.direction - (lens.direction + x * lens.right + y * lens.up)),
-                           1e-15 * Length(ray.direction));
-                   });
+        [](const Request&, const Lens& lens, Random& random)
+        {
+            const double x = random(-0.5, 0.5), y = random(-0.5, 0.5);
+            const LensRay ray = MakeRay(lens, x, y, 0.0, 0.0);
+            EXPECT_EQ(Length(ray.origin), 0.0);
+            EXPECT_LT(Length(ray.direction - (lens.direction + x * lens.right + y * lens.up)),
+                1e-15 * Length(ray.direction));
+        });
 }
 
 TEST(Ray, OriginLiesInTheLens)
 {
-    ForManyCameras(
-        4000,
+    ForManyCameras(4000,
         [](const Request&, const Lens& lens, Random& random)
         {
             for (const LensCoordinates& l : kLensPoints)
@@ -82,25 +80,25 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
 {
     int before = 0, behind = 0;
     ForManyCameras(8000,
-                   [&](const Request&, const Lens& lens, Random& random)
-                   {
-                       const double x = random(-0.5, 0.5), y = random(-0.5, 0.5);
-                       const Vec3 chief = ChiefRay(lens, x, y);
-                       const double w = Dot(lens.focus, chief);
-                       (w > 0.0 ? before : behind)++;
-                       // in units of |chief|, scaled by w so that it holds at any distance
-                       for (const LensCoordinates& l : kLensPoints)
-                       {
-                           const LensRay ray = MakeRay(lens, x, y, l.a, l.b);
-                           const double size = Length(chief) + std::fabs(w) * Length(ray.origin);
-                           // origin + direction / w = chief / w, the parameter being negative behind the lens
-                           EXPECT_LT(Length(w * ray.origin + ray.direction - chief), 4e-15 * size);
-                           EXPECT_NEAR(Dot(lens.focus, w * ray.origin + ray.direction), w,
-                                       1e-14 * Length(lens.focus) * size);
-                           EXPECT_GT(Dot(ray.direction, lens.normal), 0.0)
-                               << "the ray leaves towards the film";
-                       }
-                   });
+        [&](const Request&, const Lens& lens, Random& random)
+        {
+            const double x = random(-0.5, 0.5), y = random(-0.5, 0.5);
+            const Vec3 chief = ChiefRay(lens, x, y);
+            const double w = Dot(lens.focus, chief);
+            (w > 0.0 ? before : behind)++;
+            // in units of |chief|, scaled by w so that it holds at any distance
+            for (const LensCoordinates& l : kLensPoints)
+            {
+                const LensRay ray = MakeRay(lens, x, y, l.a, l.b);
+                const double size = Length(chief) + std::fabs(w) * Length(ray.origin);
+                // origin + direction / w = chief / w, the parameter being negative behind the lens
+                EXPECT_LT(Length(w * ray.origin + ray.direction - chief), 4e-15 * size);
+                EXPECT_NEAR(Dot(lens.focus, w * ray.origin + ray.direction), w,
+                    1e-14 * Length(lens.focus) * size);
+                EXPECT_GT(Dot(ray.direction, lens.normal), 0.0)
+                    << "the ray leaves towards the film";
+            }
+        });
     EXPECT_GT(before, 100);
     EXPECT_GT(behind, 100) << "no film point with its focus behind the lens: the test lacks half";
 }
@@ -132,18 +130,17 @@ TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
 {
     // what lets a program without lenses render the same picture, one lens point at a time
     ForManyCameras(2000,
-                   [](const Request&, const Lens& lens, Random& random)
-                   {
-                       const double a = random(-0.7, 0.7), b = random(-0.7, 0.7),
-                                    x = random(-0.5, 0.5), y = random(-0.5, 0.5);
-                       const Vec3 l = a * lens.lensX + b * lens.lensY;
-                       const auto pinhole = [&](const Vec3& v)
-                       { return v - Dot(lens.focus, v) * l; };
-                       const LensRay ray = MakeRay(lens, x, y, a, b);
-                       const Vec3 linear =
-                           pinhole(lens.direction) + x * pinhole(lens.right) + y * pinhole(lens.up);
-                       EXPECT_LT(Length(ray.direction - linear), 1e-14 * Length(ray.direction));
-                   });
+        [](const Request&, const Lens& lens, Random& random)
+        {
+            const double a = random(-0.7, 0.7), b = random(-0.7, 0.7), x = random(-0.5, 0.5),
+                         y = random(-0.5, 0.5);
+            const Vec3 l = a * lens.lensX + b * lens.lensY;
+            const auto pinhole = [&](const Vec3& v) { return v - Dot(lens.focus, v) * l; };
+            const LensRay ray = MakeRay(lens, x, y, a, b);
+            const Vec3 linear =
+                pinhole(lens.direction) + x * pinhole(lens.right) + y * pinhole(lens.up);
+            EXPECT_LT(Length(ray.direction - linear), 1e-14 * Length(ray.direction));
+        });
 }
 
 /// Where light from a point of the scene that passes the lens at l meets the film. The image of the
@@ -159,8 +156,7 @@ Vec3 FilmPointOfLight(const Lens& lens, const Vec3& point, const Vec3& l)
 
 TEST(Ray, LightTakesTheSameWayFromSceneToFilm)
 {
-    ForManyCameras(
-        8000,
+    ForManyCameras(8000,
         [](const Request&, const Lens& lens, Random& random)
         {
             const Vec3 chief = ChiefRay(lens, random(-0.4, 0.4), random(-0.4, 0.4));
@@ -190,8 +186,7 @@ TEST(Blur, IsTheEllipseOfTheTurnedDisc)
     // A point Z on the axis. The film sees the disc, turned by theta, from the point's image: an
     // ellipse with half axes v r / sqrt(1 - e^2) along the line that lens and film share and
     // v r cos(theta) / (1 - e^2) across, where e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
-    ForManyCameras(
-        2000,
+    ForManyCameras(2000,
         [](const Request&, const Lens& lens, Random& random)
         {
             const double Z = lens.focalLength * random.Power(0.7, 4.0), r = lens.diameter / 2;
@@ -224,44 +219,43 @@ TEST(Blur, IsTheEllipseOfTheTurnedDisc)
 TEST(Blur, VergenceIsTheBlurOfAParallelLens)
 {
     ForManyCameras(8000,
-                   [](const Request& request, const Lens&, Random& random)
-                   {
-                       Request parallel = request;
-                       parallel.given.family = FocusFamily::LensTurn;
-                       parallel.given.tilt = parallel.given.swing = 0.0;
-                       parallel.given.focalLength.reset();
-                       const Lens lens = Solve(parallel.camera, parallel.given);
-                       const double x = random(-0.4, 0.4), y = random(-0.4, 0.4),
-                                    a = random(-0.7, 0.7), b = random(-0.7, 0.7);
-                       const Vec3 chief = ChiefRay(lens, x, y);
-                       const double T =
-                           random.Power(0.5, 4.0) * lens.focalLength / Dot(chief, lens.axis);
-                       const Vec3 l = a * lens.lensX + b * lens.lensY;
-                       const Vec3 moved = FilmPointOfLight(lens, T * chief, l) -
-                                          FilmPointOfLight(lens, T * chief, {0, 0, 0});
-                       // the film's scale against the frame's
-                       const double scale = lens.filmDistance / Dot(chief, lens.axis),
-                                    blur = BlurVergence(lens, chief, T);
-                       // two film points are known to rounding, their difference is not known better
-                       EXPECT_LT(Length(moved - scale * blur * l), 4e-15 * scale * Length(chief));
-                   });
+        [](const Request& request, const Lens&, Random& random)
+        {
+            Request parallel = request;
+            parallel.given.family = FocusFamily::LensTurn;
+            parallel.given.tilt = parallel.given.swing = 0.0;
+            parallel.given.focalLength.reset();
+            const Lens lens = Solve(parallel.camera, parallel.given);
+            const double x = random(-0.4, 0.4), y = random(-0.4, 0.4), a = random(-0.7, 0.7),
+                         b = random(-0.7, 0.7);
+            const Vec3 chief = ChiefRay(lens, x, y);
+            const double T = random.Power(0.5, 4.0) * lens.focalLength / Dot(chief, lens.axis);
+            const Vec3 l = a * lens.lensX + b * lens.lensY;
+            const Vec3 moved =
+                FilmPointOfLight(lens, T * chief, l) - FilmPointOfLight(lens, T * chief, {0, 0, 0});
+            // the film's scale against the frame's
+            const double scale = lens.filmDistance / Dot(chief, lens.axis),
+                         blur = BlurVergence(lens, chief, T);
+            // two film points are known to rounding, their difference is not known better
+            EXPECT_LT(Length(moved - scale * blur * l), 4e-15 * scale * Length(chief));
+        });
 }
 
 TEST(Blur, VergenceHasTheSignOfTheDefocusAndStaysFinite)
 {
     ForManyCameras(2000,
-                   [](const Request&, const Lens& lens, Random& random)
-                   {
-                       const Vec3 chief = ChiefRay(lens, random(-0.5, 0.5), random(-0.5, 0.5));
-                       const double w = Dot(lens.focus, chief);
-                       EXPECT_EQ(BlurVergence(lens, chief, kInfinity), -w);
-                       if (w > 0.0)
-                       {
-                           EXPECT_GT(BlurVergence(lens, chief, 0.5 / w), 0.0);
-                           EXPECT_LT(BlurVergence(lens, chief, 2.0 / w), 0.0);
-                           EXPECT_NEAR(BlurVergence(lens, chief, 1.0 / w), 0.0, 1e-15 * w);
-                       }
-                   });
+        [](const Request&, const Lens& lens, Random& random)
+        {
+            const Vec3 chief = ChiefRay(lens, random(-0.5, 0.5), random(-0.5, 0.5));
+            const double w = Dot(lens.focus, chief);
+            EXPECT_EQ(BlurVergence(lens, chief, kInfinity), -w);
+            if (w > 0.0)
+            {
+                EXPECT_GT(BlurVergence(lens, chief, 0.5 / w), 0.0);
+                EXPECT_LT(BlurVergence(lens, chief, 2.0 / w), 0.0);
+                EXPECT_NEAR(BlurVergence(lens, chief, 1.0 / w), 0.0, 1e-15 * w);
+            }
+        });
 }
 
 } // namespace

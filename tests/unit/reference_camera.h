@@ -98,8 +98,8 @@ class ReferenceCamera
         using std::atan;
         using std::tan;
         const Real degree = atan(Real(1)) / 45;
-        return (axis - up * tan(Real(tiltDegrees) * degree) -
-                right * tan(Real(swingDegrees) * degree))
+        return (
+            axis - up * tan(Real(tiltDegrees) * degree) - right * tan(Real(swingDegrees) * degree))
             .Unit();
     }
 
