@@ -33,6 +33,13 @@ Colour ToColour(const Radiance& v)
     return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
 }
 
+template<class Number>
+void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& generators, unsigned int seed)
+{
+    for (size_t i = 0; i < generators.size(); i++)
+        dynamic_cast<SeedableNumberGenerator<Number>&>(*generators[i]).Seed(seed + i);
+}
+
 } // namespace
 
 /// Film point and lens point in, light out.
@@ -80,6 +87,24 @@ void TracePixel::SeedRandomNumbers(unsigned int seed)
     crandRandomNumberGenerator = seed;
     randomNumberGenerator.SetSeed(seed);
     media.SeedRandomNumbers(seed);
+    if (sceneData->useSubsurface)
+        SeedSubsurface(seed);
+}
+
+/// Subsurface light draws from sequences of its own, one a recursion level, made when first needed;
+/// they are made here, so that their first numbers too are the sample's.
+void TracePixel::SeedSubsurface(unsigned int seed)
+{
+    const size_t levels = 3, length = 32767;  // as deep and as long as Trace itself makes them
+    while (ssltUniformDirectionGenerator.size() < levels)
+        ssltUniformDirectionGenerator.push_back(GetSubRandomDirectionGenerator(0, length));
+    while (ssltUniformNumberGenerator.size() < levels)
+        ssltUniformNumberGenerator.push_back(GetRandomDoubleGenerator(0.0, 1.0, length));
+    while (ssltCosWeightedDirectionGenerator.size() < levels)
+        ssltCosWeightedDirectionGenerator.push_back(GetSubRandomCosWeightedDirectionGenerator(2, length));
+    Reseed(ssltUniformDirectionGenerator, seed);
+    Reseed(ssltUniformNumberGenerator, seed);
+    Reseed(ssltCosWeightedDirectionGenerator, seed);
 }
 
 /// A pixel of a preview or of a radiosity pretrace: not for the final picture, so a few samples do,
@@ -100,32 +125,21 @@ void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colou
     colour /= samples;
 }
 
-/// A tile of the final picture, cell by cell. Cells lie on a grid of the whole picture, so that a tile
-/// that cuts through one works it out whole and keeps its own part.
+/// A tile of the final picture.
 void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsigned int height,
                                    std::vector<Colour>& pixels)
 {
-    const unsigned int size = tilt_lens::CellSampler::kSize;
-    const unsigned int left = rect.left, top = rect.top, right = rect.right, bottom = rect.bottom;
-    tilt_lens::CellSampler cell(tiltLens->limits);
-    tilt_lens::SamplingAccount account;
-    pixels.resize(rect.GetArea());
+    const tilt_lens::Area tile{(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
+                               (unsigned int)rect.GetHeight()};
+    tilt_lens::TileSampler sampler(tiltLens->limits);
+    sampler.Run(tile, width, height, [&](const SampleId& id, const Sample& sample, Radiance& light)
+                { TraceTiltLensSample(id, sample, width, height, light); });
 
-    for (unsigned int cellTop = top - top % size; cellTop <= bottom; cellTop += size)
-        for (unsigned int cellLeft = left - left % size; cellLeft <= right; cellLeft += size)
-        {
-            cell.Run(cellLeft, cellTop, std::min(size, width - cellLeft), std::min(size, height - cellTop),
-                     [&](const SampleId& id, const Sample& sample, Radiance& light)
-                     { TraceTiltLensSample(id, sample, width, height, light); });
-            for (unsigned int y = std::max(top, cellTop); y <= std::min(bottom, cellTop + size - 1); y++)
-                for (unsigned int x = std::max(left, cellLeft); x <= std::min(right, cellLeft + size - 1); x++)
-                {
-                    const unsigned int u = x - cellLeft, v = y - cellTop;
-                    pixels[(y - top) * rect.GetWidth() + (x - left)] = ToColour(cell.Mean(u, v));
-                    account.pixelsBySamples[cell.Samples(u, v)]++;
-                    account.variance += cell.Variance(u, v);
-                }
-        }
+    pixels.clear();
+    for (unsigned int y = tile.top; y < tile.Bottom(); y++)
+        for (unsigned int x = tile.left; x < tile.Right(); x++)
+            pixels.push_back(ToColour(sampler.Mean(x, y)));
+    const tilt_lens::SamplingAccount account = sampler.Account();
     tiltLens->Add(account);
     threadData->Stats()[Number_Of_Pixels] += account.Pixels();
     threadData->Stats()[Number_Of_Samples] += account.Samples();

@@ -147,7 +147,10 @@ std::string TiltLensView::Summary() const
     return "Tilt Lens Sampling\n" +
            Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", account.Samples() / pixels,
                 account.Quantile(0.99), account.Most()) +
-           Line("  Standard error.......%.2g of white (estimated)\n", account.StandardError());
+           Line("  Standard error.......%.2g of white (estimated)\n", account.StandardError()) +
+           (account.notFinite == 0 ? std::string()
+                                   : Line("  Not finite...........%.0f samples, counted as black\n",
+                                          account.notFinite));
 }
 
 std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width)

@@ -16,7 +16,7 @@
 #include "backend/frame.h"
 #include "backend/scene/camera.h"
 #include "tilt_lens/aperture.h"
-#include "tilt_lens/cell_sampler.h"
+#include "tilt_lens/tile_sampler.h"
 #include "tilt_lens/optics.h"
 
 namespace pov

@@ -1,10 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file cell_sampler.h
-/// How many rays a pixel gets. The unit is a cell of 8 by 8 pixels on a grid fixed to the whole
-/// picture: its pixels are judged together, and no other pixel has a say, so that neither threads
-/// nor tiles nor sub-images change a value.
+/// @file tile_sampler.h
+/// How many rays a pixel gets. Pixels are judged in cells of 8 by 8 on a grid fixed to the whole
+/// picture; beyond its own cell a pixel is only compared with the first samples of its neighbours.
+/// Both depend on places in the picture alone, so that neither threads nor tiles nor sub-images
+/// change a value.
 ///
 /// A pixel's samples are a prefix of one low-discrepancy sequence, taken in rounds that double it.
 /// After each round three things are known of the pixel, for each channel:
@@ -19,12 +20,14 @@
 /// equal samples beside an edge are no certainty), raised to the upper limit of the confidence
 /// interval that the number of samples leaves (chi-square).
 ///
+/// A sample that is not finite counts as black and is counted apart.
+///
 /// Sources: M. E. Lee, R. A. Redner, S. P. Uselton, "Statistically optimized sampling for distributed
 /// ray tracing" (1985) for a stop by variance and confidence; A. B. Owen, "Monte Carlo theory, methods
 /// and examples", chapter 17, for estimating the error of randomised sequences.
 
-#ifndef TILT_LENS_CELL_SAMPLER_H
-#define TILT_LENS_CELL_SAMPLER_H
+#ifndef TILT_LENS_TILE_SAMPLER_H
+#define TILT_LENS_TILE_SAMPLER_H
 
 #include <array>
 #include <cstdint>
@@ -53,6 +56,7 @@ struct SamplingAccount
 {
     std::map<std::uint32_t, std::uint64_t> pixelsBySamples;  ///< samples of a pixel -> pixels
     double variance = 0.0;                                   ///< sum over pixels, worst channel each
+    std::uint64_t notFinite = 0;                             ///< samples that were no light
 
     void Add(const SamplingAccount& other);
     std::uint64_t Pixels() const;
@@ -71,26 +75,38 @@ struct SampleId
     std::uint32_t index;  ///< 0, 1, ... in the order taken
 };
 
-class CellSampler
+/// Pixels of the whole picture; (0, 0) is its upper left corner.
+struct Area
+{
+    std::uint32_t left, top, width, height;
+
+    std::uint32_t Right() const { return left + width; }    ///< first column outside
+    std::uint32_t Bottom() const { return top + height; }   ///< first row outside
+    bool Has(std::uint32_t x, std::uint32_t y) const
+    {
+        return x >= left && x < Right() && y >= top && y < Bottom();
+    }
+};
+
+class TileSampler
 {
   public:
-    static constexpr std::uint32_t kSize = 8;
+    static constexpr std::uint32_t kCell = 8;
 
     /// Traces one sample; the position in the pixel is sample.pixelX, pixelY.
     using Tracer = std::function<void(const SampleId& id, const Sample& sample, Radiance& result)>;
 
-    explicit CellSampler(const SamplingLimits& limits);
+    explicit TileSampler(const SamplingLimits& limits);
 
-    /// Samples the pixels [left, left + width) x [top, top + height), at most kSize each way. left and
-    /// top are multiples of kSize; the cell is smaller only at the picture's right and lower border.
-    void Run(std::uint32_t left, std::uint32_t top, std::uint32_t width, std::uint32_t height,
-             const Tracer& trace);
+    /// Samples a tile of a picture of `width` by `height` pixels; the tile lies inside.
+    void Run(const Area& tile, std::uint32_t width, std::uint32_t height, const Tracer& trace);
 
-    /// @name Results for pixel (x, y) of the cell, after Run.
+    /// @name Results for a pixel of the tile, after Run.
     /// @{
     Radiance Mean(std::uint32_t x, std::uint32_t y) const;
     std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const;
     double Variance(std::uint32_t x, std::uint32_t y) const;  ///< estimate, of the mean, worst channel
+    SamplingAccount Account() const;                          ///< of the tile
     /// @}
 
   private:
@@ -98,21 +114,29 @@ class CellSampler
     {
         std::array<Radiance, 2> half{};  ///< sums of the samples before and after the middle
         Radiance squares{};              ///< sum over both halves
+        Radiance firstSpread{};          ///< variance of one sample, from the first round
         std::uint32_t samples = 0;
         std::uint32_t middle = 0;        ///< samples in the first half
+        std::uint32_t notFinite = 0;
         double variance = 0.0;           ///< as Variance() gives it
         bool open = true;                ///< wants more samples
     };
 
     SamplingLimits limits;
-    std::uint32_t left = 0, top = 0, width = 0, height = 0;
+    Area tile{};
+    Area held{};  ///< the tile's cells and one pixel around them
     std::vector<Pixel> pixels;
 
-    void TakeSamples(std::uint32_t pixel, std::uint32_t until, const Tracer& trace);
-    void Judge();
-    double PooledGain() const;
-    Radiance SampleVariance(const Pixel& pixel) const;
-    Radiance NeighbourhoodVariance(std::uint32_t pixel, const std::vector<Radiance>& variances) const;
+    Pixel& At(std::uint32_t x, std::uint32_t y) { return pixels[(y - held.top) * held.width + (x - held.left)]; }
+    const Pixel& At(std::uint32_t x, std::uint32_t y) const { return const_cast<TileSampler*>(this)->At(x, y); }
+
+    void RunCell(const Area& cell, const Tracer& trace);
+    void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
+    bool Judge(const Area& cell, std::uint32_t samples);
+    double PooledGain(const Area& cell) const;
+    Radiance NeighbourhoodSpread(const Area& cell, std::uint32_t x, std::uint32_t y) const;
+    static Radiance Spread(const Pixel& pixel);
+    static Radiance MeanOf(const Pixel& pixel);
 };
 
 } // namespace tilt_lens
