@@ -20,10 +20,10 @@ import cases_file
 
 PICTURE = "picture.png"
 # POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The
-# renderer's have their place on a line of its own.
+# renderer's have their place, and perhaps the lines around it, before them.
 KIND = r"((?:Parse |Possible |Render |Fatal )?(?:Error|Warning)): (.*)"
 MESSAGE = re.compile(r"File '([^']*)' line (\d+): " + KIND)
-PLACE = re.compile(r"File: (.*\S) +Line: (\d+)\n(?=" + KIND + ")")
+PLACE = re.compile(r"File: (.*\S) +Line: (\d+)\n(?:File Context.*\n(?:.*\n)*?)?(?=" + KIND + ")")
 PLACELESS = re.compile(KIND)
 
 

@@ -41,7 +41,7 @@ class Messages(unittest.TestCase):
         self.assertEqual(check_messages.messages_of(text), [("error", "a b.inc", 12, "one two three")])
 
     def test_place_before_the_message(self):
-        text = "File: scene.pov  Line: 3\nRender Warning: one\n two\nmore\nWarning: three\n"
+        text = "File: scene.pov  Line: 3\nFile Context (2 lines):\na\nb\nRender Warning: one\n two\nmore\nWarning: three\n"
         self.assertEqual(check_messages.messages_of(text),
                          [("warning", "scene.pov", 3, "one two"), ("warning", None, 0, "three")])
 

@@ -1,0 +1,173 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Small renders for tests: run POV-Ray on a text, decode the picture, tell of it when a test fails."""
+
+import argparse
+import array
+import dataclasses
+import math
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SETTINGS = argparse.Namespace(povray="povray", compare="compare", library=[])
+HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+
+
+@dataclasses.dataclass
+class Picture:
+    """Decoded pixels, linear, row by row from the top."""
+
+    width: int
+    height: int
+    names: list  # of the channels
+    values: list  # width * height * channels
+    told: str = ""  # how it was made
+
+    def pixel(self, x, y):
+        """The channels of one pixel."""
+        n = len(self.names)
+        at = (y * self.width + x) * n
+        return self.values[at:at + n]
+
+    def crop(self, left, top, right, bottom):
+        """The pixels left <= x < right, top <= y < bottom."""
+        rows = [self.pixel(x, y) for y in range(top, bottom) for x in range(left, right)]
+        return Picture(right - left, bottom - top, self.names, [v for p in rows for v in p],
+                       f"{self.told}cut to columns {left} to {right - 1}, rows {top} to {bottom - 1}\n")
+
+    def channel(self, name):
+        """All values of one channel."""
+        return self.values[self.names.index(name)::len(self.names)]
+
+
+def read_picture(path, told):
+    """Decodes a picture through the witnesses' comparison tool."""
+    done = subprocess.run([SETTINGS.compare, "pixels", str(path)], capture_output=True, check=True)
+    head, data = done.stdout.split(b"\n", 1)
+    width, height, _, form, *names = head.decode().split()
+    code, scale = {"uint8": ("B", 255.0), "uint16": ("H", 65535.0), "half": ("e", 1.0), "float": ("f", 1.0)}[form]
+    if code == "e":
+        values = [v for (v,) in struct.iter_unpack("=e", data)]
+    else:
+        values = list(array.array(code, data))
+    return Picture(int(width), int(height), names, [v / scale for v in values], told)
+
+
+@dataclasses.dataclass
+class Job:
+    """A scene and how to render it."""
+
+    scene: str
+    options: tuple = ()
+    width: int = 64
+    height: int = 48
+    extension: str = "png"
+
+    def command(self):
+        """The command line, run in a folder of its own."""
+        kind = {"png": "+FN16", "exr": "+FE"}[self.extension]
+        return [os.path.abspath(SETTINGS.povray), "+Iscene.pov", f"+Opicture.{self.extension}", kind, f"+W{self.width}",
+                f"+H{self.height}", "-D", "-P", "-A", "File_Gamma=1.0", *[f"+L{path}" for path in SETTINGS.library],
+                *self.options]
+
+    def told(self):
+        """For people: what to type, and the scene."""
+        return f"{' '.join(self.command())}\n{HEAD}{self.scene.strip()}\n"
+
+    def start(self, folder):
+        """Starts POV-Ray in the folder."""
+        (folder / "scene.pov").write_text(HEAD + self.scene)
+        (folder / "none.ini").write_text("")
+        return subprocess.Popen(self.command(), cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(folder / "none.ini")})
+
+    def run(self, folder):
+        """Renders in the folder; returns what POV-Ray said. Fails a test if there is no picture."""
+        process = self.start(folder)
+        try:
+            said = process.communicate(timeout=120)[0].decode(errors="replace")
+        except subprocess.TimeoutExpired:
+            process.kill()
+            said = process.communicate()[0].decode(errors="replace")
+            raise AssertionError(f"no end after 120 s\n{self.told()}{said[-1500:]}") from None
+        if process.returncode != 0 or not (folder / f"picture.{self.extension}").is_file():
+            raise AssertionError(f"exit code {process.returncode}\n{self.told()}{said[-1500:]}")
+        return said
+
+    def result(self, folder):
+        """The picture in the folder."""
+        return read_picture(folder / f"picture.{self.extension}", self.told())
+
+
+def render(scene, *options, **how):
+    """The picture of a scene."""
+    return render_and_listen(scene, *options, **how)[0]
+
+
+def render_and_listen(scene, *options, **how):
+    """The picture of a scene, and what POV-Ray said."""
+    job = Job(scene, options, **how)
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        said = job.run(pathlib.Path(name))
+        return job.result(pathlib.Path(name)), said
+
+
+def difference(a, b):
+    """Root mean square and largest difference; refuses pictures of different sizes."""
+    if (a.width, a.height, a.names) != (b.width, b.height, b.names):
+        raise AssertionError(f"{a.width} x {a.height} {a.names}, not {b.width} x {b.height} {b.names}\n{a.told}{b.told}")
+    squares = largest = 0.0
+    for u, v in zip(a.values, b.values):
+        squares += (u - v) ** 2
+        largest = max(largest, abs(u - v))
+    return math.sqrt(squares / len(a.values)), largest
+
+
+class RenderTest(unittest.TestCase):
+    """Assertions on pictures; their messages hold both commands and both scenes."""
+
+    longMessage = False
+
+    def assert_same(self, a, b, what=""):
+        """Every channel of every pixel is equal, and there is something to be seen."""
+        rms, largest = difference(a, b)
+        if largest != 0.0:
+            off = [i // len(a.names) for i, (u, v) in enumerate(zip(a.values, b.values)) if u != v]
+            self.fail(f"{what}: {len(set(off))} pixels differ, by up to {largest:g} (RMS {rms:g}), the first "
+                      f"at column {off[0] % a.width}, row {off[0] // a.width}\n{a.told}--- and\n{b.told}")
+        self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
+
+    def assert_near(self, a, b, rms, what=""):
+        """Root mean square difference at most rms."""
+        found, largest = difference(a, b)
+        self.assertLessEqual(found, rms, f"{what}: RMS difference {found:g}, allowed {rms:g}, largest {largest:g}\n"
+                                         f"{a.told}--- and\n{b.told}")
+
+    def assert_different(self, a, b, rms, what=""):
+        """Root mean square difference at least rms: shows that a test of equality can fail."""
+        found, _ = difference(a, b)
+        self.assertGreater(found, rms, f"{what}: RMS difference only {found:g}\n{a.told}--- and\n{b.told}")
+
+    def assert_finite(self, picture):
+        """No NaN and no infinity."""
+        bad = [i for i, v in enumerate(picture.values) if not math.isfinite(v)]
+        self.assertFalse(bad, f"{len(bad)} values are not finite\n{picture.told}")
+
+
+def main():
+    """Runs the tests of the calling module."""
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--povray", required=True)
+    parser.add_argument("--compare", required=True)
+    parser.add_argument("--library", action="append", default=[], help="further folder of include files")
+    _, rest = parser.parse_known_args(namespace=SETTINGS)
+    for program in (SETTINGS.povray, SETTINGS.compare):
+        if shutil.which(program) is None:
+            sys.exit(f"no such program: {program}")
+    unittest.main(module="__main__", argv=[sys.argv[0], *rest])

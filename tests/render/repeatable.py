@@ -1,0 +1,94 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The same pixels for any number of threads, any tiles, any part of the picture, any preview."""
+
+import rendering
+import scenes
+
+SIZE = {"width": 59, "height": 43}  # no multiple of any tile
+
+
+class Repeatable(rendering.RenderTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = rendering.render(scenes.TILTED, "+WT1", **SIZE)
+
+    def check(self, *options):
+        picture = rendering.render(scenes.TILTED, *options, **SIZE)
+        self.assert_same(picture, self.whole, " ".join(options))
+
+    def test_threads(self):
+        for threads in (1, 2, 4):
+            with self.subTest(threads=threads):
+                self.check(f"+WT{threads}")
+
+    def test_block_sizes(self):
+        for size in (4, 8, 13, 32):
+            with self.subTest(size=size):
+                self.check("+WT2", f"+BS{size}")
+
+    def test_render_patterns(self):
+        for pattern in (0, 1, 3, 5):
+            with self.subTest(pattern=pattern):
+                self.check("+WT2", "+BS9", f"+RP{pattern}")
+
+    def test_block_step(self):
+        self.check("+WT2", "+BS9", "+RP1", "+RS3")
+
+    def test_preview(self):
+        for end in (1, 4):
+            with self.subTest(end=end):
+                self.check("+WT2", "+SP64", f"+EP{end}")
+
+    def test_anti_aliasing_is_not_multiplied(self):
+        for options in (["+A0.3"], ["+A0.05", "+AM2", "+R3", "+J"]):
+            with self.subTest(options=options):
+                self.check("+WT2", *options)
+
+    def test_high_reproducibility(self):
+        self.check("+WT2", "+HR")
+
+    def test_other_tilt_is_another_picture(self):
+        other = rendering.render(scenes.camera("tilt 3") + scenes.WORLD, **SIZE)
+        self.assert_different(other, self.whole, 0.01)
+
+
+class SubImages(rendering.RenderTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = rendering.render(scenes.TILTED, "+WT2", **SIZE)
+
+    def check(self, left, top, right, bottom, *options):
+        """Columns left to right, rows top to bottom, counted from 1 as POV-Ray does."""
+        part = rendering.render(scenes.TILTED, f"+SC{left}", f"+EC{right}", f"+SR{top}", f"+ER{bottom}", *options,
+                                **SIZE)
+        # POV-Ray writes a file of the whole picture's size; what was not asked for is black in it
+        place = (left - 1, top - 1, right, bottom)
+        self.assert_same(part.crop(*place), self.whole.crop(*place), "sub-image")
+
+    def test_odd_offsets(self):
+        self.check(14, 7, 50, 37)
+
+    def test_one_row(self):
+        self.check(1, 30, 59, 30)
+
+    def test_one_column(self):
+        self.check(38, 1, 38, 43)
+
+    def test_last_rows(self):
+        self.check(1, 41, 59, 43, "+BS7")
+
+    def test_the_rest_is_left_out(self):
+        part = rendering.render(scenes.TILTED, "+SR20", "+ER30", **SIZE)
+        self.assertEqual(set(part.crop(0, 0, 59, 19).values + part.crop(0, 30, 59, 43).values), {0.0}, part.told)
+
+
+class Animation(rendering.RenderTest):
+    def test_clock_in_tilt(self):
+        moving = scenes.camera("tilt clock swing clock/2 shift <clock, 0>") + scenes.WORLD
+        still = scenes.camera("tilt 6 swing 3 shift <6, 0>") + scenes.WORLD
+        self.assert_same(rendering.render(moving, "+K6"), rendering.render(still), "clock")
+
+
+if __name__ == "__main__":
+    rendering.main()

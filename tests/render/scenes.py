@@ -1,0 +1,21 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Parts of scenes for the tests."""
+
+WORLD = """
+plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } finish { ambient 0.1 diffuse 0.8 } }
+sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } finish { reflection 0.3 phong 0.5 } }
+box { <-2, 0, 1>, <-1, 1.6, 2> pigment { gradient y color_map { [0.5 rgb 0.9][0.5 rgb 0.1] } scale 0.4 } }
+light_source { <4, 8, -6>, rgb 1 }
+background { rgb <0.3, 0.5, 0.8> }
+"""
+VIEW = "location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 "
+SAMPLES = "blur_samples 8, 64 confidence 0.9 variance 1/2000 "
+
+
+def camera(lens="tilt 4 swing 2 shift <2, -1> blades 5, 10", aperture=0.3, samples=SAMPLES, view=VIEW, tail=""):
+    """A camera with a block."""
+    return f"camera {{ {view}aperture {aperture} {samples}tilt_lens {{ {lens} }} {tail} }}\n"
+
+
+TILTED = camera() + WORLD
