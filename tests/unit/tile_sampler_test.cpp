@@ -3,7 +3,7 @@
 
 // The sampling loop: limits, independence of order, when a pixel may stop, and the account of it.
 
-#include "tilt_lens/cell_sampler.h"
+#include "tilt_lens/tile_sampler.h"
 
 #include <cmath>
 #include <limits>
@@ -12,14 +12,14 @@
 
 #include <gtest/gtest.h>
 
-#include "cell_results.h"
+#include "tile_results.h"
 
 namespace tilt_lens
 {
 namespace
 {
 
-TEST(CellSamplerLimits, AConstantEndsAtTheMinimum)
+TEST(TileSamplerLimits, AConstantEndsAtTheMinimum)
 {
     for (const std::uint32_t min : {2u, 8u, 64u})
         for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 16, 8, Constant))
@@ -30,20 +30,20 @@ TEST(CellSamplerLimits, AConstantEndsAtTheMinimum)
         }
 }
 
-TEST(CellSamplerLimits, VarianceZeroTakesTheMaximumEverywhere)
+TEST(TileSamplerLimits, VarianceZeroTakesTheMaximumEverywhere)
 {
     for (const std::uint32_t max : {1u, 2u, 100u, 256u})
         for (const Result& r : ResultsOf(Limits(1, max, 0.0), 0, 0, Constant))
             EXPECT_EQ(r.samples, max);
 }
 
-TEST(CellSamplerLimits, MinimumAndMaximumAreKept)
+TEST(TileSamplerLimits, MinimumAndMaximumAreKept)
 {
     const std::uint32_t cases[][2] = {
         {1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 100}, {7, 9}, {8, 1000}, {37, 37}, {100, 400}};
     for (const auto& c : cases)
-        for (const CellSampler::Tracer& trace : {CellSampler::Tracer(Constant),
-                 CellSampler::Tracer(WhiteNoise), CellSampler::Tracer(Edge)})
+        for (const TileSampler::Tracer& trace : {TileSampler::Tracer(Constant),
+                 TileSampler::Tracer(WhiteNoise), TileSampler::Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
                 for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), 8, 8, trace))
                 {
@@ -55,56 +55,81 @@ TEST(CellSamplerLimits, MinimumAndMaximumAreKept)
         EXPECT_EQ(r.samples, 1000u);
 }
 
-TEST(CellSamplerLimits, EverySampleIsTracedOnceAndCounted)
+TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
 {
+    const Area tile{16, 8, 16, 8};
     std::set<std::vector<std::uint32_t>> seen;
-    std::uint64_t calls = 0;
+    std::uint64_t calls = 0, inside = 0;
     const auto trace = [&](const SampleId& id, const Sample& s, Radiance& light)
     {
         calls++;
+        inside += tile.Has(id.x, id.y);
         seen.insert({id.x, id.y, id.index});
         const Sample same = PixelSampler(id.x, id.y, 0)(id.index);
         EXPECT_TRUE(same.lensU == s.lensU && same.lensV == s.lensV && same.pixelX == s.pixelX &&
                     same.pixelY == s.pixelY);
         Edge(id, s, light);
     };
+    TileSampler sampler(Limits(6, 300, 1e-4));
     std::uint64_t counted = 0;
-    for (const Result& r : ResultsOf(Limits(6, 300, 1e-4), 16, 8, trace))
+    double variance = 0.0;
+    for (const Result& r : ResultsOf(sampler, tile, 64, 64, trace))
+    {
         counted += r.samples;
-    EXPECT_EQ(calls, counted);
-    EXPECT_EQ(seen.size(), counted);
+        variance += r.variance;
+    }
+    EXPECT_EQ(inside, counted);
+    EXPECT_EQ(seen.size(), calls) << "a sample was traced twice";
+    EXPECT_EQ(calls - inside, 8u * (2 * 18 + 2 * 8))
+        << "first samples of the pixels around the tile";
+    EXPECT_EQ(sampler.Account().Samples(), counted);
+    EXPECT_EQ(sampler.Account().Pixels(), 16u * 8);
+    EXPECT_EQ(sampler.Account().notFinite, 0u);
+    EXPECT_DOUBLE_EQ(sampler.Account().variance, variance);
 }
 
-TEST(CellSamplerOrder, CellsDoNotDependOnWhatRanBefore)
+TEST(TileSamplerOrder, TilesDoNotDependOnWhatRanBefore)
 {
     const SamplingLimits limits = Limits(8, 512, 1e-4);
-    CellSampler used(limits);
-    for (const CellSampler::Tracer& trace :
-        {CellSampler::Tracer(Edge), CellSampler::Tracer(WhiteNoise)})
+    TileSampler used(limits);
+    for (const TileSampler::Tracer& trace :
+        {TileSampler::Tracer(Edge), TileSampler::Tracer(WhiteNoise)})
         for (const std::uint32_t left : {48u, 0u, 16u, 48u})
         {
-            ResultsOf(used, 8, 24, 3, 5, Constant);
-            EXPECT_TRUE(
-                ResultsOf(used, left, 8, kSize, kSize, trace) == ResultsOf(limits, left, 8, trace))
+            ResultsOf(used, {9, 24, 3, 5}, 60, 29, Constant);
+            EXPECT_TRUE(ResultsOf(used, {left, 8, kCell, kCell}, 4096, 4096, trace) ==
+                        ResultsOf(limits, left, 8, trace))
                 << left;
         }
 }
 
-TEST(CellSamplerOrder, CellsAtThePicturesBorderAreSmaller)
+TEST(TileSamplerOrder, AnyTileAndSubImageGivesTheSamePixels)
 {
-    for (const std::uint32_t width : {1u, 3u, 8u})
-        for (const std::uint32_t height : {1u, 5u})
+    // a picture of 45 by 37 pixels: no multiple of a cell
+    const std::uint32_t width = 45, height = 37;
+    const Area tiles[] = {{0, 0, 1, 1}, {44, 36, 1, 1}, {0, 0, 32, 32}, {32, 0, 13, 32},
+        {0, 32, 32, 5}, {32, 32, 13, 5}, {7, 9, 3, 2}, {7, 7, 2, 2}, {15, 0, 18, 37}, {8, 8, 8, 8},
+        {3, 20, 42, 1}};
+    for (const std::uint32_t min : {1u, 6u})
+        for (const TileSampler::Tracer& trace :
+            {TileSampler::Tracer(Edge), TileSampler::Tracer(WhiteNoise)})
         {
-            CellSampler sampler(Limits(8, 64, 0.0));
-            const auto small = ResultsOf(sampler, 16, 8, width, height, Edge);
-            const auto whole = ResultsOf(Limits(8, 64, 0.0), 16, 8, Edge);
-            for (std::uint32_t y = 0; y < height; y++)
-                for (std::uint32_t x = 0; x < width; x++)
-                    EXPECT_TRUE(small[y * width + x].mean == whole[y * kSize + x].mean);
+            TileSampler sampler(Limits(min, 200, 1e-3));
+            const auto whole = ResultsOf(sampler, {0, 0, width, height}, width, height, trace);
+            for (const Area& tile : tiles)
+            {
+                const auto part = ResultsOf(sampler, tile, width, height, trace);
+                for (std::uint32_t y = 0; y < tile.height; y++)
+                    for (std::uint32_t x = 0; x < tile.width; x++)
+                        ASSERT_TRUE(part[y * tile.width + x] ==
+                                    whole[(tile.top + y) * width + tile.left + x])
+                            << "min " << min << ", tile at " << tile.left << ", " << tile.top
+                            << ", pixel " << x << ", " << y;
+            }
         }
 }
 
-TEST(CellSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
+TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
 {
     // Pixels left and right of the one that the edge crosses see it through 3 % of the lens.
     const auto trace = [](const SampleId& id, const Sample& s, Radiance& light)
@@ -115,15 +140,15 @@ TEST(CellSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
     int stopped = 0;
     for (std::uint32_t cell = 0; cell < 50; cell++)
     {
-        const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * kSize, 0, trace);
-        for (std::uint32_t y = 0; y < kSize; y++)
+        const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * kCell, 0, trace);
+        for (std::uint32_t y = 0; y < kCell; y++)
             for (const std::uint32_t x : {3u, 5u})
-                stopped += results[y * kSize + x].samples <= 8;
+                stopped += results[y * kCell + x].samples <= 8;
     }
     EXPECT_EQ(stopped, 0);
 }
 
-TEST(CellSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
+TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
 {
     const auto bright = [](const SampleId& id, const Sample&, Radiance& light)
     { light = Grey(1000.0 * Noise(id, 1)); };
@@ -134,7 +159,7 @@ TEST(CellSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
     }
 }
 
-TEST(CellSamplerStop, EveryChannelCounts)
+TEST(TileSamplerStop, EveryChannelCounts)
 {
     for (std::size_t channel = 0; channel < 5; channel++)
     {
@@ -148,24 +173,31 @@ TEST(CellSamplerStop, EveryChannelCounts)
     }
 }
 
-TEST(CellSamplerStop, OneBadSampleLeavesTheOtherPixelsAlone)
+TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
 {
-    for (const double bad :
-        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
+             std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
     {
-        const auto trace = [&](const SampleId& id, const Sample& s, Radiance& light)
+        const auto spoiled = [](const SampleId& id)
+        { return id.x == 18 && id.y == 11 && id.index % 8 == 5; };
+        const auto broken = [&](const SampleId& id, const Sample& s, Radiance& light)
         {
             Edge(id, s, light);
-            if (id.x == 18 && id.y == 11 && id.index == 5)
+            if (spoiled(id))
                 light[1] = bad;
         };
-        const auto results = ResultsOf(Limits(8, 1024, 1e-4), 16, 8, trace);
-        for (std::uint32_t i = 0; i < results.size(); i++)
+        const auto black = [&](const SampleId& id, const Sample& s, Radiance& light)
         {
-            const bool others = i != 3 * kSize + 2;
-            for (const double value : results[i].mean)
-                EXPECT_TRUE(!others || std::isfinite(value)) << "pixel " << i;
-        }
+            Edge(id, s, light);
+            if (spoiled(id))
+                light = Radiance{};
+        };
+        TileSampler sampler(Limits(8, 1024, 1e-4));
+        const auto results = ResultsOf(sampler, {16, 8, kCell, kCell}, 64, 64, broken);
+        const SamplingAccount account = sampler.Account();
+        EXPECT_TRUE(results == ResultsOf(sampler, {16, 8, kCell, kCell}, 64, 64, black)) << bad;
+        EXPECT_EQ(account.notFinite, results[3 * kCell + 2].samples / 8) << bad;
+        EXPECT_EQ(sampler.Account().notFinite, 0u);
     }
 }
 
@@ -182,10 +214,12 @@ TEST(SamplingAccount, AddsUpAndKnowsItsQuantiles)
     account.variance = 0.005;
     other.pixelsBySamples = {{64, 1}, {1024, 1}};
     other.variance = 0.005;
+    other.notFinite = 3;
     account.Add(other);
     EXPECT_EQ(account.Pixels(), 100u);
     EXPECT_EQ(account.Samples(), 97u * 8 + 2 * 64 + 1024);
     EXPECT_EQ(account.Most(), 1024u);
+    EXPECT_EQ(account.notFinite, 3u);
     EXPECT_EQ(account.Quantile(0.0), 8u);
     EXPECT_EQ(account.Quantile(0.97), 8u);
     EXPECT_EQ(account.Quantile(0.98), 64u);

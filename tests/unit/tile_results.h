@@ -1,21 +1,21 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file cell_results.h
-/// What the tests of the sampling loop share: simple light, and the results of a cell.
+/// @file tile_results.h
+/// What the tests of the sampling loop share: simple light, and the results of a tile.
 
-#ifndef TILT_LENS_TESTS_CELL_RESULTS_H
-#define TILT_LENS_TESTS_CELL_RESULTS_H
+#ifndef TILT_LENS_TESTS_TILE_RESULTS_H
+#define TILT_LENS_TESTS_TILE_RESULTS_H
 
 #include <cstdint>
 #include <vector>
 
-#include "tilt_lens/cell_sampler.h"
+#include "tilt_lens/tile_sampler.h"
 
 namespace tilt_lens
 {
 
-constexpr std::uint32_t kSize = CellSampler::kSize;
+constexpr std::uint32_t kCell = TileSampler::kCell;
 
 inline Radiance Grey(double value)
 {
@@ -57,22 +57,24 @@ struct Result
     }
 };
 
-inline std::vector<Result> ResultsOf(CellSampler& sampler, std::uint32_t left, std::uint32_t top,
-    std::uint32_t width, std::uint32_t height, const CellSampler::Tracer& trace)
+/// Of the tile's pixels, row by row.
+inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, std::uint32_t width,
+    std::uint32_t height, const TileSampler::Tracer& trace)
 {
-    sampler.Run(left, top, width, height, trace);
+    sampler.Run(tile, width, height, trace);
     std::vector<Result> results;
-    for (std::uint32_t y = 0; y < height; y++)
-        for (std::uint32_t x = 0; x < width; x++)
+    for (std::uint32_t y = tile.top; y < tile.Bottom(); y++)
+        for (std::uint32_t x = tile.left; x < tile.Right(); x++)
             results.push_back({sampler.Mean(x, y), sampler.Samples(x, y), sampler.Variance(x, y)});
     return results;
 }
 
+/// Of the cell at (left, top), anywhere in a large picture.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
-    std::uint32_t top, const CellSampler::Tracer& trace)
+    std::uint32_t top, const TileSampler::Tracer& trace)
 {
-    CellSampler sampler(limits);
-    return ResultsOf(sampler, left, top, kSize, kSize, trace);
+    TileSampler sampler(limits);
+    return ResultsOf(sampler, {left, top, kCell, kCell}, 4096, 4096, trace);
 }
 
 inline SamplingLimits Limits(
