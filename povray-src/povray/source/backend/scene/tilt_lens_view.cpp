@@ -31,6 +31,7 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     if (camera.Bokeh != NULL)
     {
         SceneThreadData thread(scene);
+        Post_Pigment(camera.Bokeh);  // stock leaves that out, and crashes where a pattern needs it
         return tilt_lens::Aperture::Picture(
             [&](double u, double v)
             {
@@ -92,10 +93,10 @@ std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
     return text;
 }
 
-/// A vector for reading: what is only rounding error beside the largest number is a zero.
-std::string Text(const Vec3& v)
+/// A vector for reading: what is only rounding error beside numbers of size `scale` is a zero.
+std::string Text(const Vec3& v, double scale)
 {
-    const double least = 1e-12 * std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+    const double least = 1e-12 * scale;
     const auto number = [=](double x) { return Line("%.6g", std::fabs(x) <= least ? 0.0 : x); };
     return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">";
 }
@@ -103,7 +104,7 @@ std::string Text(const Vec3& v)
 /// A distance in scene units, `scale` being a usual one; what is infinite but for rounding, in words.
 std::string Distance(double units, double scale)
 {
-    return units < 1e12 * scale ? Line("%.6g", units) : "infinity";
+    return units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
 }
 
 /// An angle in degrees, without the rounding error of a lens that is not turned.
@@ -172,16 +173,16 @@ std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, 
                      lens.diameter * mm) + Line(" (%.5g units)\n", lens.diameter);
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
-    text += "  Sharp plane through.." + Text(location + point) + "\n";
-    text += "    normal............." + Text(lens.focus / distance) + "\n";
+    text += "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n";
+    text += "    normal............." + Text(lens.focus / distance, 1.0) + "\n";
     text += Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
-    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), 1.0 / distance) + " units from the lens\n";
+    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), 1.0 / distance) + " from the lens\n";
     if (lens.diameter > 0.0)
     {
         const tilt_lens::SharpRange sharp = SharpRangeOf(lens, width, 1.0);
         text += "  Sharp on the axis....from " + Distance(sharp.near, 1.0 / distance) +
                 " to " + Distance(sharp.far, 1.0 / distance) +
-                " units (blur of 1 pixel)\n";
+                " (blur of 1 pixel)\n";
     }
     return text;
 }
@@ -206,7 +207,12 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         RenderBackend::SendViewOutput(viewData.viewId, viewData.sceneData->frontendAddress,
                                       kPOVMsgIdent_RenderOptions, report);
     }
-    catch (const std::logic_error& error)
+    catch (const std::invalid_argument& error)  // a bokeh picture without light
+    {
+        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
+                         place.offset, "%s", error.what());
+    }
+    catch (const tilt_lens::OpticsError& error)  // a camera that changed since it was parsed
     {
         messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
                          place.offset, "%s", error.what());
