@@ -25,6 +25,7 @@ struct LensRay
 {
     Vec3 origin;     ///< relative to the lens centre, world axes, scene units
     Vec3 direction;  ///< not normalised: parameter 1/w is the plane of sharp focus
+    double w;        ///< as above
 };
 
 /// @param x, y  film point as the picture shows it, [-0.5, 0.5]: right, up
@@ -34,7 +35,7 @@ inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
     const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
     const double w = Dot(lens.focus, chief);
     const Vec3 point = a * lens.lensX + b * lens.lensY;
-    return {point, chief - w * point};
+    return {point, chief - w * point, w};
 }
 
 /// Vergence difference 1/T - w of a surface point at parameter T of a chief ray: the film image of

@@ -38,6 +38,12 @@ double UpperLimit(std::uint32_t n, double confidence)
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);
 }
 
+void AddTo(Radiance& sum, const Radiance& value)
+{
+    for (std::size_t c = 0; c < sum.size(); c++)
+        sum[c] += value[c];
+}
+
 /// What the halves' difference says of the mean of both. With a variance of n^-a, a >= 1, the halves
 /// of a prefix of n differ by 2^a - 1 times the variance of their mean; and a gain that began at 1 is
 /// n^(1 - a). The two together have one solution, found by iteration.
@@ -152,15 +158,18 @@ void TileSampler::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t un
 
     SampleId id{x, y, 0};
     const PixelSampler sampler(x, y, 0);
-    Radiance value;
+    Traced traced;
     for (id.index = pixel.samples; id.index < until; id.index++)
     {
-        trace(id, sampler(id.index), value);
+        trace(id, sampler(id.index), traced);
+        Radiance& value = traced.light;
         if (!IsLight(value))
         {
             value = Radiance{};
             pixel.notFinite++;
         }
+        if (pixel.samples == 0)
+            pixel.firstBlur = std::max(pixel.firstBlur, traced.blur);
         Radiance& sum = pixel.half[id.index < pixel.middle ? 0 : 1];
         for (std::size_t c = 0; c < value.size(); c++)
         {
@@ -246,18 +255,35 @@ double TileSampler::PooledGain(const Area& cell) const
 /// outside the cell count by their first samples.
 Radiance TileSampler::NeighbourhoodSpread(const Area& cell, std::uint32_t x, std::uint32_t y) const
 {
-    const Radiance own = Spread(At(x, y));
-    Radiance mean{};
+    Radiance spread = Spread(At(x, y)), mean{};
     int count = 0;
     for (std::uint32_t v = y == 0 ? 0 : y - 1; v <= y + 1 && v < held.Bottom(); v++)
         for (std::uint32_t u = x == 0 ? 0 : x - 1; u <= x + 1 && u < held.Right(); u++, count++)
-        {
-            const Radiance spread = cell.Has(u, v) ? Spread(At(u, v)) : At(u, v).firstSpread;
-            for (std::size_t c = 0; c < mean.size(); c++)
-                mean[c] += spread[c];
-        }
+            AddTo(mean, cell.Has(u, v) ? Spread(At(u, v)) : At(u, v).firstSpread);
+    const Radiance blurred = BlurredSpread(cell, x, y);
     for (std::size_t c = 0; c < mean.size(); c++)
-        mean[c] = std::max(own[c], mean[c] / count);
+        spread[c] = std::max(std::max(spread[c], mean[c] / count), blurred[c]);
+    return spread;
+}
+
+/// Mean variance of one sample in the first round, over the cell and the pixels beside it, of what is
+/// blurred far enough to lie over this pixel too: a point covers all pixels within its blur's radius,
+/// so two pixels that see it are at most twice that apart.
+Radiance TileSampler::BlurredSpread(const Area& cell, std::uint32_t x, std::uint32_t y) const
+{
+    Radiance mean{};
+    int count = 0;
+    for (std::uint32_t v = std::max(cell.top, held.top + 1) - 1; v < std::min(cell.Bottom() + 1, held.Bottom()); v++)
+        for (std::uint32_t u = std::max(cell.left, held.left + 1) - 1; u < std::min(cell.Right() + 1, held.Right());
+             u++, count++)
+        {
+            const Pixel& other = At(u, v);
+            const double apart = std::max(std::fabs(double(u) - x), std::fabs(double(v) - y));
+            if (apart <= 2.0 * other.firstBlur)
+                AddTo(mean, other.firstSpread);
+        }
+    for (double& channel : mean)
+        channel /= count;
     return mean;
 }
 

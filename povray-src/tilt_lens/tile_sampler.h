@@ -17,8 +17,10 @@
 ///     gain           the second over the first, pooled over the cell.
 ///
 /// What decides is gain s^2 / n, with s^2 no smaller than its mean over the neighbouring pixels (a few
-/// equal samples beside an edge are no certainty), raised to the upper limit of the confidence
-/// interval that the number of samples leaves (chi-square).
+/// equal samples beside an edge are no certainty) and over all that is blurred as far as the pixel (a
+/// small light far out of focus shows in few samples, but in some of every pixel that it covers). It
+/// is raised to the upper limit of the confidence interval that the number of samples leaves
+/// (chi-square).
 ///
 /// A sample that is not finite counts as black and is counted apart.
 ///
@@ -42,6 +44,20 @@ namespace tilt_lens
 
 /// Red, green, blue, filter, transmit; linear.
 using Radiance = std::array<double, 5>;
+
+/// What one sample brings home.
+struct Traced
+{
+    Radiance light;
+    double blur = 0.0;  ///< radius in pixels over which the surface that was met is spread, at most
+
+    Traced& operator=(const Radiance& value)
+    {
+        light = value;
+        blur = 0.0;
+        return *this;
+    }
+};
 
 /// `blur_samples MIN, MAX`, `variance` and `confidence` of a camera.
 struct SamplingLimits
@@ -94,7 +110,7 @@ class TileSampler
     static constexpr std::uint32_t kCell = 8;
 
     /// Traces one sample; the position in the pixel is sample.pixelX, pixelY.
-    using Tracer = std::function<void(const SampleId& id, const Sample& sample, Radiance& result)>;
+    using Tracer = std::function<void(const SampleId& id, const Sample& sample, Traced& result)>;
 
     explicit TileSampler(const SamplingLimits& limits);
 
@@ -118,6 +134,7 @@ class TileSampler
         std::uint32_t samples = 0;
         std::uint32_t middle = 0;        ///< samples in the first half
         std::uint32_t notFinite = 0;
+        double firstBlur = 0.0;          ///< widest blur of the first round
         double variance = 0.0;           ///< as Variance() gives it
         bool open = true;                ///< wants more samples
     };
@@ -135,6 +152,7 @@ class TileSampler
     bool Judge(const Area& cell, std::uint32_t samples);
     double PooledGain(const Area& cell) const;
     Radiance NeighbourhoodSpread(const Area& cell, std::uint32_t x, std::uint32_t y) const;
+    Radiance BlurredSpread(const Area& cell, std::uint32_t x, std::uint32_t y) const;
     static Radiance Spread(const Pixel& pixel);
     static Radiance MeanOf(const Pixel& pixel);
 };

@@ -28,19 +28,19 @@ inline double Noise(const SampleId& id, std::uint32_t salt)
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
 }
 
-inline void Constant(const SampleId&, const Sample&, Radiance& light)
+inline void Constant(const SampleId&, const Sample&, Traced& light)
 {
     light = Grey(0.7);
 }
 
 /// Independent noise of variance 1/12 that no stratification sees.
-inline void WhiteNoise(const SampleId& id, const Sample&, Radiance& light)
+inline void WhiteNoise(const SampleId& id, const Sample&, Traced& light)
 {
     light = Grey(Noise(id, 1));
 }
 
 /// A slanted edge between black and white, seen in focus.
-inline void Edge(const SampleId& id, const Sample& s, Radiance& light)
+inline void Edge(const SampleId& id, const Sample& s, Traced& light)
 {
     light = Grey(0.3 * (id.x + s.pixelX) + (id.y + s.pixelY) > 20.0 ? 1.0 : 0.0);
 }

@@ -60,7 +60,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     const Area tile{16, 8, 16, 8};
     std::set<std::vector<std::uint32_t>> seen;
     std::uint64_t calls = 0, inside = 0;
-    const auto trace = [&](const SampleId& id, const Sample& s, Radiance& light)
+    const auto trace = [&](const SampleId& id, const Sample& s, Traced& light)
     {
         calls++;
         inside += tile.Has(id.x, id.y);
@@ -132,7 +132,7 @@ TEST(TileSamplerOrder, AnyTileAndSubImageGivesTheSamePixels)
 TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
 {
     // Pixels left and right of the one that the edge crosses see it through 3 % of the lens.
-    const auto trace = [](const SampleId& id, const Sample& s, Radiance& light)
+    const auto trace = [](const SampleId& id, const Sample& s, Traced& light)
     {
         const bool crossed = id.x % 8 == 4;
         light = Grey(s.lensU < (crossed ? 0.5 : 0.03) ? 1.0 : 0.0);
@@ -150,7 +150,7 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
 
 TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
 {
-    const auto bright = [](const SampleId& id, const Sample&, Radiance& light)
+    const auto bright = [](const SampleId& id, const Sample&, Traced& light)
     { light = Grey(1000.0 * Noise(id, 1)); };
     for (const Result& r : ResultsOf(Limits(8, 1 << 20, 1e-3), 0, 0, bright))
     {
@@ -163,10 +163,10 @@ TEST(TileSamplerStop, EveryChannelCounts)
 {
     for (std::size_t channel = 0; channel < 5; channel++)
     {
-        const auto trace = [&](const SampleId& id, const Sample&, Radiance& light)
+        const auto trace = [&](const SampleId& id, const Sample&, Traced& light)
         {
-            light = {};
-            light[channel] = Noise(id, 1);
+            light = Radiance{};
+            light.light[channel] = Noise(id, 1);
         };
         for (const Result& r : ResultsOf(Limits(8, 4096, 1e-4), 0, 0, trace))
             ASSERT_GT(r.samples, 400u) << "channel " << channel;
@@ -180,13 +180,13 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
     {
         const auto spoiled = [](const SampleId& id)
         { return id.x == 18 && id.y == 11 && id.index % 8 == 5; };
-        const auto broken = [&](const SampleId& id, const Sample& s, Radiance& light)
+        const auto broken = [&](const SampleId& id, const Sample& s, Traced& light)
         {
             Edge(id, s, light);
             if (spoiled(id))
-                light[1] = bad;
+                light.light[1] = bad;
         };
-        const auto black = [&](const SampleId& id, const Sample& s, Radiance& light)
+        const auto black = [&](const SampleId& id, const Sample& s, Traced& light)
         {
             Edge(id, s, light);
             if (spoiled(id))

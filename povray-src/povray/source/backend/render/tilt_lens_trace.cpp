@@ -43,7 +43,7 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 } // namespace
 
 /// Film point and lens point in, light out.
-void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, DBL width, DBL height, Radiance& light)
+void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, DBL width, DBL height, tilt_lens::Traced& traced)
 {
     // film point, in the picture's own directions
     const double x = (id.x + sample.pixelX) / width - 0.5;
@@ -56,8 +56,8 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, D
     ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
     Make_Vector(ray.Origin, camera.Location[X] + way.origin.x, camera.Location[Y] + way.origin.y,
                 camera.Location[Z] + way.origin.z);
-    Make_Vector(ray.Direction, way.direction.x, way.direction.y, way.direction.z);
-    VNormalizeEq(ray.Direction);
+    const DBL length = Length(way.direction);
+    Make_Vector(ray.Direction, way.direction.x / length, way.direction.y / length, way.direction.z / length);
     if (camera.Tnormal != NULL)
     {
         VECTOR film = {x, y, 0.0};
@@ -70,8 +70,9 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, D
     SeedRandomNumbers(tilt_lens::PixelHash(id.x, id.y, id.index, 0));
     Colour colour;
     Trace::TraceTicket ticket(maxTraceLevel, adcBailout, sceneData->outputAlpha);
-    TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
-    light = {colour[pRED], colour[pGREEN], colour[pBLUE], colour[pFILTER], colour[pTRANSM]};
+    const DBL distance = TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
+    traced.light = {colour[pRED], colour[pGREEN], colour[pBLUE], colour[pFILTER], colour[pTRANSM]};
+    traced.blur = tiltLens->BlurRadius(way.w, distance / length, width);
 }
 
 /// The lens points of one picture lie in few objects or none: the view has found out which to ask.
@@ -118,9 +119,9 @@ void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colou
     colour.clear();
     for (id.index = 0; id.index < samples; id.index++)
     {
-        Radiance light;
-        TraceTiltLensSample(id, sampler(id.index), width, height, light);
-        colour += ToColour(light);
+        tilt_lens::Traced traced;
+        TraceTiltLensSample(id, sampler(id.index), width, height, traced);
+        colour += ToColour(traced.light);
     }
     colour /= samples;
 }
@@ -132,8 +133,8 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
     const tilt_lens::Area tile{(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
                                (unsigned int)rect.GetHeight()};
     tilt_lens::TileSampler sampler(tiltLens->limits);
-    sampler.Run(tile, width, height, [&](const SampleId& id, const Sample& sample, Radiance& light)
-                { TraceTiltLensSample(id, sample, width, height, light); });
+    sampler.Run(tile, width, height, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
+                { TraceTiltLensSample(id, sample, width, height, traced); });
 
     pixels.clear();
     for (unsigned int y = tile.top; y < tile.Bottom(); y++)

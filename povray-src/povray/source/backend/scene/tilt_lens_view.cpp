@@ -119,7 +119,8 @@ TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, 
     lens(solved),
     aperture(ApertureOf(camera, scene)),
     limits(LimitsOf(camera)),
-    aroundLens(ObjectsAroundLens(camera, solved, *scene))
+    aroundLens(ObjectsAroundLens(camera, solved, *scene)),
+    blurPerVergence(0.5 * solved.diameter / Length(solved.right))
 {
 }
 

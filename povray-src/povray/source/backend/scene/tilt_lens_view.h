@@ -8,6 +8,7 @@
 #ifndef POVRAY_BACKEND_TILT_LENS_VIEW_H
 #define POVRAY_BACKEND_TILT_LENS_VIEW_H
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,13 @@ class TiltLensView
     /// Objects that some lens point may lie in; rays from the lens ask no others.
     const std::vector<ObjectPtr> aroundLens;
 
+    /// Radius in pixels of the blur of a surface that a ray meets at parameter T, for a frame `width`
+    /// pixels wide; w as in MakeRay. The wider axis of the ellipse counts.
+    double BlurRadius(double w, double T, double width) const
+    {
+        return std::fabs(1.0 / T - w) * blurPerVergence * width;
+    }
+
     /// Adds the account of a finished tile.
     void Add(const tilt_lens::SamplingAccount& tile);
 
@@ -51,6 +59,8 @@ class TiltLensView
     std::string Summary() const;
 
   private:
+    const double blurPerVergence;  ///< lens radius in widths of the frame, at parameter 1
+
     TiltLensView(const Camera& camera, const tilt_lens::Lens& lens, shared_ptr<SceneData> scene);
 
     mutable boost::mutex accountMutex;
