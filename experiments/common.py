@@ -1,0 +1,113 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What every experiment uses: programs, folders, rendering, and claims that hold or do not."""
+
+import csv
+import dataclasses
+import hashlib
+import json
+import pathlib
+import subprocess
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[1]
+SCENES = REPOSITORY / "scenes" / "paper"
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+class Failed(Exception):
+    """A program of an experiment did not do its work."""
+
+
+@dataclasses.dataclass
+class Claim:
+    """One measured number and the limit it must keep."""
+
+    text: str
+    value: float
+    limit: float
+    unit: str = ""
+
+    @property
+    def holds(self):
+        return abs(self.value) <= self.limit
+
+    def line(self):
+        verdict = "ok  " if self.holds else "FAIL"
+        return f"{verdict} {self.text}: {self.value:.4g} {self.unit} (limit {self.limit:.4g})"
+
+
+@dataclasses.dataclass
+class Laboratory:
+    """Programs and folders of one run."""
+
+    povray: pathlib.Path
+    stock: pathlib.Path
+    tools: pathlib.Path             # folder with tests/tools and tests/paper as built
+    work: pathlib.Path              # pictures and logs
+    results: pathlib.Path           # curves and tables to keep
+    quick: bool = False
+    threads: int = 2
+
+    def tool(self, folder, name):
+        return str(self.tools / "tests" / folder / name)
+
+    def run(self, command, stdin=None, accept=(0,), cwd=None):
+        """Runs a program; its standard output."""
+        done = subprocess.run([str(part) for part in command], input=stdin, text=True,
+                              capture_output=True, check=False, cwd=cwd)
+        if done.returncode not in accept:
+            raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n"
+                         f"{done.stderr[-3000:]}")
+        return done.stdout
+
+    def json(self, command, stdin=None, accept=(0,)):
+        return json.loads(self.run(command, stdin, accept))
+
+    def render(self, scene, output, size, declare=(), options=()):
+        """Renders a scene into the work folder; linear OpenEXR unless the name says PNG."""
+        scene, picture = pathlib.Path(scene), self.work / output
+        picture.parent.mkdir(parents=True, exist_ok=True)
+        kind = "N" if picture.suffix == ".png" else "E"
+        command = [self.povray, f"+I{scene}", f"+O{picture}", f"+F{kind}", f"+W{size[0]}",
+                   f"+H{size[1]}", f"+L{scene.parent}", f"+L{SCENES}", "-D", "-V", "-GA", "-P", "-A",
+                   f"+WT{self.threads}",
+                   *[f"Declare={name}={value}" for name, value in declare], *options]
+        picture.unlink(missing_ok=True)
+        picture.with_name(picture.name + ".pov-state").unlink(missing_ok=True)
+        # Includes of a scene are read, and files written, in the folder the program runs in.
+        self.run(command, cwd=picture.parent)
+        if not picture.is_file():
+            raise Failed(f"{scene}: the program ended well but wrote no {picture}")
+        return picture
+
+    def moments(self, picture, windows):
+        return self.json([self.tool("paper", "profile"), "moments", picture],
+                         stdin=json.dumps(windows))
+
+    def oracle(self, name, case, scene, batches, samples):
+        """The unpatched program's accumulation buffer of a case, made once for the same input."""
+        key = hashlib.sha256(json.dumps([case, batches, samples]).encode() + scene.read_bytes())
+        folder = self.work / "oracle" / f"{name}-{key.hexdigest()[:16]}"
+        picture = folder / "mean.exr"
+        if not picture.is_file():
+            frames = folder / "frames"
+            frames.mkdir(parents=True, exist_ok=True)
+            (folder / "case.json").write_text(json.dumps({"name": name, "scene": scene.name, **case}))
+            (folder / scene.name).write_bytes(scene.read_bytes())
+            self.run([self.tool("tools", "oracle"), "render", folder / "case.json",
+                      folder / "part.exr", "--povray", self.stock, "--work", frames, "--batches",
+                      batches, "--samples", samples])
+            for left in frames.iterdir():
+                left.unlink()
+            frames.rmdir()
+            (folder / "part.exr").rename(picture)
+        return picture
+
+    def table(self, name, header, rows):
+        """Writes a table of results."""
+        self.results.mkdir(parents=True, exist_ok=True)
+        with (self.results / name).open("w", newline="") as out:
+            writer = csv.writer(out, lineterminator="\n")
+            writer.writerow(header)
+            writer.writerows([f"{cell:.6g}" if isinstance(cell, float) else cell for cell in row]
+                             for row in rows)

@@ -1,0 +1,142 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""A tilted thin lens in closed form, as the experiments expect pictures of it to be.
+
+Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the unit
+lens normal and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's
+rule and the thin lens equation). Lengths in scene units, angles in degrees, image in pixels from
+the upper left corner.
+"""
+
+import dataclasses
+import math
+
+
+def dot(a, b):
+    return sum(p * q for p, q in zip(a, b))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def sub(a, b):
+    return tuple(p - q for p, q in zip(a, b))
+
+
+def add(a, b):
+    return tuple(p + q for p, q in zip(a, b))
+
+
+def times(factor, a):
+    return tuple(factor * p for p in a)
+
+
+def length(a):
+    return math.sqrt(dot(a, a))
+
+
+def unit(a):
+    return times(1 / length(a), a)
+
+
+@dataclasses.dataclass
+class View:
+    """Where the camera stands and what picture it makes; the lens in the units of the language."""
+
+    location: tuple
+    look_at: tuple
+    width: int
+    height: int
+    focal_length: float             # mm
+    f_stop: float
+    scene_unit: float               # mm
+    film_width: float = 36.0        # mm
+    shift: tuple = (0.0, 0.0)       # mm, right and up
+
+    def axes(self):
+        axis = unit(sub(self.look_at, self.location))
+        right = unit(cross((0, 1, 0), axis))
+        return right, cross(axis, right), axis
+
+    def local(self, point):
+        """A world point in the camera frame."""
+        offset = sub(point, self.location)
+        return tuple(dot(offset, axis) for axis in self.axes())
+
+    def turned(self, vector):
+        """A world direction in the camera frame."""
+        return tuple(dot(vector, axis) for axis in self.axes())
+
+
+class Lens:
+    """A view with its lens turned and focused."""
+
+    def __init__(self, view, normal, film_distance):
+        self.view, self.normal, self.film_distance = view, normal, film_distance
+        self.focal_length = view.focal_length / view.scene_unit
+        self.radius = 0.5 * self.focal_length / view.f_stop
+        self.focus = sub(times(1 / self.focal_length, normal), (0, 0, 1 / film_distance))
+
+    @classmethod
+    def tilted(cls, view, tilt, through):
+        """The lens leant forward by `tilt`, focused on a world point."""
+        f, p = view.focal_length / view.scene_unit, view.local(through)
+        normal = (0.0, -math.sin(math.radians(tilt)), math.cos(math.radians(tilt)))
+        return cls(view, normal, f * p[2] / (dot(p, normal) - f))
+
+    @classmethod
+    def on_plane(cls, view, normal, point):
+        """The lens whose plane of sharp focus has this normal and goes through this point (world)."""
+        f, n = view.focal_length / view.scene_unit, view.turned(unit(normal))
+        k = times(1 / dot(n, view.local(point)), n)
+        across = (f * k[0], f * k[1])
+        t_z = math.sqrt(1 - across[0] ** 2 - across[1] ** 2)
+        return cls(view, (*across, t_z), 1 / (t_z / f - k[2]))
+
+    def tilt(self):
+        return math.degrees(math.atan2(-self.normal[1], self.normal[2]))
+
+    def hinge_distance(self):
+        """J of Merklinger's rule."""
+        return self.focal_length / math.hypot(self.normal[0], self.normal[1])
+
+    def pixels_per_slope(self):
+        """Pixels on the film for one unit of x/z."""
+        return self.film_distance * self.view.scene_unit / self.view.film_width * self.view.width
+
+    def pixel(self, point):
+        """Where the chief ray of a world point meets the picture."""
+        v, p, scale = self.view, self.view.local(point), self.pixels_per_slope()
+        millimetre = v.width / v.film_width
+        return (v.width / 2 + scale * p[0] / p[2] - v.shift[0] * millimetre,
+                v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
+
+    def lens_axes(self):
+        """Right and up of the lens plane, unit, in the camera frame; only for a lens without swing."""
+        assert self.normal[0] == 0.0
+        return (1, 0, 0), (0, self.normal[2], -self.normal[1])
+
+    def vergence(self, point):
+        """Defocus of a world point: w(D) - 1/T for its chief ray X = T D, D.z = 1."""
+        p = self.view.local(point)
+        return (dot(self.focus, p) - 1) / p[2]
+
+    def blur_axes(self, point):
+        """The blur ellipse of a point on the film, in pixels (x right, y down): the images of the
+        lens's right and upper rim. To first order a lens point l moves it by (w - 1/T) (l - D l.z)."""
+        p = self.view.local(point)
+        direction = times(1 / p[2], p)
+        scale = self.vergence(point) * self.radius * self.pixels_per_slope()
+        return [(scale * (e[0] - direction[0] * e[2]), -scale * (e[1] - direction[1] * e[2]))
+                for e in self.lens_axes()]
+
+    def blur_moments(self, point):
+        """Second moments (xx, xy, yy) of that ellipse evenly filled: a quarter of each squared axis."""
+        axes = self.blur_axes(point)
+        return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
+
+    def disc_moments(self, point, radius):
+        """Those of a disc about the point, parallel to the film, as a pinhole sees it."""
+        half = radius * self.pixels_per_slope() / self.view.local(point)[2]
+        return (half * half / 4, 0.0, half * half / 4)

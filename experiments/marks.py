@@ -1,0 +1,91 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Pictures of small bright discs, and the second moments of what the lens makes of them."""
+
+import math
+
+from common import HERE
+from lens import add, times
+
+
+SIZE = 2.5      # radius of a disc in a pinhole's picture, pixels
+
+
+def vector(v):
+    return "<" + ", ".join(f"{x:.12g}" for x in v) + ">"
+
+
+def world(view, point):
+    """A point of the camera frame in the world."""
+    moved = view.location
+    for amount, axis in zip(point, view.axes()):
+        moved = add(moved, times(amount, axis))
+    return moved
+
+
+def at_pixel(lens, x, y, depth):
+    """The world point at an axial depth that a pinhole in the lens centre would show at a pixel."""
+    view, scale = lens.view, lens.pixels_per_slope()
+    millimetre = view.width / view.film_width
+    slope_x = (x - view.width / 2 + view.shift[0] * millimetre) / scale
+    slope_y = (view.height / 2 - y + view.shift[1] * millimetre) / scale
+    return world(view, (slope_x * depth, slope_y * depth, depth))
+
+
+def radius_of(lens, point):
+    """The radius of a disc about a point that a pinhole shows SIZE pixels wide from its middle."""
+    return SIZE * lens.view.local(point)[2] / lens.pixels_per_slope()
+
+
+def render(lab, name, lens, through, points, samples=1024):
+    """Renders discs about the points, each of the same size in a pinhole's picture."""
+    view, folder = lens.view, lab.work / name
+    folder.mkdir(parents=True, exist_ok=True)
+    marks = ",\n".join(f"  {{ {vector(p)}, {radius_of(lens, p):.12g}*x }}" for p in points)
+    (folder / "marks.inc").write_text("\n".join([
+        f"#declare Eye = {vector(view.location)};", f"#declare Target = {vector(view.look_at)};",
+        f"#declare Through = {vector(through)};", f"#declare Film_Width = {view.film_width};",
+        f"#declare Scene_Unit = {view.scene_unit};", f"#declare Focal_Length = {view.focal_length};",
+        f"#declare F_Stop = {view.f_stop};", f"#declare Tilt = {lens.tilt():.12g};",
+        f"#declare Shift = {vector(view.shift)};", f"#declare Samples = {samples};",
+        f"#declare Marks = array[{len(points)}][2] {{\n{marks}\n}}", ""]))
+    return lab.render(HERE / "scenes" / "marks.pov", f"{name}/marks.exr", (view.width, view.height),
+                      options=[f"+L{folder}"])
+
+
+def window(lens, point, reach):
+    """The pixels about a mark: left, top, width, height."""
+    x, y = lens.pixel(point)
+    left, top = math.floor(x - reach), math.floor(y - reach)
+    return [left, top, math.ceil(x + reach) - left, math.ceil(y + reach) - top]
+
+
+def measure(lab, picture, lens, points, reaches):
+    """Second moments (xx, xy, yy) of each mark."""
+    found = lab.moments(picture, [window(lens, p, r) for p, r in zip(points, reaches)])
+    return [(m["xx"], m["xy"], m["yy"]) for m in found]
+
+
+def sharp_moments(x, y):
+    """Second moments of a sharp disc of radius SIZE as pixels show it. Its hard edge falls on the grid
+    by chance, so that the sum of the disc's and a pixel's own moments would be off by some per cent."""
+    fine, reach = 32, math.ceil(SIZE) + 1
+    sums = [0] * 6
+    for row in range(math.floor(y) - reach, math.floor(y) + reach + 1):
+        for column in range(math.floor(x) - reach, math.floor(x) + reach + 1):
+            count = sum((column + (i + 0.5) / fine - x) ** 2 + (row + (j + 0.5) / fine - y) ** 2
+                        <= SIZE * SIZE for i in range(fine) for j in range(fine))
+            u, v = column + 0.5 - x, row + 0.5 - y
+            for i, term in enumerate((1, u, v, u * u, u * v, v * v)):
+                sums[i] += count * term
+    n, u, v = sums[:3]
+    return (sums[3] / n - (u / n) ** 2, sums[4] / n - u * v / n / n, sums[5] / n - (v / n) ** 2)
+
+
+def expected(lens, point):
+    """What they are in closed form: the lens's ellipse, the disc, and the pixel's square."""
+    blur = lens.blur_moments(point)
+    if blur[0] + blur[2] < 0.1:
+        return sharp_moments(*lens.pixel(point))
+    disc = lens.disc_moments(point, radius_of(lens, point))
+    return tuple(a + b + c for a, b, c in zip(blur, disc, (1 / 12, 0.0, 1 / 12)))
