@@ -201,9 +201,9 @@ bool TileSampler::Judge(const Area& cell, std::uint32_t samples)
         pixel->variance = 0.0;
         for (std::size_t c = 0; c < spread.size(); c++)
         {
-            const double estimate = gain * spread[c] / samples;
             // above white an error is seen relative to the brightness
-            good = good && estimate * limit <= limits.variance * std::max(1.0, Square(mean[c]));
+            const double estimate = gain * spread[c] / samples / std::max(1.0, Square(mean[c]));
+            good = good && estimate * limit <= limits.variance;
             pixel->variance = std::max(pixel->variance, estimate);
         }
         pixel->open = !good;

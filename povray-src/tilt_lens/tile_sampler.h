@@ -121,7 +121,8 @@ class TileSampler
     /// @{
     Radiance Mean(std::uint32_t x, std::uint32_t y) const;
     std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const;
-    double Variance(std::uint32_t x, std::uint32_t y) const;  ///< estimate, of the mean, worst channel
+    double Variance(std::uint32_t x, std::uint32_t y) const;  ///< estimate, of the mean, worst channel;
+                                                              ///< relative to the square of what is above 1
     SamplingAccount Account() const;                          ///< of the tile
     /// @}
 

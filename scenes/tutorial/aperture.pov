@@ -9,7 +9,7 @@
 //
 // Look for: each light behind the pawns is a picture of the diaphragm, a hexagon here, a disc with
 // Blades=0. Two stops more (Stop=5.6) make it half as wide. The pawn in front stays as it is.
-// The hexagons are upside down behind the plane of focus and upright before it.
+// The diaphragm is upright behind the plane of focus and upside down before it (five blades show it).
 
 #version 3.7;
 global_settings { assumed_gamma 1 }
