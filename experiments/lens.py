@@ -136,6 +136,26 @@ class Lens:
         axes = self.blur_axes(point)
         return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
 
+    def blur_centre(self, point):
+        """Where the middle of the blur lies, in pixels: the mean over the lens of where the ray from the
+        point through it meets the plane of sharp focus, seen from the lens centre. A tilted lens is
+        nearer to the point at one rim than at the other, which moves the middle a little."""
+        p, (right, up) = self.view.local(point), self.lens_axes()
+        sums, rings, spokes = [0.0, 0.0], 8, 16
+        for i in range(rings):
+            for j in range(spokes):
+                r = self.radius * math.sqrt((i + 0.5) / rings)
+                angle = 2 * math.pi * (j + 0.5) / spokes
+                rim = add(times(r * math.cos(angle), right), times(r * math.sin(angle), up))
+                k_rim = dot(self.focus, rim)
+                step = (1 - k_rim) / (dot(self.focus, p) - k_rim)
+                met = add(rim, times(step, sub(p, rim)))
+                sums[0] += met[0] / met[2]
+                sums[1] += met[1] / met[2]
+        x, y = self.pixel(point)
+        scale, count = self.pixels_per_slope(), rings * spokes
+        return (x + scale * (sums[0] / count - p[0] / p[2]), y - scale * (sums[1] / count - p[1] / p[2]))
+
     def disc_moments(self, point, radius):
         """Those of a disc about the point, parallel to the film, as a pinhole sees it."""
         half = radius * self.pixels_per_slope() / self.view.local(point)[2]

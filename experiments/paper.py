@@ -20,6 +20,9 @@ EXPERIMENTS = [
     ("spots", "blur", "spots"),
     ("plane", "blur", "plane"),
     ("hinge", "blur", "hinge"),
+    ("tower", "shift", "tower"),
+    ("tilt_with_shift", "shift", "tilt_with_shift"),
+    ("real_lenses", "real_lenses", "table"),
 ]
 
 
