@@ -1,0 +1,20 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// The seed paper's Fig. 9(a): a landscape, the ordinary lens.
+//
+//   ./render scenes/paper/landscape_a.pov +W960 +H540
+//
+// Look for: the middle of the village sharp, from there a blur toward both ends.
+
+#version 3.7;
+global_settings { assumed_gamma 1 }
+#include "landscape_objects.inc"
+
+camera
+{
+  Landscape_Camera()
+  aperture 4
+  focal_point Village_Green
+  tilt_lens { }
+}

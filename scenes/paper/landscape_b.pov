@@ -1,0 +1,20 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// The seed paper's Fig. 9(b): a landscape, the plane of sharp focus on the ground.
+//
+//   ./render scenes/paper/landscape_b.pov +W960 +H540
+//
+// Look for: all of the ground sharp, from the first field to the last; only what rises above it blurs a little.
+
+#version 3.7;
+global_settings { assumed_gamma 1 }
+#include "landscape_objects.inc"
+
+camera
+{
+  Landscape_Camera()
+  aperture 4
+
+  tilt_lens { focal_plane { y, 0 } }
+}

@@ -1,0 +1,20 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+//
+// The seed paper's Fig. 9(d): a landscape, as (c) with twice the aperture.
+//
+//   ./render scenes/paper/landscape_d.pov +W960 +H540
+//
+// Look for: the sharp strip half as deep as in (c).
+
+#version 3.7;
+global_settings { assumed_gamma 1 }
+#include "landscape_objects.inc"
+
+camera
+{
+  Landscape_Camera()
+  aperture 8
+
+  tilt_lens { focal_plane { z, Village_Green.z } }
+}
