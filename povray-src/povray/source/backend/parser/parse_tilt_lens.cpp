@@ -15,6 +15,7 @@
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
+#include "backend/parser/tilt_lens_words.h"
 
 #include "base/povdebug.h"
 
@@ -27,81 +28,6 @@ using tilt_lens::Vec3;
 
 namespace
 {
-
-struct Item
-{
-    const char* word;
-    const char* family;  ///< words of its family of focus, or NULL
-};
-
-const Item kItems[] = {{"film_width", NULL},
-                       {"focal_length", NULL},
-                       {"scene_unit", NULL},
-                       {"shift", NULL},
-                       {"f_stop", NULL},
-                       {"blades", NULL},
-                       {"tilt", "tilt and swing"},
-                       {"swing", "tilt and swing"},
-                       {"focus_tilt", "focus_tilt and focus_swing"},
-                       {"focus_swing", "focus_tilt and focus_swing"},
-                       {"focal_plane", "focal_plane"},
-                       {"focal_points", "focal_points"}};
-
-/// Words that people look for inside the block although they belong to the camera around it.
-const char* const kCameraWords[] = {"aperture",   "focal_point", "look_at",  "blur_samples", "confidence",
-                                    "variance",   "bokeh",       "angle",    "location",     "direction",
-                                    "right",      "up",          "sky",      "normal",       "translate",
-                                    "rotate",     "scale",       "matrix",   "transform",    "perspective"};
-
-std::string Lowercase(std::string word)
-{
-    for (char& c : word)
-        c = char(std::tolower((unsigned char)c));
-    return word;
-}
-
-/// Edits that turn one word into the other (Levenshtein).
-size_t EditDistance(const std::string& a, const std::string& b)
-{
-    std::vector<size_t> row(b.size() + 1);
-    for (size_t j = 0; j <= b.size(); j++)
-        row[j] = j;
-    for (size_t i = 1; i <= a.size(); i++)
-    {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b.size(); j++)
-        {
-            const size_t kept = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min(kept, std::min(row[j], row[j - 1]) + 1);
-        }
-    }
-    return row[b.size()];
-}
-
-const Item* FindItem(const std::string& word)
-{
-    const Item* item = std::find_if(std::begin(kItems), std::end(kItems),
-                                    [&](const Item& i) { return word == i.word; });
-    return item == std::end(kItems) ? NULL : item;
-}
-
-const Item& NearestItem(const std::string& found)
-{
-    const std::string word = Lowercase(found);
-    return *std::min_element(std::begin(kItems), std::end(kItems),
-                             [&](const Item& a, const Item& b)
-                             { return EditDistance(word, a.word) < EditDistance(word, b.word); });
-}
-
-std::string AllWords()
-{
-    std::string words;
-    for (const Item& item : kItems)
-        words += std::string(words.empty() ? "" : ", ") + item.word;
-    return words;
-}
 
 /// Makes macros look undeclared while it lives, also where an error ends the block.
 class HiddenMacros
@@ -165,7 +91,7 @@ void TiltLensParser::ParseBlock(Camera& camera)
 std::vector<SYM_ENTRY*> TiltLensParser::MacrosNamedAsItems()
 {
     std::vector<SYM_ENTRY*> macros;
-    for (const Item& known : kItems)
+    for (const TiltLensItem& known : kTiltLensItems)
         for (int table = parser.Table_Index; table > 0; table--)
         {
             SYM_ENTRY* entry = parser.Find_Symbol(table, known.word);
@@ -186,7 +112,7 @@ bool TiltLensParser::NextItem(std::string& word, std::set<std::string>& seen)
     // the spelling decides, whatever a scene may have declared under that name
     word = parser.Token.Token_String;
     item = Here();
-    if (parser.Token.Token_Id == STRING_LITERAL_TOKEN || !FindItem(word))
+    if (parser.Token.Token_Id == STRING_LITERAL_TOKEN || !FindTiltLensItem(word))
         NotAnItem(word);
     ClaimOnce(word, seen);
     return true;
@@ -198,12 +124,12 @@ void TiltLensParser::NotAnItem(const std::string& word)
                         parser.Token.Token_Id != STRING_LITERAL_TOKEN;
     if (!isWord)
         ErrorAt(item, "Found '%s' in tilt_lens where an item should begin. Items follow each other without "
-                      "commas or other signs; known are %s.", word.c_str(), AllWords().c_str());
-    if (std::find(std::begin(kCameraWords), std::end(kCameraWords), word) != std::end(kCameraWords))
+                      "commas or other signs; known are %s.", word.c_str(), TiltLensItemNames().c_str());
+    if (IsCameraWord(word))
         ErrorAt(item, "'%s' inside tilt_lens. It is an item of the camera itself; write it outside the "
                       "tilt_lens block.", word.c_str());
     ErrorAt(item, "Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(),
-            NearestItem(word).word, AllWords().c_str());
+            NearestTiltLensItem(word).word, TiltLensItemNames().c_str());
 }
 
 /// Refuses an item that stands twice, and an item of a second family of focus.
@@ -211,12 +137,12 @@ void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& s
 {
     if (!seen.insert(word).second)
         ErrorAt(item, "'%s' stands twice in tilt_lens. Each item is allowed once; remove one.", word.c_str());
-    const char* family = FindItem(word)->family;
+    const char* family = FindTiltLensItem(word)->family;
     if (family == NULL)
         return;
     for (const std::string& other : seen)
     {
-        const char* otherFamily = FindItem(other)->family;
+        const char* otherFamily = FindTiltLensItem(other)->family;
         if (otherFamily != NULL && std::string(otherFamily) != family)
             ErrorAt(item, "'%s' and '%s' in one tilt_lens: both say where the focus lies. One of tilt and "
                           "swing, focus_tilt and focus_swing, focal_plane, focal_points is allowed; remove "

@@ -1,0 +1,94 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/parser/tilt_lens_words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <vector>
+
+namespace pov
+{
+
+const TiltLensItem kTiltLensItems[12] = {
+    {"film_width", NULL},
+    {"focal_length", NULL},
+    {"scene_unit", NULL},
+    {"shift", NULL},
+    {"f_stop", NULL},
+    {"blades", NULL},
+    {"tilt", "tilt and swing"},
+    {"swing", "tilt and swing"},
+    {"focus_tilt", "focus_tilt and focus_swing"},
+    {"focus_swing", "focus_tilt and focus_swing"},
+    {"focal_plane", "focal_plane"},
+    {"focal_points", "focal_points"}};
+
+namespace
+{
+
+/// Words that people look for inside the block although they belong to the camera around it.
+const char* const kCameraWords[] = {"aperture",   "focal_point", "look_at",  "blur_samples", "confidence",
+                                    "variance",   "bokeh",       "angle",    "location",     "direction",
+                                    "right",      "up",          "sky",      "normal",       "translate",
+                                    "rotate",     "scale",       "matrix",   "transform",    "perspective"};
+
+std::string Lowercase(std::string word)
+{
+    for (char& c : word)
+        c = char(std::tolower((unsigned char)c));
+    return word;
+}
+
+/// Edits that turn one word into the other (Levenshtein).
+size_t EditDistance(const std::string& a, const std::string& b)
+{
+    std::vector<size_t> row(b.size() + 1);
+    for (size_t j = 0; j <= b.size(); j++)
+        row[j] = j;
+    for (size_t i = 1; i <= a.size(); i++)
+    {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= b.size(); j++)
+        {
+            const size_t kept = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min(kept, std::min(row[j], row[j - 1]) + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+} // namespace
+
+const TiltLensItem* FindTiltLensItem(const std::string& word)
+{
+    const TiltLensItem* item = std::find_if(std::begin(kTiltLensItems), std::end(kTiltLensItems),
+                                            [&](const TiltLensItem& i) { return word == i.word; });
+    return item == std::end(kTiltLensItems) ? NULL : item;
+}
+
+const TiltLensItem& NearestTiltLensItem(const std::string& found)
+{
+    const std::string word = Lowercase(found);
+    return *std::min_element(std::begin(kTiltLensItems), std::end(kTiltLensItems),
+                             [&](const TiltLensItem& a, const TiltLensItem& b)
+                             { return EditDistance(word, a.word) < EditDistance(word, b.word); });
+}
+
+std::string TiltLensItemNames()
+{
+    std::string words;
+    for (const TiltLensItem& item : kTiltLensItems)
+        words += std::string(words.empty() ? "" : ", ") + item.word;
+    return words;
+}
+
+bool IsCameraWord(const std::string& word)
+{
+    return std::find(std::begin(kCameraWords), std::end(kCameraWords), word) != std::end(kCameraWords);
+}
+
+} // namespace pov

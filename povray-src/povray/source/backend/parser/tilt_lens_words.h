@@ -1,0 +1,37 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file tilt_lens_words.h
+/// The words of a `tilt_lens` block, and what to say of a word that is none of them.
+
+#ifndef POVRAY_BACKEND_TILT_LENS_WORDS_H
+#define POVRAY_BACKEND_TILT_LENS_WORDS_H
+
+#include <string>
+
+namespace pov
+{
+
+struct TiltLensItem
+{
+    const char* word;
+    const char* family;  ///< words of its family of focus, or NULL
+};
+
+extern const TiltLensItem kTiltLensItems[12];
+
+/// The item of that spelling, or NULL.
+const TiltLensItem* FindTiltLensItem(const std::string& word);
+
+/// The item that takes the fewest edits (Levenshtein), upper and lower case alike.
+const TiltLensItem& NearestTiltLensItem(const std::string& word);
+
+/// All items, for a message.
+std::string TiltLensItemNames();
+
+/// Whether people look for the word inside the block although it belongs to the camera around it.
+bool IsCameraWord(const std::string& word);
+
+} // namespace pov
+
+#endif
