@@ -7,6 +7,7 @@ Give names (oracle/tilt), or folders (oracle, renders) for all of one kind. --pr
 case and no scene stands for any more.
 """
 
+import os
 import argparse
 import json
 import pathlib
@@ -27,11 +28,11 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--reason", required=True, help="why they change; kept in the manifest")
-    parser.add_argument("--povray", help="the fork, for renders/")
-    parser.add_argument("--stock", default="/usr/bin/povray",
+    parser.add_argument("--povray", type=os.path.abspath, help="the fork, for renders/")
+    parser.add_argument("--stock", type=os.path.abspath, default="/usr/bin/povray",
                         help="the unpatched program, for oracle/")
-    parser.add_argument("--oracle", help="the oracle program, for oracle/")
-    parser.add_argument("--compare", required=True, help="the comparison program")
+    parser.add_argument("--oracle", type=os.path.abspath, help="the oracle program, for oracle/")
+    parser.add_argument("--compare", type=os.path.abspath, required=True, help="the comparison program")
     parser.add_argument("--prune", action="store_true",
                         help="remove what nothing stands for any more")
     return parser.parse_args()
@@ -42,12 +43,12 @@ def version_and_compiler(povray):
     done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True,
                           text=True, check=True)
     text = done.stdout + done.stderr
-    version = re.search(r"^POV-Ray \d.*$", text, re.MULTILINE)
+    version = re.findall(r"^(?:POV-Ray \d| povray-tilt-lens ).*$", text, re.MULTILINE)
     told = re.findall(r"^ *Compiler (?:version|flags): *(.*)$", text, re.MULTILINE)
     mark = re.search(rb"GCC: \([^)\0]*\) [\d.]+|clang version [^\0]+",
                      pathlib.Path(povray).read_bytes())
     compiler = ([mark.group(0).decode()] if mark else []) + told
-    return (version.group(0).strip() if version else "not told by the program",
+    return (", ".join(line.strip() for line in version) or "not told by the program",
             " ".join(compiler) or "not told by the program")
 
 
