@@ -60,8 +60,9 @@ def compare_lines(lab, letter, lens, pictures, names, stem, title):
         report = lab.json([lab.tool("paper", "profile"), "line", *pictures, "--from-to", *a, *b,
                            *[x for name in names for x in ("--name", name)],
                            "--colour", "#bbbbbb", "--colour", shade, "--colour", "#0044cc",
-                           "--csv", csv, "--plot", csv.with_suffix(".svg"),
-                           "--title", f"{title} ({letter}), {colour} line: {where}"])
+                           "--csv", csv,
+                           *([] if lab.quick else ["--plot", csv.with_suffix(".svg"), "--title",
+                                                   f"{title} ({letter}), {colour} line: {where}"])])
         found[colour] = [curve["average_difference"] for curve in report["curves"]]
     return found
 
@@ -96,5 +97,5 @@ def figures(lab):
     if lab.quick:
         return
     for letter in "abc":
-        lab.render(SCENES / f"box_{letter}.pov", f"box_{letter}.png", (480, 320))
+        lab.render(SCENES / f"box_{letter}.pov", f"box_{letter}.png", (360, 240))
     yield from ()

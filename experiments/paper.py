@@ -23,6 +23,7 @@ EXPERIMENTS = [
     ("tower", "shift", "tower"),
     ("tilt_with_shift", "shift", "tilt_with_shift"),
     ("real_lenses", "real_lenses", "table"),
+    ("glass", "glass", "compare"),
 ]
 
 
