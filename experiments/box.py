@@ -90,12 +90,3 @@ def table_1(lab):
                             LIMITS[quality], "levels")
     lab.table("table1.csv", ["state", "line", "paper against its photograph", "own quality",
                              "high quality"][:3 + len(qualities)], rows)
-
-
-def figures(lab):
-    """Figs. 5 and 6: the three states, for the eye."""
-    if lab.quick:
-        return
-    for letter in "abc":
-        lab.render(SCENES / f"box_{letter}.pov", f"box_{letter}.png", (360, 240))
-    yield from ()

@@ -6,17 +6,22 @@
 import argparse
 import importlib
 import pathlib
+import re
+import shutil
 import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import figures  # noqa: E402
 from common import REPOSITORY, Failed, Laboratory  # noqa: E402
 
 # Name, module, function; in the order of docs/paper.md.
 EXPERIMENTS = [
     ("equation", "equation", "table"),
-    ("box", "box", "figures"),
+    ("dragons", "figures", "dragons"),
+    ("box", "figures", "box"),
     ("table1", "box", "table_1"),
+    ("landscape", "figures", "landscape"),
     ("spots", "blur", "spots"),
     ("plane", "blur", "plane"),
     ("hinge", "blur", "hinge"),
@@ -43,6 +48,18 @@ def run(lab, name, module, function):
     return failures
 
 
+def update_docs(lab):
+    """Pictures, curves and tables of this run become those of docs/paper.md."""
+    folder = REPOSITORY / "docs" / "pictures" / "paper"
+    folder.mkdir(parents=True, exist_ok=True)
+    made = [lab.work / f"{name}.png" for names, _ in figures.PICTURES.values() for name in names]
+    made += [*lab.results.glob("profile_*.svg"), *lab.results.glob("*.csv")]
+    # curves' own tables are as long as pictures are wide; the documents show the plots
+    for path in made:
+        if path.is_file() and not re.match(r"(profile|glass)_._.*\.csv", path.name):
+            shutil.copyfile(path, folder / path.name)
+
+
 def main():
     build = REPOSITORY / "build"
     parser = argparse.ArgumentParser(description=__doc__)
@@ -55,6 +72,8 @@ def main():
     parser.add_argument("--tools", type=pathlib.Path, default=build, help="build folder")
     parser.add_argument("--work", type=pathlib.Path, default=build / "experiments")
     parser.add_argument("--results", type=pathlib.Path, help="curves and tables; default: in --work")
+    parser.add_argument("--update-docs", action="store_true",
+                        help="copy what was made to docs/pictures/paper")
     parser.add_argument("--threads", type=int, default=2)
     args = parser.parse_args()
     unknown = set(args.names) - {name for name, *_ in EXPERIMENTS}
@@ -68,6 +87,8 @@ def main():
     for name, module, function in EXPERIMENTS:
         if not args.names or name in args.names:
             failures += run(lab, name, module, function)
+    if args.update_docs:
+        update_docs(lab)
     print("\n".join(["", f"{len(failures)} out of tolerance"] + failures if failures
                     else ["", "Everything is within its tolerance."]))
     return 1 if failures else 0
