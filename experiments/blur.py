@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What blur ought to be, measured in pictures: the spots of small discs, the plane of sharp focus from
-slanted rulers, the hinge line by refocusing, and the wedge of the depth of field."""
+"""What blur ought to be, measured in pictures: the spots of small discs, the plane of sharp focus
+from slanted rulers, the hinge line by refocusing, and the wedge of the depth of field."""
 
 import dataclasses
 import itertools
@@ -57,7 +57,8 @@ def spots(lab):
         for point, measured in zip(points, marks.measure(lab, picture, lens, points, reaches)):
             wanted = marks.expected(lens, point)
             error = error_of(measured, wanted)
-            rows.append([tilt, *lens.pixel(point), lens.view.local(point)[2], *wanted, *measured, error])
+            rows.append([tilt, *lens.pixel(point), lens.view.local(point)[2], *wanted, *measured,
+                         error])
             worst = max(worst, error)
         yield Claim(f"spots, tilt {tilt:g}, {len(points)} discs: second moments", worst, SPOT_LIMIT)
     lab.table("spots.csv", ["tilt", "x", "y", "depth cm", "closed xx", "closed xy", "closed yy",
@@ -97,8 +98,8 @@ class Ruler:
 
     def read(self, lens, moments):
         """The width of a mark's blur across the tilt is in proportion to |1 - k.X| / X.z, and the
-        depth X.z of a mark is known; so the square of width times depth is a parabola along the ruler
-        that touches zero in the plane of sharp focus."""
+        depth X.z of a mark is known; so the square of width times depth is a parabola along the
+        ruler that touches zero in the plane of sharp focus."""
         values = []
         for u, (xx, _, _) in zip(self.places(lens), moments):
             own = lens.disc_moments(self.at(u), marks.radius_of(lens, self.at(u)))[0]
@@ -194,15 +195,16 @@ def hinge_lines(lab, depth):
 
 def hinge(lab):
     """The hinge line by refocusing, and the wedge of the depth of field about it."""
-    found = [hinge_lines(lab, depth) for depth in ((40.0, 70.0) if lab.quick else (40.0, 52.0, 70.0))]
+    depths = (40.0, 70.0) if lab.quick else (40.0, 52.0, 70.0)
+    found = [hinge_lines(lab, depth) for depth in depths]
     distance = found[0][0].hinge_distance()
     rows = []
     for i, j in itertools.combinations(range(len(found)), 2):
         y, z = meet(found[i][1]["sharp"], found[j][1]["sharp"])
         error = math.hypot(y + distance, z) / distance
         rows.append([f"sharp planes {i + 1}, {j + 1}", y, z, error])
-        yield Claim(f"hinge line from focus {i + 1} and {j + 1}, J = {distance:.4g} cm: off by", error,
-                    HINGE_LIMIT, "J")
+        yield Claim(f"hinge line from focus {i + 1} and {j + 1}, J = {distance:.4g} cm: off by",
+                    error, HINGE_LIMIT, "J")
     for lens, lines in found:
         y, z = meet(lines["near"], lines["far"])
         error = math.hypot(y + distance, z) / distance

@@ -69,8 +69,8 @@ class Laboratory:
         picture.parent.mkdir(parents=True, exist_ok=True)
         kind = "N" if picture.suffix == ".png" else "E"
         command = [self.povray, f"+I{scene}", f"+O{picture}", f"+F{kind}", f"+W{size[0]}",
-                   f"+H{size[1]}", f"+L{scene.parent}", f"+L{SCENES}", "-D", "-V", "-GA", "-P", "-A",
-                   f"+WT{self.threads}",
+                   f"+H{size[1]}", f"+L{scene.parent}", f"+L{SCENES}", "-D", "-V", "-GA", "-P",
+                   "-A", f"+WT{self.threads}",
                    *[f"Declare={name}={value}" for name, value in declare], *options]
         picture.unlink(missing_ok=True)
         picture.with_name(picture.name + ".pov-state").unlink(missing_ok=True)
@@ -92,7 +92,8 @@ class Laboratory:
         if not picture.is_file():
             frames = folder / "frames"
             frames.mkdir(parents=True, exist_ok=True)
-            (folder / "case.json").write_text(json.dumps({"name": name, "scene": scene.name, **case}))
+            text = json.dumps({"name": name, "scene": scene.name, **case})
+            (folder / "case.json").write_text(text)
             (folder / scene.name).write_bytes(scene.read_bytes())
             self.run([self.tool("tools", "oracle"), "render", folder / "case.json",
                       folder / "part.exr", "--povray", self.stock, "--work", frames, "--batches",

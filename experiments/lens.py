@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A tilted thin lens in closed form, as the experiments expect pictures of it to be.
 
-Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the unit
-lens normal and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's
-rule and the thin lens equation). Lengths in scene units, angles in degrees, image in pixels from
+Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the
+unit lens normal and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s
+(Scheimpflug's rule and the thin lens equation). Lengths in scene units, angles in degrees, image in
+pixels from
 the upper left corner.
 """
 
@@ -87,7 +88,7 @@ class Lens:
 
     @classmethod
     def on_plane(cls, view, normal, point):
-        """The lens whose plane of sharp focus has this normal and goes through this point (world)."""
+        """The lens whose plane of sharp focus has this normal and holds this point (world)."""
         f, n = view.focal_length / view.scene_unit, view.turned(unit(normal))
         k = times(1 / dot(n, view.local(point)), n)
         across = (f * k[0], f * k[1])
@@ -113,7 +114,7 @@ class Lens:
                 v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
 
     def lens_axes(self):
-        """Right and up of the lens plane, unit, in the camera frame; only for a lens without swing."""
+        """Right and up of the lens plane, unit, camera frame; only for a lens without swing."""
         assert self.normal[0] == 0.0
         return (1, 0, 0), (0, self.normal[2], -self.normal[1])
 
@@ -124,7 +125,8 @@ class Lens:
 
     def blur_axes(self, point):
         """The blur ellipse of a point on the film, in pixels (x right, y down): the images of the
-        lens's right and upper rim. To first order a lens point l moves it by (w - 1/T) (l - D l.z)."""
+        lens's right and upper rim. To first order a lens point l moves it by
+        (w - 1/T) (l - D l.z)."""
         p = self.view.local(point)
         direction = times(1 / p[2], p)
         scale = self.vergence(point) * self.radius * self.pixels_per_slope()
@@ -132,14 +134,14 @@ class Lens:
                 for e in self.lens_axes()]
 
     def blur_moments(self, point):
-        """Second moments (xx, xy, yy) of that ellipse evenly filled: a quarter of each squared axis."""
+        """Second moments (xx, xy, yy) of that ellipse, evenly filled: squared axes by four."""
         axes = self.blur_axes(point)
         return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
 
     def blur_centre(self, point):
-        """Where the middle of the blur lies, in pixels: the mean over the lens of where the ray from the
-        point through it meets the plane of sharp focus, seen from the lens centre. A tilted lens is
-        nearer to the point at one rim than at the other, which moves the middle a little."""
+        """Where the middle of the blur lies, in pixels: the mean over the lens of where the ray
+        from the point through it meets the plane of sharp focus, seen from the lens centre. A lens is
+        nearer to the point at one rim than at the other when tilted, which moves the middle a bit."""
         p, (right, up) = self.view.local(point), self.lens_axes()
         sums, rings, spokes = [0.0, 0.0], 8, 16
         for i in range(rings):
@@ -154,7 +156,8 @@ class Lens:
                 sums[1] += met[1] / met[2]
         x, y = self.pixel(point)
         scale, count = self.pixels_per_slope(), rings * spokes
-        return (x + scale * (sums[0] / count - p[0] / p[2]), y - scale * (sums[1] / count - p[1] / p[2]))
+        return (x + scale * (sums[0] / count - p[0] / p[2]),
+                y - scale * (sums[1] / count - p[1] / p[2]))
 
     def disc_moments(self, point, radius):
         """Those of a disc about the point, parallel to the film, as a pinhole sees it."""

@@ -45,7 +45,8 @@ def render(lab, name, lens, through, points, samples=1024):
     (folder / "marks.inc").write_text("\n".join([
         f"#declare Eye = {vector(view.location)};", f"#declare Target = {vector(view.look_at)};",
         f"#declare Through = {vector(through)};", f"#declare Film_Width = {view.film_width};",
-        f"#declare Scene_Unit = {view.scene_unit};", f"#declare Focal_Length = {view.focal_length};",
+        f"#declare Scene_Unit = {view.scene_unit};",
+        f"#declare Focal_Length = {view.focal_length};",
         f"#declare F_Stop = {view.f_stop};", f"#declare Tilt = {lens.tilt():.12g};",
         f"#declare Shift = {vector(view.shift)};", f"#declare Samples = {samples};",
         f"#declare Marks = array[{len(points)}][2] {{\n{marks}\n}}", ""]))
@@ -67,8 +68,9 @@ def measure(lab, picture, lens, points, reaches):
 
 
 def sharp_moments(x, y):
-    """Second moments of a sharp disc of radius SIZE as pixels show it. Its hard edge falls on the grid
-    by chance, so that the sum of the disc's and a pixel's own moments would be off by some per cent."""
+    """Second moments of a sharp disc of radius SIZE as pixels show it. Its hard edge falls on the
+    grid by chance, so that the sum of the disc's and a pixel's own moments would be off by some per
+    cent."""
     fine, reach = 32, math.ceil(SIZE) + 1
     sums = [0] * 6
     for row in range(math.floor(y) - reach, math.floor(y) + reach + 1):

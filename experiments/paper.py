@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The seed paper's experiments: renders, measures, and fails where a number leaves its tolerance."""
+"""The seed paper's experiments: renders, measures, fails where a number leaves its tolerance."""
 
 import argparse
 import importlib
@@ -71,7 +71,8 @@ def main():
                         help="the unpatched program")
     parser.add_argument("--tools", type=pathlib.Path, default=build, help="build folder")
     parser.add_argument("--work", type=pathlib.Path, default=build / "experiments")
-    parser.add_argument("--results", type=pathlib.Path, help="curves and tables; default: in --work")
+    parser.add_argument("--results", type=pathlib.Path,
+                        help="curves and tables; default: in --work")
     parser.add_argument("--update-docs", action="store_true",
                         help="copy what was made to docs/pictures/paper")
     parser.add_argument("--threads", type=int, default=2)
@@ -81,8 +82,8 @@ def main():
         parser.error("no such experiment: " + ", ".join(sorted(unknown)))
     work = args.work.resolve()
     results = args.results.resolve() if args.results else work / "results"
-    lab = Laboratory(args.povray.resolve(), args.stock.resolve(), args.tools.resolve(), work, results,
-                     args.quick, args.threads)
+    lab = Laboratory(args.povray.resolve(), args.stock.resolve(), args.tools.resolve(), work,
+                     results, args.quick, args.threads)
     failures = []
     for name, module, function in EXPERIMENTS:
         if not args.names or name in args.names:

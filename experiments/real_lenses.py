@@ -48,7 +48,7 @@ def table(lab):
             found = 4 * math.sqrt((xx + yy) / 2 - own) * pitch
             rows.append([f, n, focus, u, c, found, found / c - 1])
             worst = max(worst, abs(found / c - 1))
-        yield Claim(f"{f} mm f/{n}, focus {focus} m, {len(subjects)} distances: blur diameter", worst,
-                    LIMIT)
+        yield Claim(f"{f} mm f/{n}, focus {focus} m, {len(subjects)} distances: blur diameter",
+                    worst, LIMIT)
     lab.table("real_lenses.csv", ["f mm", "N", "focus m", "subject m", "closed form mm",
                                   "measured mm", "error"], rows)

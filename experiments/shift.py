@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The paper's future work: shift alone keeps the verticals of a tower parallel, and a shift with a tilt
-shows the part of the same picture that it should."""
+"""The paper's future work: shift alone keeps the verticals of a tower parallel, and a shift with a
+tilt shows the part of the same picture that it should."""
 
 import dataclasses
 
@@ -39,7 +39,8 @@ def tower(lab):
                           ("shift 10 mm, tilt 4, f/4", [("Rise", 10), ("Tilt", 4), ("F_Stop", 4)])):
         found = convergence(lab, f"tower_{len(rows)}.exr", declare)
         rows.append([text, found])
-        yield Claim(f"verticals, {text}: convergence over the picture", found, PARALLEL_LIMIT, "pixels")
+        yield Claim(f"verticals, {text}: convergence over the picture", found, PARALLEL_LIMIT,
+                    "pixels")
     found = convergence(lab, "tower_up.exr", [("Pitch", 1)])
     rows.append(["looking up instead", found])
     # The measurement itself must see what a shift avoids: 17 degrees up converge by several pixels.
@@ -64,7 +65,9 @@ def tilt_with_shift(lab):
         offset, error = max(abs(m["x"] - x), abs(m["y"] - y)), error_of(measured, wanted)
         rows.append([x, y, *wanted, *measured, offset, error])
         worst, away = max(worst, error), max(away, offset)
-    lab.table("tilt_with_shift.csv", ["x", "y", "closed xx", "closed xy", "closed yy", "measured xx",
-                                      "measured xy", "measured yy", "centroid off by", "error"], rows)
-    yield Claim(f"tilt 10.5 with shift <3, 8>, {len(points)} discs: second moments", worst, SPOT_LIMIT)
+    lab.table("tilt_with_shift.csv",
+              ["x", "y", "closed xx", "closed xy", "closed yy", "measured xx", "measured xy",
+               "measured yy", "centroid off by", "error"], rows)
+    yield Claim(f"tilt 10.5 with shift <3, 8>, {len(points)} discs: second moments", worst,
+                SPOT_LIMIT)
     yield Claim("their centroids", away, PARALLEL_LIMIT, "pixels")

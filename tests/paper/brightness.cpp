@@ -15,8 +15,7 @@ namespace
 
 double Luminance(const witness::Picture& picture, int column, int row)
 {
-    const double* p =
-        &picture.values[3 * (static_cast<std::size_t>(row) * picture.width + column)];
+    const double* p = &picture.values[3 * (static_cast<std::size_t>(row) * picture.width + column)];
     return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
 }
 
@@ -33,8 +32,7 @@ double LevelAt(const witness::Picture& picture, Point at)
     const int column = std::clamp(static_cast<int>(std::floor(x)), 0, picture.width - 2);
     const int row = std::clamp(static_cast<int>(std::floor(y)), 0, picture.height - 2);
     const double u = std::clamp(x - column, 0.0, 1.0), v = std::clamp(y - row, 0.0, 1.0);
-    const auto level = [&](int i, int j)
-    { return Level(Luminance(picture, column + i, row + j)); };
+    const auto level = [&](int i, int j) { return Level(Luminance(picture, column + i, row + j)); };
     return (1.0 - v) * ((1.0 - u) * level(0, 0) + u * level(1, 0)) +
            v * ((1.0 - u) * level(0, 1) + u * level(1, 1));
 }
@@ -56,8 +54,8 @@ std::vector<double> Profile(const witness::Picture& picture, Point from, Point t
     for (int i = 0; i < count; ++i)
     {
         const double t = static_cast<double>(i) / (count - 1);
-        levels.push_back(LevelAt(
-            picture, {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}));
+        levels.push_back(
+            LevelAt(picture, {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}));
     }
     return levels;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file brightness.h
-/// Brightness of pictures along a line and in windows, in the units of the experiments: 8-bit levels,
-/// and moments in pixels. Image coordinates in pixels, from the upper left corner of the frame, so
+/// Brightness of pictures along a line and in windows, in the units of the experiments: 8-bit
+/// levels, and moments in pixels. Image coordinates in pixels, from the upper left corner, so
 /// that the middle of the first pixel is (0.5, 0.5).
 
 #ifndef PAPER_BRIGHTNESS_H
@@ -22,8 +22,8 @@ struct Point
 };
 
 /// Brightness on a straight line between two points of the image, in levels from 0 to 255 of an
-/// 8-bit sRGB file, not rounded: luminance (Rec. 709 weights) at evenly spaced points, ends included,
-/// bilinear between the middles of pixels.
+/// 8-bit sRGB file, not rounded: luminance (Rec. 709 weights) at evenly spaced points, ends
+/// included, bilinear between the middles of pixels.
 /// @throws std::invalid_argument  for a line that leaves the picture or fewer than two points.
 std::vector<double> Profile(const witness::Picture& picture, Point from, Point to, int count);
 
@@ -33,16 +33,16 @@ double AverageDifference(const std::vector<double>& a, const std::vector<double>
 /// Light in a window of the picture: its sum, centroid and second central moments, linear values.
 struct Moments
 {
-    double sum = 0.0;                 ///< of the linear luminance of the pixels
-    Point centroid;                   ///< pixels
+    double sum = 0.0;                     ///< of the linear luminance of the pixels
+    Point centroid;                       ///< pixels
     double xx = 0.0, xy = 0.0, yy = 0.0;  ///< pixels squared; x right, y down
 };
 
 /// @throws std::invalid_argument  for a window that leaves the picture or holds no light.
 Moments MomentsIn(const witness::Picture& picture, int left, int top, int width, int height);
 
-/// Where a bright thing on black begins and ends in one row, to a fraction of a pixel: from the light
-/// left and right of a column that lies inside of it, in units of the light of that column.
+/// Where a bright thing on black begins and ends in one row, to a fraction of a pixel: from the
+/// light left and right of a column that lies inside of it, in units of the light of that column.
 struct Edges
 {
     double left = 0.0, right = 0.0;  ///< pixels

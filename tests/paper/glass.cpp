@@ -1,10 +1,10 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// A second "photograph" of the box scene, by a lens of glass that is tilted as a whole: rays from each
-// pixel of the film through every refracting surface to the scene of scenes/paper/box_objects.inc, of
-// which this is a second description. With --thin an ideal thin lens instead, which shows that the two
-// descriptions of the scene are the same.
+// A second "photograph" of the box scene, by a lens of glass tilted as a whole: rays from each
+// pixel of the film through every refracting surface to the scene of scenes/paper/box_objects.inc,
+// of which this is a second description. With --thin an ideal thin lens instead, which shows that
+// the two descriptions of the scene are the same.
 
 #include <cmath>
 #include <iostream>
@@ -44,7 +44,8 @@ class BoxScene
         const double floor = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : HUGE_VAL;
         if (box.distance < floor)
         {
-            const Vector at = Local(ray.origin + box.distance * ray.direction) - Vector{0.5, 0.5, 0.5};
+            const Vector at =
+                Local(ray.origin + box.distance * ray.direction) - Vector{0.5, 0.5, 0.5};
             return Lit(ray, box.distance, box.normal,
                        Odd(at) ? Vector{0.12, 0.06, 0.05} : Vector{0.9, 0.72, 0.4});
         }
@@ -87,7 +88,8 @@ class BoxScene
         Vector normal;
         for (int i = 0; i < 3; ++i)
         {
-            double a = (low[i] - origin[i]) / direction[i], b = (high[i] - origin[i]) / direction[i];
+            double a = (low[i] - origin[i]) / direction[i],
+                   b = (high[i] - origin[i]) / direction[i];
             const double side = a < b ? -1.0 : 1.0;
             if (a > b)
                 std::swap(a, b);
@@ -116,7 +118,8 @@ class BoxScene
     const double mCosine = std::cos(35.0 * kPi / 180.0), mSine = std::sin(35.0 * kPi / 180.0);
 };
 
-/// Film and lens of box_camera.inc. Camera frame in mm: lens centre (thin) or H (glass) at the origin.
+/// Film and lens of box_camera.inc. Camera frame in mm: lens centre (thin) or H (glass) at
+/// the origin.
 class Camera
 {
   public:
@@ -142,7 +145,8 @@ class Camera
         std::optional<Ray> ray = mSetting.thin ? Thin(chief, a, b) : Thick(chief, a, b);
         if (!ray)
             return std::nullopt;
-        return Ray{mLocation + (1.0 / mSetting.sceneUnit) * World(ray->origin), World(ray->direction)};
+        return Ray{mLocation + (1.0 / mSetting.sceneUnit) * World(ray->origin),
+                   World(ray->direction)};
     }
 
     /// The pixel whose chief ray meets a point of the scene: where the picture shows it.
@@ -162,8 +166,7 @@ class Camera
             const auto ray = Shoot(pixel.first, pixel.second, 0.0, 0.0);
             if (!ray)
                 throw std::runtime_error("the lens does not show this point");
-            const double step =
-                Dot(point - ray->origin, mAxis) / Dot(ray->direction, mAxis);
+            const double step = Dot(point - ray->origin, mAxis) / Dot(ray->direction, mAxis);
             const auto met = pinhole(ray->origin + step * ray->direction);
             pixel.first += wanted.first - met.first;
             pixel.second += wanted.second - met.second;
@@ -191,7 +194,8 @@ class Camera
 
     std::optional<Ray> Thick(const Vector& chief, double a, double b) const
     {
-        const Vector film = ToLens(-mSetting.filmDistance * chief) - Vector{0.0, 0.0, mGlass.Separation()};
+        const Vector film =
+            ToLens(-mSetting.filmDistance * chief) - Vector{0.0, 0.0, mGlass.Separation()};
         // a little more than the paraxial pupil: the stop decides
         const double radius = 1.15 * mGlass.PupilRadius();
         const Vector aim{radius * a, radius * b, mGlass.ExitPupil()};
@@ -221,7 +225,8 @@ witness::Picture Photograph(const Setting& setting, const Camera& camera)
             int arrived = 0;
             const auto seed = static_cast<std::uint32_t>(row * setting.width + column + 1);
             for (const witness::LensPoint& p : witness::LensPoints(setting.samples, seed, 0, 0.0))
-                if (const auto ray = camera.Shoot(column + 0.5 + p.jitterX, row + 0.5 + p.jitterY, p.a, p.b))
+                if (const auto ray =
+                        camera.Shoot(column + 0.5 + p.jitterX, row + 0.5 + p.jitterY, p.a, p.b))
                 {
                     sum = sum + scene.Seen(*ray);
                     ++arrived;
@@ -245,12 +250,14 @@ int main(int argc, char** argv)
     app.add_option("output", output, "OpenEXR picture")->required();
     app.add_option("--width", setting.width)->capture_default_str()->check(CLI::Range(2, 4096));
     app.add_option("--height", setting.height)->capture_default_str()->check(CLI::Range(2, 4096));
-    app.add_option("--samples", setting.samples, "rays a pixel")->capture_default_str()
+    app.add_option("--samples", setting.samples, "rays a pixel")
+        ->capture_default_str()
         ->check(CLI::Range(1, 65536));
     app.add_option("--focal-length", setting.focalLength, "mm")->capture_default_str();
     app.add_option("--f-stop", setting.fStop)->capture_default_str();
     app.add_option("--tilt", setting.tilt, "degrees, positive forward")->capture_default_str();
-    app.add_option("--film-distance", setting.filmDistance, "mm, from H', on the camera's axis")->required();
+    app.add_option("--film-distance", setting.filmDistance, "mm, from H', on the camera's axis")
+        ->required();
     std::vector<double> points;
     app.add_option("--locate", points, "x y z ...: points of the scene to find in the picture");
     app.add_flag("--thin", setting.thin, "an ideal thin lens in its place");
@@ -265,10 +272,13 @@ int main(int argc, char** argv)
             const auto [x, y] = camera.Locate({points[i], points[i + 1], points[i + 2]});
             located.push_back({x, y});
         }
-        std::cout << nlohmann::json{{"located", located}, {"focal_length", camera.Glass().FocalLength()},
+        std::cout << nlohmann::json{{"located", located},
+                                    {"focal_length", camera.Glass().FocalLength()},
                                     {"separation", camera.Glass().Separation()},
                                     {"entrance_pupil", camera.Glass().EntrancePupil()},
-                                    {"exit_pupil", camera.Glass().ExitPupil()}}.dump() << '\n';
+                                    {"exit_pupil", camera.Glass().ExitPupil()}}
+                         .dump()
+                  << '\n';
     }
     catch (const std::exception& error)
     {

@@ -18,12 +18,12 @@ struct Printed
     double radius, thickness, index, diameter;
 };
 const Printed kDoubleGauss[] = {
-    {29.475, 3.76, 1.67, 25.2},    {84.83, 0.12, 1.0, 25.2},     {19.275, 4.025, 1.67, 23.0},
-    {40.77, 3.275, 1.699, 23.0},   {12.75, 10.205, 1.0, 18.0},   // the stop's space: 5.705 + 4.5
-    {-14.495, 1.18, 1.603, 17.0},  {40.77, 6.065, 1.658, 20.0},  {-20.385, 0.19, 1.0, 20.0},
-    {437.065, 3.22, 1.717, 20.0},  {-39.73, 0.0, 1.0, 20.0},
+    {29.475, 3.76, 1.67, 25.2},   {84.83, 0.12, 1.0, 25.2},    {19.275, 4.025, 1.67, 23.0},
+    {40.77, 3.275, 1.699, 23.0},  {12.75, 10.205, 1.0, 18.0},  // the stop's space: 5.705 + 4.5
+    {-14.495, 1.18, 1.603, 17.0}, {40.77, 6.065, 1.658, 20.0}, {-20.385, 0.19, 1.0, 20.0},
+    {437.065, 3.22, 1.717, 20.0}, {-39.73, 0.0, 1.0, 20.0},
 };
-const int kStopAfter = 4;        // index in the table above
+const int kStopAfter = 4;           // index in the table above
 const double kPrintedStop = 5.705;  // mm behind that surface
 
 /// A paraxial ray: height and slope against z, in the meaning of dy/dz.
@@ -110,7 +110,8 @@ void GlassLens::PlaceStop()
             for (Paraxial* ray : {&axial, &rim})
             {
                 ray->y += ray->slope * (s.z - z);
-                const double from = fromScene ? s.after : s.before, to = fromScene ? s.before : s.after;
+                const double from = fromScene ? s.after : s.before,
+                             to = fromScene ? s.before : s.after;
                 ray->slope = (from * ray->slope + ray->y * (to - from) / s.radius) / to;
             }
             z = s.z;
@@ -118,8 +119,8 @@ void GlassLens::PlaceStop()
         const double at = z - axial.y / axial.slope;
         return std::pair<double, double>{at, rim.y + rim.slope * (at - z)};
     };
-    // The stop where its image in the scene lies in H, as in the thin lens; where the air space does
-    // not reach that far, as near to it as the space allows.
+    // The stop where its image in the scene lies in H, as in the thin lens; where the air space
+    // does not reach that far, as near to it as the space allows.
     double best = mStopZ, error = std::fabs(seen(mStopZ, true).first);
     const double from = mSurfaces[mStopAfter].z, to = mSurfaces[mStopAfter + 1].z;
     for (int i = 5; i < 200; ++i)

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_lens.h
-/// A lens of glass: a double Gauss of six elements, after US patent 2,532,751 (J. G. Baker, 1950, long
-/// expired), as the literature prints it for 50 mm and f/2; one wavelength, Snell's law at every
-/// surface. It shares nothing with the thin lens but the numbers it is asked for.
+/// A lens of glass: a double Gauss of six elements, after US patent 2,532,751 (J. G. Baker, 1950,
+/// long expired), as the literature prints it for 50 mm and f/2; one wavelength, Snell's law at
+/// every surface. It shares nothing with the thin lens but the numbers it is asked for.
 ///
 /// Frame: z along the lens's axis toward the scene, origin in the front principal point H. The film
-/// side principal point H' is at -Separation(). A thin lens is this lens with the space between H and
-/// H' taken out, so the two are compared with the film moved back by that much along the lens's axis.
+/// side principal point H' is at -Separation(). A thin lens is this lens with the space between H
+/// and H' taken out, so the two are compared with the film moved back by that much along the axis.
 
 #ifndef PAPER_GLASS_LENS_H
 #define PAPER_GLASS_LENS_H
@@ -35,9 +35,15 @@ class GlassLens
     GlassLens(double focalLength, double fStop);
 
     double FocalLength() const { return mFocalLength; }
-    double Separation() const { return mSeparation; }  ///< from H to H', mm, positive toward the film
+    double Separation() const
+    {
+        return mSeparation;
+    }  ///< from H to H', mm, positive toward the film
     double PupilRadius() const { return mPupilRadius; }  ///< of the exit pupil, mm
-    double ExitPupil() const { return mExitPupil; }  ///< its z, mm; H' where the stop could be put so
+    double ExitPupil() const
+    {
+        return mExitPupil;
+    }  ///< its z, mm; H' where the stop could be put so
     double EntrancePupil() const { return mEntrancePupil; }  ///< its z, mm
 
     /// The way out into the scene of a ray from the film; nothing where the stop or a rim ends it.
@@ -47,10 +53,10 @@ class GlassLens
     /// A spherical surface, in order from the scene to the film.
     struct Surface
     {
-        double z;       ///< of its vertex, mm
-        double radius;  ///< mm, positive where its centre lies toward the film
+        double z;              ///< of its vertex, mm
+        double radius;         ///< mm, positive where its centre lies toward the film
         double before, after;  ///< refractive index on the side of the scene, of the film
-        double rim;     ///< radius of its clear opening, mm
+        double rim;            ///< radius of its clear opening, mm
     };
 
     void PlaceStop();

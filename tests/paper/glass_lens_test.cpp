@@ -17,8 +17,7 @@ using paper::GlassLens;
 /// Through a film point and a point of the exit pupil, into the scene.
 paper::Ray Out(const GlassLens& lens, const paper::Vector& film, double x, double y)
 {
-    const paper::Vector direction =
-        witness::Unit(paper::Vector{x, y, lens.ExitPupil()} - film);
+    const paper::Vector direction = witness::Unit(paper::Vector{x, y, lens.ExitPupil()} - film);
     const auto ray = lens.Trace({film, direction});
     EXPECT_TRUE(ray.has_value()) << "x " << x << " y " << y;
     return ray.value_or(paper::Ray{});
@@ -52,7 +51,8 @@ TEST(GlassLens, PassesItsPrincipalPointsUnbent)
     ASSERT_NEAR(lens.ExitPupil(), -lens.Separation(), 0.05);
     ASSERT_NEAR(lens.EntrancePupil(), 0.0, 0.05);
     const paper::Vector film{0.2, 0.1, -lens.Separation() - 55.0};
-    const paper::Vector direction = witness::Unit(paper::Vector{0.0, 0.0, -lens.Separation()} - film);
+    const paper::Vector direction =
+        witness::Unit(paper::Vector{0.0, 0.0, -lens.Separation()} - film);
     const auto ray = lens.Trace({film, direction});
     ASSERT_TRUE(ray.has_value());
     EXPECT_NEAR(ray->direction.x / ray->direction.z, direction.x / direction.z, 1e-6);
@@ -67,8 +67,8 @@ TEST(GlassLens, HasItsFNumber)
     const paper::Vector focus{0.0, 0.0, -lens.Separation() - 50.0};
     double widest = 0.0;
     for (double x = 0.0; x < 2.0 * lens.PupilRadius(); x += 0.001)
-        if (const auto ray = lens.Trace(
-                {focus, witness::Unit(paper::Vector{x, 0.0, lens.ExitPupil()} - focus)}))
+        if (const auto ray =
+                lens.Trace({focus, witness::Unit(paper::Vector{x, 0.0, lens.ExitPupil()} - focus)}))
             widest = std::fabs(ray->origin.x);
     EXPECT_NEAR(2.0 * widest, 50.0 / 8.0, 0.03);
 }

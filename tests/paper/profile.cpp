@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The profile tool: brightness along a line between two points of one or several pictures, as CSV and
-// as a plot of one over the other, with the average absolute difference to the first in 8-bit levels;
-// and the moments of blur spots and the edges of bright things, for the other experiments.
+// The profile tool: brightness along a line between two points of one or several pictures, as CSV
+// and as a plot of one over the other, with the average absolute difference to the first in 8-bit
+// levels; and the moments of blur spots and the edges of bright things, for the other experiments.
 
 #include <cstdio>
 #include <fstream>
@@ -113,8 +113,9 @@ bool RunLine(const LineOptions& options)
         WriteCsv(options.csv, curves, length);
     if (!options.plot.empty())
         WritePlot(options, curves, length);
-    std::cout << json{{"points", count}, {"against", curves.front().name}, {"curves", report}}.dump()
-              << '\n';
+    std::cout
+        << json{{"points", count}, {"against", curves.front().name}, {"curves", report}}.dump()
+        << '\n';
     return within;
 }
 
@@ -127,8 +128,12 @@ void RunMoments(const std::string& path)
         const paper::Moments m =
             paper::MomentsIn(picture, window.at(0).get<int>(), window.at(1).get<int>(),
                              window.at(2).get<int>(), window.at(3).get<int>());
-        result.push_back({{"sum", m.sum}, {"x", m.centroid.x}, {"y", m.centroid.y},
-                          {"xx", m.xx}, {"xy", m.xy}, {"yy", m.yy}});
+        result.push_back({{"sum", m.sum},
+                          {"x", m.centroid.x},
+                          {"y", m.centroid.y},
+                          {"xx", m.xx},
+                          {"xy", m.xy},
+                          {"yy", m.yy}});
     }
     std::cout << result.dump() << '\n';
 }
@@ -147,11 +152,13 @@ void RunEdges(const std::string& path, int inside, int first, int last)
 
 CLI::App* AddLine(CLI::App& app, LineOptions& options)
 {
-    CLI::App* line = app.add_subcommand("line", "brightness along a line; exit code 2 past the limit");
+    CLI::App* line =
+        app.add_subcommand("line", "brightness along a line; exit code 2 past the limit");
     line->add_option("pictures", options.pictures, "the first is what the others are compared with")
         ->required();
     line->add_option("--from-to", options.line, "x y x y in pixels from the upper left corner")
-        ->required()->expected(4);
+        ->required()
+        ->expected(4);
     line->add_option("--name", options.names, "one for each picture");
     line->add_option("--colour", options.colours, "of each curve, #rrggbb");
     line->add_option("--points", options.points, "on the line; default: one a pixel")
@@ -176,7 +183,8 @@ int main(int argc, char** argv)
     CLI::App* moments = app.add_subcommand(
         "moments", "second moments in windows: JSON [[left, top, width, height], ...] on stdin");
     moments->add_option("picture", picture)->required();
-    CLI::App* edges = app.add_subcommand("edges", "left and right edge of a bright thing, row by row");
+    CLI::App* edges =
+        app.add_subcommand("edges", "left and right edge of a bright thing, row by row");
     edges->add_option("picture", picture)->required();
     edges->add_option("--inside", inside, "a column inside of it")->required();
     edges->add_option("--first", first, "row")->required();
