@@ -5,8 +5,7 @@
 Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the
 unit lens normal and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s
 (Scheimpflug's rule and the thin lens equation). Lengths in scene units, angles in degrees, image in
-pixels from
-the upper left corner.
+pixels from the upper left corner.
 """
 
 import dataclasses
@@ -140,8 +139,8 @@ class Lens:
 
     def blur_centre(self, point):
         """Where the middle of the blur lies, in pixels: the mean over the lens of where the ray
-        from the point through it meets the plane of sharp focus, seen from the lens centre. A lens is
-        nearer to the point at one rim than at the other when tilted, which moves the middle a bit."""
+        from the point through it meets the plane of sharp focus, seen from the lens centre. A
+        tilted lens is nearer to the point at one rim than at the other, which moves the middle."""
         p, (right, up) = self.view.local(point), self.lens_axes()
         sums, rings, spokes = [0.0, 0.0], 8, 16
         for i in range(rings):
