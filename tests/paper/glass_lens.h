@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_lens.h
-/// A lens of glass: a double Gauss of six elements, after US patent 2,532,751 (J. G. Baker, 1950,
-/// long expired), as the literature prints it for 50 mm and f/2; one wavelength, Snell's law at
+/// A lens of glass: a double Gauss of six elements of the type of US patent 2,532,751 (1950, long
+/// expired), for 50 mm and f/2. Not all of its rows were checked against the patent; its tests
+/// measure what it is. One wavelength, Snell's law at
 /// every surface. It shares nothing with the thin lens but the numbers it is asked for.
 ///
 /// Frame: z along the lens's axis toward the scene, origin in the front principal point H. The film
