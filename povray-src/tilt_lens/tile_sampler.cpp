@@ -135,6 +135,11 @@ void TileSampler::Run(const Area& wanted, std::uint32_t width, std::uint32_t hei
 /// Doubles the samples of the cell's open pixels until none is left or the limit is reached.
 void TileSampler::RunCell(const Area& cell, const Tracer& trace)
 {
+    // first samples only, so once for all rounds
+    for (std::uint32_t y = cell.top; y < cell.Bottom(); y++)
+        for (std::uint32_t x = cell.left; x < cell.Right(); x++)
+            At(x, y).blurredSpread = BlurredSpread(cell, x, y);
+
     std::uint32_t until = RoundUp(limits.min, limits.max);
     while (Judge(cell, until) && until < limits.max)
     {
@@ -260,7 +265,7 @@ Radiance TileSampler::NeighbourhoodSpread(const Area& cell, std::uint32_t x, std
     for (std::uint32_t v = y == 0 ? 0 : y - 1; v <= y + 1 && v < held.Bottom(); v++)
         for (std::uint32_t u = x == 0 ? 0 : x - 1; u <= x + 1 && u < held.Right(); u++, count++)
             AddTo(mean, cell.Has(u, v) ? Spread(At(u, v)) : At(u, v).firstSpread);
-    const Radiance blurred = BlurredSpread(cell, x, y);
+    const Radiance& blurred = At(x, y).blurredSpread;
     for (std::size_t c = 0; c < mean.size(); c++)
         spread[c] = std::max(std::max(spread[c], mean[c] / count), blurred[c]);
     return spread;

@@ -136,6 +136,7 @@ class TileSampler
         std::uint32_t middle = 0;        ///< samples in the first half
         std::uint32_t notFinite = 0;
         double firstBlur = 0.0;          ///< widest blur of the first round
+        Radiance blurredSpread{};        ///< as BlurredSpread() gives it
         double variance = 0.0;           ///< as Variance() gives it
         bool open = true;                ///< wants more samples
     };

@@ -8,7 +8,6 @@
 #include "backend/parser/parse_tilt_lens.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
