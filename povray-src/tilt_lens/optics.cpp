@@ -316,6 +316,12 @@ std::vector<std::string> Doubts(const Lens& lens, const Statement& given)
     if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
         doubts.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
                          "aperture or f_stop.");
+    const double radius = 0.5 * lens.diameter;
+    if (radius * std::hypot(t.x, t.y) >= lens.filmDistance)
+        doubts.push_back("The turned lens is so large that its rim passes through the film: its radius is " +
+                         Number(radius) + " units, the film is " + Number(lens.filmDistance) + " units away. No "
+                         "lens could be built so; check scene_unit, give a smaller aperture or a larger f_stop, or "
+                         "turn it less.");
     return doubts;
 }
 

@@ -105,7 +105,7 @@ class OpticsError : public std::runtime_error
 Lens Solve(const CameraFrame& camera, const Statement& given);
 
 /// Sensible pictures that are probably not what was meant: a lens tilt past 15 degrees, a tilt
-/// without an aperture. One sentence or two each.
+/// without an aperture, a lens whose rim passes through the film. One sentence or two each.
 std::vector<std::string> Doubts(const Lens& lens, const Statement& given);
 
 /// @name Numbers a photographer checks.

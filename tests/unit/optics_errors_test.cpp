@@ -361,5 +361,30 @@ TEST(Doubts, ATiltWithoutAnAperture)
     EXPECT_TRUE(Doubts(Solved(request), request.given).empty());
 }
 
+/// The rim reaches radius * sin(turn) behind the lens centre, whichever way the lens is turned.
+TEST(Doubts, ARimThatPassesThroughTheFilm)
+{
+    Random random(10);
+    for (int i = 0; i < 300; i++)
+    {
+        Request request;
+        request.camera = RandomFrame(random);
+        request.given.focalPoint = request.camera.location + 5.0 * AxisOf(request.camera);
+        request.given.tilt = random(0.5, 10.0);
+        request.given.swing = random(-10.0, 10.0);
+        request.given.aperture = 0.0;
+        SCOPED_TRACE(testing::Message() << request);
+        const Lens pinhole = Solved(request);
+        const double sine = Length(pinhole.normal - Dot(pinhole.normal, pinhole.axis) * pinhole.axis);
+        const double limit = 4.0 * pinhole.filmDistance / sine / request.given.scale;  // aperture: 4 radii
+        request.given.aperture = 0.999 * limit;
+        EXPECT_TRUE(Doubts(Solved(request), request.given).empty());
+        request.given.aperture = 1.001 * limit;
+        const std::vector<std::string> doubts = Doubts(Solved(request), request.given);
+        ASSERT_EQ(doubts.size(), 1u);
+        EXPECT_NE(doubts[0].find("rim passes through the film"), std::string::npos) << doubts[0];
+    }
+}
+
 } // namespace
 } // namespace tilt_lens

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
@@ -28,6 +29,8 @@ using tilt_lens::Vec3;
 namespace
 {
 
+const int kReservedWords = 0;  // the parser's symbol table that holds them
+
 /// Makes macros look undeclared while it lives, also where an error ends the block.
 class HiddenMacros
 {
@@ -44,8 +47,6 @@ class HiddenMacros
             macro->Token_Number = token;
     }
 };
-
-Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
 
 } // namespace
 
@@ -83,6 +84,7 @@ void TiltLensParser::ParseBlock(Camera& camera)
     while (NextItem(word, seen))
         ParseItem(word, lens.statement);
     parser.Parse_End();
+    lens.apertureWritten = camera.TiltLens.apertureWritten;
     camera.TiltLens = lens;
 }
 
@@ -127,6 +129,9 @@ void TiltLensParser::NotAnItem(const std::string& word)
     if (IsCameraWord(word))
         ErrorAt(item, "'%s' inside tilt_lens. It is an item of the camera itself; write it outside the "
                       "tilt_lens block.", word.c_str());
+    if (parser.Find_Symbol(kReservedWords, word.c_str()) != NULL)
+        ErrorAt(item, "'%s' inside tilt_lens. It is no item of the block; is the } of tilt_lens missing before "
+                      "it? Known are %s.", word.c_str(), TiltLensItemNames().c_str());
     ErrorAt(item, "Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(),
             NearestTiltLensItem(word).word, TiltLensItemNames().c_str());
 }
@@ -242,7 +247,7 @@ void TiltLensParser::ParseBlades(Statement& s)
 void TiltLensParser::ParseFocalPlane(Statement& s)
 {
     s.family = FocusFamily::FocalPlane;
-    parser.Parse_Begin();
+    PlaneBrace(LEFT_CURLY_TOKEN, "{");
     s.planeNormal = Vector("focal_plane");
     if (!(Length(s.planeNormal) > 0.0))
         ErrorAt(item, "focal_plane in tilt_lens has the normal <0, 0, 0>. A plane needs a direction; give "
@@ -250,7 +255,19 @@ void TiltLensParser::ParseFocalPlane(Statement& s)
     s.planeNormal = Normalized(s.planeNormal);
     parser.Parse_Comma();
     s.planeDistance = Number("focal_plane's distance");
-    parser.Parse_End();
+    PlaneBrace(RIGHT_CURLY_TOKEN, "}");
+}
+
+/// Parse_Begin and Parse_End would name the word by its token, and the block's words have none.
+void TiltLensParser::PlaneBrace(int brace, const char* sign)
+{
+    parser.Get_Token();
+    if (parser.Token.Token_Id == brace)
+        return;
+    const bool atEnd = parser.Token.Token_Id == END_OF_FILE_TOKEN;
+    const std::string found = atEnd ? "the end of the file" : "'" + std::string(parser.Token.Token_String) + "'";
+    ErrorAt(item, "Missing %s of focal_plane in tilt_lens: found %s in its place. Write it as focal_plane { "
+                  "<normal>, distance }.", sign, found.c_str());
 }
 
 void TiltLensParser::ParseFocalPoints(Statement& s)
@@ -266,6 +283,8 @@ void TiltLensParser::ParseFocalPoints(Statement& s)
 
 void TiltLensParser::TakeCameraItems(Camera& camera)
 {
+    // once asked for, it is forgotten: a default camera's aperture is not one of the cameras after it
+    const bool apertureWritten = std::exchange(camera.TiltLens.apertureWritten, false);
     if (!camera.TiltLens.given)
         return;
     if (camera.Type != PERSPECTIVE_CAMERA)
@@ -273,19 +292,19 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
                                        "Only the perspective camera has a lens; remove the block from the "
                                        "default camera.");
     camera.TiltLens.statement.aperture = camera.Aperture;
-    RequireConsistent(camera);
+    RequireConsistent(camera, apertureWritten);
     TakeFocalPoint(camera);
     TakeBlurSamples(camera);
 }
 
-void TiltLensParser::RequireConsistent(const Camera& camera)
+void TiltLensParser::RequireConsistent(const Camera& camera, bool apertureWritten)
 {
     const Statement& s = camera.TiltLens.statement;
     const TiltLensPlace& place = camera.TiltLens.place;
     if (s.focalLength && camera.Angle != HUGE_VAL)
         ErrorAt(place, "angle %g and focal_length %g in one camera: both set the angle of view. One is allowed; "
                        "remove angle or focal_length.", camera.Angle, *s.focalLength);
-    if (s.fStop && camera.Aperture != 0.0)
+    if (s.fStop && (camera.Aperture != 0.0 || apertureWritten))
         ErrorAt(place, "aperture %g and f_stop %g in one camera: both set the lens diameter. One is allowed; "
                        "remove aperture or f_stop.", camera.Aperture, *s.fStop);
     if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))

@@ -53,9 +53,10 @@ class TiltLensParser
     void ParseShift(tilt_lens::Statement& statement);
     void ParseBlades(tilt_lens::Statement& statement);
     void ParseFocalPlane(tilt_lens::Statement& statement);
+    void PlaneBrace(int brace, const char* sign);
     void ParseFocalPoints(tilt_lens::Statement& statement);
 
-    void RequireConsistent(const Camera& camera);
+    void RequireConsistent(const Camera& camera, bool apertureWritten);
     void TakeFocalPoint(Camera& camera);
     void TakeBlurSamples(Camera& camera);
 

@@ -16,8 +16,6 @@ using tilt_lens::Vec3;
 namespace
 {
 
-Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
-
 Vec3 TransformedPoint(const Vec3& p, const TRANSFORM* trans)
 {
     VECTOR v = {p.x, p.y, p.z};

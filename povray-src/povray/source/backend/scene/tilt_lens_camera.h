@@ -20,6 +20,8 @@ using namespace pov_base;
 
 class Camera;
 
+inline tilt_lens::Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
+
 /// A place in a scene file, for messages.
 struct TiltLensPlace
 {
@@ -31,6 +33,7 @@ struct TiltLensCamera
 {
     bool given = false;  ///< the camera has a `tilt_lens` block; all else is unused without
     bool open = false;   ///< the block belongs to the camera statement that is being parsed
+    bool apertureWritten = false;  ///< that statement has an `aperture`; its value may be the default, 0
     TiltLensPlace place; ///< of the block's first word
     tilt_lens::Statement statement;
 
