@@ -1,0 +1,34 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The front of a program: the least CPU time for each error, over all of its settings."""
+
+import math
+
+
+def pareto(points):
+    """(seconds, error) pairs that no other beats in both, the fastest first."""
+    front = []
+    for seconds, error in sorted(points):
+        if not front or error < front[-1][1]:
+            front.append((seconds, error))
+    return front
+
+
+def seconds_for(points, error):
+    """CPU seconds for an error, between settings by straight lines of logarithms. Where even the fastest
+    setting is better, its time; where none is as good, None."""
+    front = pareto(points)
+    if not front or front[-1][1] > error:
+        return None
+    if front[0][1] <= error:
+        return front[0][0]
+    for (fast, rough), (slow, fine) in zip(front, front[1:]):
+        if fine <= error:
+            share = math.log(rough/error)/math.log(rough/fine) if fine > 0 else 1.0
+            return fast*(slow/fast)**share
+    raise AssertionError("a front that ends below the error crosses it")
+
+
+def geometric_mean(values):
+    values = list(values)
+    return math.exp(sum(map(math.log, values))/len(values)) if values else None

@@ -1,0 +1,181 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What every part of the benchmark uses: programs, folders, measured runs that are kept, references."""
+
+import dataclasses
+import hashlib
+import json
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCENES = HERE / "scenes"
+PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # Form of scenes/camera.inc
+
+
+class Failed(Exception):
+    """A program of the benchmark did not do its work."""
+
+
+def digest(*parts):
+    """Short name of anything that can be written as JSON, or of bytes."""
+    made = hashlib.sha256()
+    for part in parts:
+        made.update(part if isinstance(part, bytes) else json.dumps(part, sort_keys=True).encode())
+    return made.hexdigest()[:20]
+
+
+def run_measured(command, cwd, low_priority=False):
+    """Runs a program to its end: its messages, CPU seconds (user and system), seconds by the clock."""
+    with open(os.path.join(cwd, "messages.txt"), "wb+") as messages:
+        started = time.monotonic()
+        process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=messages, cwd=cwd,
+                                   preexec_fn=(lambda: os.nice(10)) if low_priority else None)
+        _, status, usage = os.wait4(process.pid, 0)
+        seconds = time.monotonic() - started
+        process.returncode = os.waitstatus_to_exitcode(status)
+        messages.seek(0)
+        text = messages.read().decode(errors="replace")
+    if process.returncode != 0:
+        raise Failed(f"{' '.join(map(str, command))}\nended with {process.returncode}:\n{text[-3000:]}")
+    return text, usage.ru_utime + usage.ru_stime, seconds
+
+
+@dataclasses.dataclass(frozen=True)
+class Shot:
+    """One render: what is on the command line."""
+
+    scene: str
+    form: int
+    tilted: int = 0
+    size: tuple = (200, 150)
+    declare: tuple = ()         # (name, value) pairs
+    options: tuple = ()         # further options of the program
+    threads: int = 1
+
+    def arguments(self):
+        width, height = self.size
+        settings = (("Form", self.form), ("Tilted", self.tilted), *self.declare)
+        return [f"+I{SCENES / self.scene}.pov", f"+L{SCENES}", f"+W{width}", f"+H{height}", "-D", "-P",
+                "-C", "-A", f"+WT{self.threads}", *[f"Declare={name}={value}" for name, value in settings],
+                *self.options]
+
+    def sources(self):
+        """The scene with all that it includes from here."""
+        found, wanted = {}, [f"{self.scene}.pov"]
+        while wanted:
+            name = wanted.pop()
+            if name not in found and (SCENES / name).is_file():
+                found[name] = (SCENES / name).read_bytes()
+                wanted += re.findall(r'#include\s+"([^"]+)"', found[name].decode())
+        return b"".join(found[name] for name in sorted(found))
+
+
+@dataclasses.dataclass
+class Lab:
+    """Programs and folders of one run of the benchmark."""
+
+    ours: pathlib.Path
+    stock: pathlib.Path
+    tools: pathlib.Path         # folder with the benchmark's own tools
+    work: pathlib.Path
+    quick: bool = False
+
+    def __post_init__(self):
+        self.work.mkdir(parents=True, exist_ok=True)
+        self.hashes = {path: digest(path.read_bytes()) for path in (self.ours, self.stock)}
+        self.journal = self.work / "runs.jsonl"
+        self.runs = {}
+        if self.journal.is_file():
+            for line in self.journal.read_text().splitlines():
+                record = json.loads(line)
+                self.runs[record["key"], record["repetition"]] = record
+
+    def say(self, text):
+        print(text, flush=True)
+
+    def tool(self, name, *arguments):
+        done = subprocess.run([str(self.tools / name), *map(str, arguments)], capture_output=True,
+                              text=True, check=False)
+        if done.returncode != 0:
+            raise Failed(f"{name} {' '.join(map(str, arguments[:4]))} ...\nended with {done.returncode}:\n"
+                         f"{done.stderr[-2000:]}")
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
+    def render(self, program, shot, picture, low_priority=False):
+        """A linear 16-bit PNG; messages, CPU seconds, seconds."""
+        picture.parent.mkdir(parents=True, exist_ok=True)
+        picture.unlink(missing_ok=True)
+        command = [program, *shot.arguments(), f"+O{picture}", "+FN16", "File_Gamma=1.0"]
+        result = run_measured(command, picture.parent, low_priority)
+        if not picture.is_file():
+            raise Failed(f"{shot}: the program ended well but wrote no {picture}")
+        return result
+
+    def reference(self, shot, batches, samples):
+        """The picture that a camera should give: the mean of independent pictures of tilt_lens with the
+        same number of samples at every pixel. Made once for the same scene and settings."""
+        if shot.form == PINHOLE:     # a lens without width: as sharp, and sampled as well
+            shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
+        name = digest(shot.arguments()[2:], shot.sources(), batches, samples)
+        path = self.work / "references" / f"{shot.scene}-{name}.exr"
+        if path.is_file():
+            return path
+        self.say(f"  reference of {shot.scene}{' tilted' if shot.tilted else ''}: "
+                 f"{batches} times {samples} samples a pixel")
+        width, height = shot.size
+        pictures = []
+        for batch in range(8, 8*batches + 8, 8):
+            bordered = dataclasses.replace(
+                shot, size=(width + 2*batch, height + 2*batch), threads=2,
+                declare=(*shot.declare, ("Batch", batch), ("Min", samples), ("Max", samples),
+                         ("Variance", 0)),
+                options=(*shot.options, f"+SC{batch + 1}", f"+EC{batch + width}", f"+SR{batch + 1}",
+                         f"+ER{batch + height}"))
+            pictures.append(self.work / "references" / f"{path.stem}-{batch}.png")
+            self.render(self.ours, bordered, pictures[-1], low_priority=True)
+        unfinished = path.with_suffix(".part.exr")
+        self.tool("noise", "reference", unfinished, *pictures, "--size", width, height)
+        unfinished.rename(path)
+        for picture in pictures:
+            picture.unlink()
+        return path
+
+    def run(self, binary, shot, reference=None, repetition=0, limits=(), **about):
+        """A measured render, taken from the journal if it was made before. `about` goes into the record."""
+        key = digest(self.hashes[binary], shot.arguments()[1:], shot.sources(),
+                     str(reference.name if reference else ""), list(limits))
+        record = self.runs.get((key, repetition))
+        if record is None:
+            picture = self.work / "pictures" / f"{key}.png"
+            messages, cpu, seconds = self.render(binary, shot, picture)
+            record = {"key": key, "repetition": repetition, "cpu": round(cpu, 4),
+                      "seconds": round(seconds, 4), **samples_spent(messages)}
+            if reference and repetition == 0:
+                arguments = ["--limits", ",".join(map(str, limits))] if limits else []
+                figures, = self.tool("noise", "errors", reference, picture, *arguments)
+                record.update({name: value for name, value in figures.items() if name != "picture"})
+            picture.unlink()
+            self.keep(record)
+        return {**record, **about}
+
+    def keep(self, record):
+        self.runs[record["key"], record["repetition"]] = record
+        with self.journal.open("a") as journal:
+            journal.write(json.dumps(record) + "\n")
+
+    def start_up(self, program, shot):
+        """CPU seconds of a run that renders one pixel: start, parsing, end."""
+        one = dataclasses.replace(shot, options=(*shot.options, "+SC1", "+EC1", "+SR1", "+ER1"))
+        return statistics.median(self.run(program, one, repetition=i)["cpu"] for i in range(3))
+
+
+def samples_spent(messages):
+    """What the summary of a tilt_lens render says of samples per pixel."""
+    found = re.search(r"Samples per pixel\D+([\d.]+)\D+99\s?%\D*([\d.]+)\D+([\d.]+)", messages)
+    return {} if not found else dict(zip(("samples", "samples_99", "samples_most"), map(float, found.groups())))

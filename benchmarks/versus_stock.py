@@ -1,0 +1,68 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""tilt_lens against stock focal blur, untilted: CPU seconds at equal error."""
+
+import collections
+import math
+import statistics
+
+import suite
+from front import seconds_for
+from lab import STOCK, TILT_LENS, Shot
+
+
+def repetitions(cpu, quick):
+    """Short runs are repeated more often."""
+    return 1 if cpu > (3 if quick else 20) else 2 if quick else 3 if cpu < 5 else 2
+
+
+def first_runs(lab, scene, reference):
+    """Every setting once, the two programs in turn. Ours goes on until it is better than stock's best."""
+    stock = list(suite.stock_shots(scene.name, lab.quick))
+    chains = [collections.deque(chain) for chain in suite.ours_shots(scene.name, 0, lab.quick)]
+    done, finest = [], None
+    while stock or chains:
+        if stock:
+            name, shot = stock.pop(0)
+            record = lab.run(lab.stock, shot, reference, program="stock", setting=name, scene=scene.name)
+            finest = min(finest or 1.0, record["mse"])
+            done.append((lab.stock, shot, record))
+        for chain in list(chains):
+            name, shot = chain.popleft()
+            record = lab.run(lab.ours, shot, reference, program="tilt_lens", setting=name, scene=scene.name)
+            done.append((lab.ours, shot, record))
+            if not chain or (not stock and record["mse"] < finest) or record["mse"] < 0.5*finest:
+                chains.remove(chain)
+    return done
+
+
+def measure(lab, scene):
+    """Records of one scene; CPU seconds are medians over the repetitions, which are interleaved."""
+    lab.say(f"{scene.name}: stock focal blur and tilt_lens")
+    reference = lab.reference(Shot(scene.name, TILT_LENS), *scene.reference)
+    done = first_runs(lab, scene, reference)
+    start = {lab.stock: lab.start_up(lab.stock, Shot(scene.name, STOCK)),
+             lab.ours: lab.start_up(lab.ours, Shot(scene.name, TILT_LENS))}
+    times = collections.defaultdict(list)
+    for repetition in range(3):
+        for program, shot, record in done:
+            if repetition < repetitions(record["cpu"], lab.quick):
+                again = lab.run(program, shot, reference, repetition=repetition)
+                times[record["key"]].append(again["cpu"])
+    return [{**record, "cpu": statistics.median(times[record["key"]]), "runs": len(times[record["key"]]),
+             "start_up": start[program], "rmse": math.sqrt(record["mse"])} for program, _, record in done]
+
+
+def compare(records):
+    """One line a target: samples of stock, its error, the seconds of both for it."""
+    fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
+              for program in ("stock", "tilt_lens")}
+    lines = []
+    for target in suite.TARGETS:
+        found = [record for record in records if record["setting"] == str(target)]
+        if found:
+            error = found[0]["rmse"]
+            stock, ours = (seconds_for(fronts[program], error) for program in ("stock", "tilt_lens"))
+            lines.append({"target": target, "rmse": error, "stock": stock, "tilt_lens": ours,
+                          "ratio": stock/ours if ours else None})
+    return lines

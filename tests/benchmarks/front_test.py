@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The arithmetic behind the benchmark's ratios."""
+
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
+import versus_stock  # noqa: E402
+from front import geometric_mean, pareto, seconds_for  # noqa: E402
+
+
+class Front(unittest.TestCase):
+    POINTS = [(1.0, 0.1), (100.0, 0.01), (2.0, 0.2), (50.0, 0.05)]
+
+    def test_settings_that_another_beats_do_not_count(self):
+        self.assertEqual(pareto(self.POINTS), [(1.0, 0.1), (50.0, 0.05), (100.0, 0.01)])
+        self.assertEqual(pareto([(1.0, 0.1), (1.0, 0.05)]), [(1.0, 0.05)])
+
+    def test_between_settings_time_follows_a_power_of_the_error(self):
+        points = [(1.0, 0.1), (100.0, 0.01)]
+        self.assertAlmostEqual(seconds_for(points, 0.1), 1.0)
+        self.assertAlmostEqual(seconds_for(points, 0.01), 100.0)
+        self.assertAlmostEqual(seconds_for(points, 10**-1.5), 10.0)
+
+    def test_a_better_fastest_setting_costs_what_it_costs(self):
+        self.assertEqual(seconds_for(self.POINTS, 0.5), 1.0)
+
+    def test_an_error_that_is_not_reached_has_no_time(self):
+        self.assertIsNone(seconds_for(self.POINTS, 0.009))
+        self.assertIsNone(seconds_for([], 0.1))
+
+    def test_geometric_mean(self):
+        self.assertAlmostEqual(geometric_mean([1.0, 100.0]), 10.0)
+        self.assertIsNone(geometric_mean([]))
+
+
+class Comparison(unittest.TestCase):
+    @staticmethod
+    def record(program, setting, cpu, rmse):
+        return {"program": program, "setting": setting, "cpu": cpu, "rmse": rmse}
+
+    def test_stock_is_taken_at_its_best_setting_for_the_error(self):
+        records = [self.record("stock", "100", 10.0, 0.02), self.record("stock", "64,1600 0.001 0.9", 4.0, 0.02),
+                   self.record("tilt_lens", "8 0.001", 2.0, 0.02)]
+        line, = versus_stock.compare(records)
+        self.assertEqual((line["target"], line["rmse"], line["ratio"]), (100, 0.02, 2.0))
+
+    def test_an_error_that_tilt_lens_does_not_reach_is_no_ratio(self):
+        records = [self.record("stock", "100", 10.0, 0.02), self.record("tilt_lens", "8 0.001", 2.0, 0.03)]
+        self.assertIsNone(versus_stock.compare(records)[0]["ratio"])
+
+
+if __name__ == "__main__":
+    unittest.main()
