@@ -1,0 +1,45 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// configbase.h must always be the first POV file included within base *.cpp files
+#include "base/configbase.h"
+
+#include "base/file_list.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace tilt_lens
+{
+
+void ListFile(const std::string &name, bool found)
+{
+    static const char *const list = std::getenv("TILT_LENS_FILE_LIST");
+    if (list == nullptr || *list == '\0')
+        return;
+
+    const std::string entry = (found ? '+' : '-') + name;
+    static std::mutex mutex; // photons are loaded beside the parser
+    static std::set<std::string> listed;
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (!listed.insert(entry).second)
+        return;
+
+    std::ofstream stream(list, std::ios::app | std::ios::binary);
+    stream.write(entry.c_str(), static_cast<std::streamsize>(entry.size() + 1)); // with the zero byte
+    stream.close();
+    if (!stream)
+    {
+        // Not an exception: the first files are read before anybody could catch one.
+        std::fprintf(stderr, "povray: cannot write the list of files that TILT_LENS_FILE_LIST names: %s\n", list);
+        std::_Exit(EXIT_FAILURE);
+    }
+}
+
+}

@@ -1,0 +1,25 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file
+/// The list of files that a render depends on, for programs that must know when a picture is out of date.
+///
+/// Where the environment variable `TILT_LENS_FILE_LIST` names a file, every file that the program opens for
+/// reading is appended to it, and every one that it looked for and did not find: had that one been there, the
+/// picture could be another. Each entry is `+` (read) or `-` (missing), the name as it was used (relative to
+/// the current folder), and a zero byte, so that any name is possible. Each name is listed once a run.
+
+#ifndef POVRAY_TILT_LENS_FILE_LIST_H
+#define POVRAY_TILT_LENS_FILE_LIST_H
+
+#include <string>
+
+namespace tilt_lens
+{
+
+/// Lists `name`. A list that cannot be written ends the render with an error: a list with gaps is worse than none.
+void ListFile(const std::string &name, bool found);
+
+}
+
+#endif // POVRAY_TILT_LENS_FILE_LIST_H

@@ -1,0 +1,196 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What the tests of ./batch share: scenes, calls of the command, whole pictures to compare with."""
+
+import argparse
+import contextlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
+SETTINGS = argparse.Namespace(povray=None)
+sys.path.insert(0, str(REPOSITORY / "tools" / "batch"))
+
+# A tilt_lens scene; Samples sets what it costs, clock moves the ball.
+LENS = """#version 3.7;
+global_settings { assumed_gamma 1 }
+#ifndef (Tilt) #declare Tilt = 4; #end
+#ifndef (Samples) #declare Samples = 16; #end
+camera { location <0, 3, -6> look_at <0, 0, 1> angle 50 right x*image_width/image_height
+  tilt_lens { tilt Tilt f_stop 1 scene_unit 20 } blur_samples Samples, Samples variance 0 }
+light_source { <-4, 9, -5>, rgb 1 }
+sky_sphere { pigment { gradient y color_map { [0 rgb 0.7] [1 rgb <0.1, 0.2, 0.5>] } } }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
+sphere { <2*clock - 1, 0, 0>, 1 pigment { rgb <0.9, 0.4, 0.1> } finish { phong 0.6 } }
+"""
+
+# Stock camera, stock anti-aliasing: exact where bands are cut between POV-Ray's blocks.
+STOCK = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> look_at <0, 0, 1> angle 50 right x*image_width/image_height }
+light_source { <-4, 9, -5>, rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
+sphere { 0, 1 pigment { rgbt <0.9, 0.4, 0.1, 0.3> } }
+"""
+
+# About two seconds of one core for each of four bands.
+SLOW = ("+W192", "+H128", "Declare=Samples=400")
+
+
+def environment():
+    """The tests' own: no ini file, no POVINI, of whoever runs them."""
+    env = {name: value for name, value in os.environ.items() if name not in ("POVINI", "POVINC", "DISPLAY", "PARALLEL")}
+    return env
+
+
+def ordinary_user():
+    """Words before a command that make root an ordinary user, who cannot write everywhere."""
+    return ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"] if os.getuid() == 0 else []
+
+
+def processes(text):
+    """Numbers of running processes whose command line or current folder holds the text."""
+    found = []
+    for name in filter(str.isdigit, os.listdir("/proc")):
+        with contextlib.suppress(OSError):
+            words = pathlib.Path(f"/proc/{name}/cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            place = os.readlink(f"/proc/{name}/cwd")
+            if (text in words or text in place) and words and int(name) != os.getpid():
+                found.append((int(name), words))
+    return found
+
+
+def picture(path):
+    """Size, kind of values and hash of the decoded pixels."""
+    done = subprocess.run(["oiiotool", "--info", "--hash", str(path)], capture_output=True, text=True, errors="replace", check=False)
+    size = re.search(r": *(\d+) x *(\d+), (.*)", done.stdout)
+    digest = re.search(r"SHA-1: ([0-9A-F]{40})", done.stdout)
+    if done.returncode != 0 or not size or not digest:
+        raise AssertionError(f"{path} cannot be read: {done.stdout}{done.stderr}")
+    return int(size.group(1)), int(size.group(2)), size.group(3).strip(), digest.group(1)
+
+
+class BatchTest(unittest.TestCase):
+    """A test in a folder of its own, whose name holds a space and a quotation mark."""
+
+    longMessage = True
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="tilt lens' ")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.env = environment()
+
+    def scene(self, text, name="scene.pov"):
+        """Writes a scene."""
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return path
+
+    def words(self, *words):
+        """The command line of a call."""
+        return [str(REPOSITORY / "batch"), *map(str, words), "--povray", SETTINGS.povray]
+
+    def batch(self, *words, code=0, timeout=150, env=None, before=()):
+        """Calls ./batch; returns what it said."""
+        done = subprocess.run([*before, *self.words(*words)], cwd=self.folder, env=env or self.env, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout, check=False)
+        said = done.stdout.decode(errors="replace")
+        self.assertEqual(done.returncode, code, f"{words}\n{said}\n{self.logs()}")
+        return said
+
+    def start(self, *words):
+        """Starts ./batch in a process group of its own, as a terminal does."""
+        log = open(self.folder / "said", "wb")
+        self.addCleanup(log.close)
+        process = subprocess.Popen(self.words(*words), cwd=self.folder, env=self.env, stdin=subprocess.DEVNULL, stdout=log,
+                                   stderr=subprocess.STDOUT, start_new_session=True)
+        self.addCleanup(self.end, process)
+        return process
+
+    def end(self, process):
+        """Ends what a failed test has left."""
+        if process.poll() is None:
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+
+    def said(self):
+        """What the started call has said."""
+        return (self.folder / "said").read_text(errors="replace")
+
+    def logs(self):
+        """The ends of all logs, for a failed test."""
+        parts = []
+        for path in sorted(self.folder.rglob("*.batch/log/*")):
+            parts.append(f"== {path.name}\n{path.read_text(errors='replace')[-1500:]}")
+        return "\n".join(parts[-4:])
+
+    def until(self, what, condition, seconds=60):
+        """Waits for something to become so; returns what it became."""
+        end = time.monotonic() + seconds
+        while True:
+            value = condition()
+            if value:
+                return value
+            if time.monotonic() > end:
+                self.fail(f"waited {seconds} s in vain for {what}\n{self.logs()}")
+            time.sleep(0.05)
+
+    def working_povrays(self, work):
+        """Numbers of POV-Rays that have written a part of a unit, of the batch with this work folder."""
+        found = []
+        for pid, words in processes("/bin/povray"):
+            with contextlib.suppress(OSError):
+                place = pathlib.Path(os.readlink(f"/proc/{pid}/cwd"))
+                states = list(place.glob("*.pov-state"))
+                if place.parent == work / "units" and "setpriv" not in words and states and states[0].stat().st_size > 30000:
+                    found.append(pid)
+        return found
+
+    def whole(self, scene, target, *words):
+        """Renders a picture by one call of the program, as the witness."""
+        folder = target.parent / "whole"
+        folder.mkdir(exist_ok=True)
+        shutil.copy(scene, folder / "scene.pov")
+        command = [SETTINGS.povray, "+Iscene.pov", f"+O{target.name}", "-D", *words]
+        done = subprocess.run(command, cwd=folder, env=self.env, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr.decode(errors="replace")[-1500:])
+        return folder / target.name
+
+    def assert_same(self, path, whole):
+        """The same size, kind of values, and pixels; and not an empty picture."""
+        self.assertEqual(picture(path), picture(whole), str(path))
+        self.assertGreater(self.spread(whole), 0.05, "an empty picture shows nothing")
+
+    @staticmethod
+    def spread(path):
+        """Standard deviation of the values."""
+        done = subprocess.run(["oiiotool", str(path), "--printstats"], capture_output=True, text=True, check=True)
+        return max(float(n) for n in re.search(r"Stats StdDev: ([0-9. ]+)", done.stdout).group(1).split())
+
+    def records(self, work, state):
+        """Name -> contents of the records of a state."""
+        return {path.stem: json.loads(path.read_text()) for path in (work / state).glob("*.json")}
+
+    def assert_nothing_runs(self, text):
+        """No process of this batch is left."""
+        self.until("all processes to end", lambda: not [p for p, _ in processes(text)], 10)
+
+
+def main():
+    """Runs the tests of the calling module."""
+    arguments = argparse.ArgumentParser(add_help=False)
+    arguments.add_argument("--povray", required=True)
+    _, rest = arguments.parse_known_args(namespace=SETTINGS)
+    SETTINGS.povray = os.path.abspath(SETTINGS.povray)
+    unittest.main(module="__main__", argv=[sys.argv[0], *rest])
