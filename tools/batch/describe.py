@@ -1,0 +1,200 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Makes the description of a new batch, or takes up that of an earlier call where nothing has changed."""
+
+import math
+import os
+import pathlib
+import sys
+
+import key as keys
+import merge
+import plan
+import povray
+from probe import Probe
+from store import BatchError, read_json, sha256, write_json
+
+MESSAGE_LINES = 12
+
+
+def say(text):
+    """A remark for the user."""
+    print(text, file=sys.stderr)
+
+
+class Request:
+    """What the command line asks for, with everything in it looked up."""
+
+    def __init__(self, settings, words):
+        self.settings = settings
+        folder = os.getcwd()
+        program = os.path.realpath(settings.povray)
+        repository = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+        self.inputs = plan.Inputs(settings.scene, folder, words, program, repository)
+        self.kind = settings.kind
+        self.extension = self.picture_kind()
+        self.threads = self.inputs.options.threads or 1
+        stem = os.path.splitext(os.path.basename(self.inputs.scene))[0]
+        self.sets = plan.parse_sets(settings.set) if self.kind == "sweep" else []
+        self.frames = settings.frames if self.kind == "film" else 1
+        self.place(folder, stem)
+        self.pictures = plan.pictures(self.kind, self.stem, self.extension, self.frames, self.sets)
+        self.program = program
+
+    def picture_kind(self):
+        """png or exr, from +F or the name of the output, which must agree."""
+        asked = self.inputs.options.kind
+        named = None
+        if self.kind == "still" and self.settings.output:
+            named = os.path.splitext(self.settings.output)[1].lower().lstrip(".")
+            if named not in ("png", "exr"):
+                raise BatchError(f"--output {self.settings.output!r}: a still is a .png or an .exr file.")
+        if asked and named and asked != named:
+            raise BatchError(f"--output {self.settings.output!r} is not of the kind that the option +F asks for ({asked}).")
+        return asked or named or "png"
+
+    def place(self, folder, stem):
+        """Output folder, stem of the pictures' names, work folder."""
+        default = {"still": f"{stem}.{self.extension}", "film": f"{stem}_film", "sweep": f"{stem}_sweep"}[self.kind]
+        output = os.path.join(folder, self.settings.output or default)
+        self.stem = stem
+        if self.kind == "still":
+            self.stem = os.path.splitext(os.path.basename(output))[0]
+            self.output = os.path.dirname(output)
+        else:
+            self.output = output
+        self.work = os.path.join(folder, self.settings.work or output.rstrip("/") + ".batch")
+
+    def key(self):
+        """The part of the key that is known before the scene was looked at."""
+        return {"format": 1, "kind": self.kind, "scene": self.inputs.scene, "folder": self.inputs.folder,
+                "options": self.inputs.words, "libraries": self.inputs.libraries, "extension": self.extension,
+                "version": povray.version(self.program), "program": sha256(self.program), "pictures": self.pictures}
+
+    def changeable(self):
+        """What may be another in each call without another pixel."""
+        return {"threads": self.threads, "retries": self.settings.retries, "program": self.program,
+                "output": self.output, "tasks": [], "on": self.settings.on}
+
+    def description(self):
+        """The description as far as it is known."""
+        return {"key": self.key(), "input": keys.Links.UP + self.inputs.file, "searched": self.inputs.searched,
+                "kind_option": "" if self.inputs.options.kind else {"png": "+FN", "exr": "+FE"}[self.extension],
+                "frames": self.frames, "links": self.inputs.links.targets, "sets": self.sets,
+                "sheet": f"{self.stem}_sheet.png", **self.changeable()}
+
+
+def take_up(work, request, stored):
+    """The stored description, where everything in its key is as it was."""
+    old, new = stored["key"], request.key()
+    new["bands"] = old["bands"] if not request.settings.bands else plan.cut_bands(old["size"][1], request.settings.bands)
+    changes = [*keys.changed_settings(old, new), *keys.changed_files(old["files"], old["missing"]), *changed_by_units(work, stored)]
+    if changes:
+        more = [f"... and {len(changes) - MESSAGE_LINES} more"] if len(changes) > MESSAGE_LINES else []
+        raise BatchError("\n  ".join([
+            f"the work folder {str(work.folder)!r} belongs to a batch that was another:", *changes[:MESSAGE_LINES], *more])
+            + "\nUndo the change, give another --output or --work, or start over with --anew.")
+    stored.update(request.changeable())
+    stored["stamps"] = {path: keys.file_stamp(path) for path in old["files"]}
+    return stored
+
+
+def changed_by_units(work, stored):
+    """Changes in files that only some units read, such as an include file of one frame."""
+    known = {}
+    for name in sorted(work.names("done")):
+        record = read_json(work.record("done", name)) or {"read": {}, "missing": []}
+        for path, digest in record["read"].items():
+            if known.setdefault(path, digest) != digest:
+                yield f"file {path!r} was not the same for all units"
+        yield from keys.changed_files(record["read"], record["missing"])
+
+
+def begin(work, request, engine):
+    """A new batch: look at the scene, choose the bands."""
+    description = request.description()
+    key = description["key"]
+    work.make()
+    request.inputs.write(work)
+    probe = Probe(work, description, key["pictures"][0])
+    key["size"] = probe.picture_size()
+    estimate, bands = choose_bands(request, probe, key["size"], engine)
+    key["bands"] = plan.cut_bands(key["size"][1], bands)
+    key["files"] = keys.hashes(probe.read) | request.inputs.own_files()
+    key["missing"] = sorted(probe.missing | set(request.inputs.missing))
+    description["estimate"] = estimate
+    description["hash"] = keys.key_hash(key)
+    description["stamps"] = {path: keys.file_stamp(path) for path in key["files"]}
+    write_json(work.description, description)
+    return description
+
+
+def choose_bands(request, probe, size, engine):
+    """Bands of each picture: as asked, or as many as keep the workers busy while each is worth its start."""
+    asked, count = request.settings.bands, len(request.pictures)
+    if asked == 1:
+        return {"picture": 0.0, "start": 0.6}, 1
+    estimate = probe.estimate(size)
+    blocks = -(-size[1] // plan.BLOCK)
+    worth = max(plan.SECONDS_A_TASK, 10 * estimate["start"])
+    parallel = engine.workers(request.settings, request.threads)
+    bands = asked or max(1, min(math.ceil(4 * parallel / count), int(estimate["picture"] / worth), blocks))
+    say(f"about {estimate['picture'] * count / request.threads / 60:.1f} minutes of one core in all, "
+        f"{estimate['start']:.1f} s for each start of POV-Ray; {bands} band{'s' if bands > 1 else ''} a picture")
+    if bands > 1 and (probe.radiosity() or probe.seam(size, bands <= blocks)):
+        why = "radiosity" if probe.radiosity() else "the rows that are rendered with them (jitter of an area light, for example)"
+        if asked:
+            raise BatchError(f"the pixels of this scene depend on {why}, so bands would not fit together. Use --bands 1; "
+                             "films and sweeps still go side by side, picture by picture.")
+        say(f"The pixels of this scene depend on {why}: the picture is not cut into bands.")
+        bands = 1
+    return estimate, bands
+
+
+def refuse_foreign(work):
+    """A folder with other things in it is no work folder: nothing is written there, nothing removed."""
+    if work.folder.exists():
+        foreign = sorted(set(os.listdir(work.folder)) - work.names_in_it())
+        if foreign:
+            raise BatchError(f"{str(work.folder)!r} is not the work folder of a batch (it holds {foreign[0]!r}); give another "
+                             "with --work.")
+
+
+def open_batch(work, request, engine):
+    """The batch to work on."""
+    stored = read_json(work.description)
+    if stored is None or request.settings.anew:
+        work.clear()
+        return begin(work, request, engine)
+    stored = take_up(work, request, stored)
+    work.make()
+    request.inputs.write(work)
+    drop_lost(work, stored)
+    return stored
+
+
+def drop_lost(work, description):
+    """Forgets records whose files are gone: pictures that were moved away, parts that a disk has lost."""
+    bands = len(description["key"]["bands"])
+    for state in ("failed", "running"):
+        for name in work.names(state):
+            work.record(state, name).unlink(missing_ok=True)
+    done = work.names("done")
+    merged = work.names("merged")
+    for picture in range(len(description["key"]["pictures"])):
+        if f"{picture:05d}" in merged:
+            if merge.is_merged(work, description, picture):
+                continue
+            work.record("merged", f"{picture:05d}").unlink()
+        for name in (plan.unit_name(picture * bands + band, bands) for band in range(bands)):
+            if name in done and not unit_is_there(work, name):
+                work.record("done", name).unlink()
+
+
+def unit_is_there(work, name):
+    """Whether a done unit's files have the sizes that were recorded."""
+    record = read_json(work.record("done", name))
+    if record is None:
+        return False
+    paths = [(pathlib.Path(work.unit(name)) / told["file"], told["bytes"]) for told in record["files"].values()]
+    return all(path.is_file() and path.stat().st_size == size for path, size in paths)

@@ -1,0 +1,114 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The key of a batch: all that its pixels depend on, and what has changed when it does not fit.
+
+POV-Ray lists every file that it reads and every one that it looks for in vain (TILT_LENS_FILE_LIST). The key holds
+those of the first render with a hash of each; each unit's record holds those that it needed besides, such as an
+include file of one frame. So a part is used again only where every file is as it was, and none has appeared where
+POV-Ray looked first.
+"""
+
+import hashlib
+import json
+import os
+
+from store import BatchError, sha256
+
+
+class Links:
+    """Names under inputs/ and where they lead: POV-Ray sees only these, whatever the user's paths hold."""
+
+    UP = "../../inputs/"  # as seen from a unit's folder
+
+    def __init__(self, targets):
+        self.targets = dict(targets)
+
+    def make(self, folder):
+        """Makes the links, anew where they lead elsewhere."""
+        for name, target in self.targets.items():
+            link = folder / name
+            if link.is_symlink() and os.readlink(link) == target:
+                continue
+            if link.is_symlink() or link.exists():
+                link.unlink()
+            link.symlink_to(target)
+
+    def real(self, name):
+        """The user's path of a name that POV-Ray used; None for a file in the unit's own folder. Symbolic links of
+        the user's stay as they are: where one is turned to another file, the path's contents change."""
+        if name.startswith(self.UP):
+            link, _, rest = name[len(self.UP):].partition("/")
+            if link in self.targets:
+                return self.targets[link] + ("/" + rest if rest else "")
+            return None
+        return name if os.path.isabs(name) else None
+
+
+def listed_files(path, links):
+    """The user's files in POV-Ray's list: those read and those missing."""
+    try:
+        entries = path.read_bytes().split(b"\0")
+    except FileNotFoundError:
+        raise BatchError("the program does not list the files that it reads (TILT_LENS_FILE_LIST): it is not this "
+                         "project's povray.") from None
+    read, missing = set(), set()
+    for entry in filter(None, entries):
+        name = links.real(os.fsdecode(entry[1:]))
+        if name is not None:
+            (read if entry[:1] == b"+" else missing).add(name)
+    return read, missing - read
+
+
+def file_stamp(path):
+    """Size and time of change: while these stay, the hash need not be taken again."""
+    state = os.stat(path)
+    return [state.st_size, state.st_mtime_ns, state.st_ino]
+
+
+def hashes(paths):
+    """Path -> SHA-256."""
+    return {path: sha256(path) for path in sorted(paths)}
+
+
+def key_hash(key):
+    """The one number that stands for the key."""
+    return hashlib.sha256(json.dumps(key, sort_keys=True).encode()).hexdigest()
+
+
+def changed_files(files, missing):
+    """What a user should read about files that are no longer as they were; a line for each."""
+    for path, old in sorted(files.items()):
+        try:
+            new = sha256(path)
+        except OSError as error:
+            yield f"file {path!r} cannot be read any more ({error.strerror})"
+            continue
+        if new != old:
+            yield f"file {path!r} has changed"
+    for path in sorted(missing):
+        if os.path.exists(path):
+            yield f"file {path!r} is there now, and would be found before the one that was used"
+
+
+TEXTS = {
+    "kind": "kind of batch", "scene": "scene", "folder": "current folder", "options": "options of POV-Ray",
+    "version": "version of povray", "program": "program povray (its bytes; was it built anew?)",
+    "pictures": "pictures (frames, or values of --set)", "bands": "bands", "extension": "kind of picture",
+    "libraries": "folders of include files",
+}
+
+
+def short(value):
+    """A value in a message."""
+    text = value if isinstance(value, str) else json.dumps(value)
+    return text if len(text) <= 120 else f"{text[:100]}... ({len(text)} characters)"
+
+
+def changed_settings(old, new):
+    """The same for all of the key but the files."""
+    for name, text in TEXTS.items():
+        if old.get(name) != new.get(name):
+            was, now = old.get(name), new.get(name)
+            if name in ("pictures", "bands"):
+                was, now = f"{len(was)} ({short(was)})", f"{len(now)} ({short(now)})"
+            yield f"{text}: was {short(was)}, is {short(now)}"

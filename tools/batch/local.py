@@ -1,0 +1,57 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Runs tasks on this machine with GNU parallel, one worker a core."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import povray
+from store import BatchError
+
+
+def workers(settings, threads):
+    """How many POV-Rays at once."""
+    return settings.workers or max(1, len(os.sched_getaffinity(0)) // threads)
+
+
+def check():
+    """Says what is missing before anything is started."""
+    if shutil.which("parallel") is None:
+        raise BatchError("GNU parallel is missing (Debian package parallel).")
+
+
+def run(work, description, tasks, settings, progress):
+    """Does the tasks; returns when all have ended. Every process ends with its parent, down to POV-Ray: a Ctrl-C, or
+    even the death of this process, leaves nothing running."""
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "batch.py")
+    count = workers(settings, description["threads"])
+    # parallel's shell gives way to the worker, whose parent is then parallel itself. Names that hold anything
+    # reach it through the environment.
+    command = ["parallel", "--will-cite", "--no-notice", f"-j{count}", "--retries", str(1 + settings.retries), "--halt", "never",
+               'exec setpriv --pdeathsig KILL "$BATCH_PYTHON" -B "$BATCH_SCRIPT" task "$BATCH_WORK" {}']
+    env = dict(os.environ, BATCH_PYTHON=sys.executable, BATCH_SCRIPT=script, BATCH_WORK=str(work.folder),
+               PARALLEL_SHELL="/bin/sh", SHELL="/bin/sh")
+    env.pop("PARALLEL", None)
+    with open(work.logs / "parallel.log", "ab") as log:
+        process = subprocess.Popen(povray.ending_with_parent(command), stdin=subprocess.PIPE, stdout=log, stderr=log,
+                                   env=env, start_new_session=True)
+        try:
+            process.stdin.write("".join(f"{task}\n" for task in tasks).encode())
+            process.stdin.close()
+            while process.poll() is None:
+                progress.show()
+                time.sleep(0.2)
+        except BaseException:
+            end(process)
+            raise
+
+
+def end(process):
+    """Ends parallel; the kernel ends its workers and their POV-Rays with it."""
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    time.sleep(0.3)  # for the last of them to be gone before the user reads that all has stopped

@@ -1,0 +1,142 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Runs POV-Ray on a part of a picture, and keeps its state file fit to continue from."""
+
+import os
+import re
+import shutil
+import struct
+import subprocess
+
+from store import BatchError, boot, read_json, write_json
+
+PICTURE = "picture"  # stem of what POV-Ray writes in a unit's folder
+PAGE = 4096
+STATE_HEADER = 512
+
+
+def ending_with_parent(command):
+    """The command as one that the kernel kills when this process dies, so that none is left behind."""
+    return ["setpriv", "--pdeathsig", "KILL", *command]
+
+
+def version(program):
+    """What `povray --version` says in its first lines."""
+    try:
+        done = subprocess.run([program, "--version"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, check=True, timeout=60)
+    except (OSError, subprocess.SubprocessError) as error:
+        raise BatchError(f"cannot run {program!r}: {error}") from None
+    lines = [line.strip() for line in done.stdout.decode(errors="replace").splitlines()]
+    told = [line for line in lines if line.startswith(("POV-Ray 3", "Persistence", "povray-tilt-lens"))]
+    return " / ".join(told) or lines[0]
+
+
+def arguments(description, picture, rows, size=None):
+    """POV-Ray's arguments for some rows of a picture; `size` for a small version of it."""
+    key = description["key"]
+    words = [*key["options"], *picture["options"]]
+    words += [f"+I{description['input']}", *(f"+L../../inputs/{name}" for name in description["searched"])]
+    if size:
+        words += [f"+W{size[0]}", f"+H{size[1]}"]
+    words += [f"+SR{rows[0]}", f"+ER{rows[1]}", f"+O{PICTURE}.{key['extension']}", f"+WT{description['threads']}",
+              "-D", "-P", "Output_to_File=on"]
+    if description["kind_option"]:
+        words.append(description["kind_option"])
+    frame, last = picture["frame"], description["frames"]
+    if last > 1:
+        words += [f"+KFI1 +KFF{last} +SF{frame} +EF{frame}".split(), ]
+        return [*words[:-1], *words[-1]]
+    return [*words, "+KFI1", "+KFF1"]
+
+
+def environment():
+    """The user's, with the batch's ini file and list."""
+    env = dict(os.environ, POVINI="../../inputs/povray.ini", TILT_LENS_FILE_LIST="files")
+    env.pop("DISPLAY", None)
+    return env
+
+
+def state_file(folder):
+    """What POV-Ray would continue from, or None."""
+    return next(iter(sorted(folder.glob(f"{PICTURE}*.pov-state"))), None)
+
+
+def whole_messages(data, trusted):
+    """How many bytes of a state file are whole messages. Where the machine stopped since (not `trusted`), pages
+    that never reached the disk read as zeros: nothing behind the first such page is kept."""
+    end = len(data)
+    if not trusted:
+        pages = (at for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE)
+                 if not any(data[max(at, STATE_HEADER):at + PAGE]))
+        end = next(pages, end)
+    if end < STATE_HEADER or not data.startswith(b"POV-Ray Render State File"):
+        return 0
+    at = STATE_HEADER
+    while at + 20 <= end and data[at:at + 8] == b"POVRAYMS":
+        size = struct.unpack(">i", data[at + 12:at + 16])[0]
+        if size <= 0 or at + 20 + size > end:
+            break
+        at += 20 + size
+    return at
+
+
+def prepare_state(folder):
+    """Cuts the state file to what can be relied on; returns whether there is something to continue from."""
+    path = state_file(folder)
+    if path is None:
+        return False
+    data = path.read_bytes()
+    whole = whole_messages(data, read_json(folder / "boot.json") == boot())
+    if whole <= STATE_HEADER:
+        path.unlink()
+        return False
+    if whole < len(data):
+        os.truncate(path, whole)
+    return True
+
+
+def clear_output(folder, also_state=False):
+    """Removes what an earlier try left: a picture whose writing was cut short looks finished to POV-Ray."""
+    for path in folder.glob(f"{PICTURE}*"):
+        if also_state or path.suffix != ".pov-state":
+            path.unlink()
+
+
+def start(description, folder, words, log, lock=None):
+    """Starts POV-Ray in the folder. It inherits the unit's lock, so that no other try can begin beside it."""
+    write_json(folder / "boot.json", boot())
+    with open(log, "ab") as stream:
+        return subprocess.Popen(ending_with_parent([description["program"], *words]), cwd=folder, env=environment(),
+                                stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
+                                pass_fds=[lock] if lock is not None else [])
+
+
+def outputs(folder):
+    """The pictures in the folder: rest of the name behind "picture" and frame number -> file."""
+    found = {}
+    for path in sorted(folder.glob(f"{PICTURE}*")):
+        if path.suffix in (".png", ".exr"):
+            found[re.sub(rf"^{PICTURE}\d*", "", path.name)] = path
+    return found
+
+
+def image_info(path):
+    """Size, channels and hash of the decoded pixels, by reading all of the file."""
+    done = subprocess.run(["oiiotool", "--info", "--hash", path.name], cwd=path.parent, stdin=subprocess.DEVNULL,
+                          capture_output=True, check=False)
+    text = done.stdout.decode(errors="replace")
+    size = re.search(r":\s*(\d+) x\s*(\d+), (\d+) channel, (.*)", text)
+    pixels = re.search(r"SHA-1: ([0-9A-F]{40})", text)
+    if done.returncode != 0 or not size or not pixels or done.stderr.strip():
+        said = (done.stderr.decode(errors="replace") + text).strip()
+        raise BatchError(f"{path.name} cannot be decoded: {said[-300:]}")
+    return {"size": [int(size.group(1)), int(size.group(2))], "channels": int(size.group(3)),
+            "form": size.group(4).strip(), "pixels": pixels.group(1)}
+
+
+def needed_programs():
+    """Says which program a machine lacks."""
+    for name, package in (("setpriv", "util-linux"), ("oiiotool", "openimageio-tools")):
+        if shutil.which(name) is None:
+            raise BatchError(f"{name} is missing on {os.uname().nodename} (Debian package {package}).")

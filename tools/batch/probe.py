@@ -1,0 +1,105 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The first look at a scene: does it parse, which files does it read, how large is the picture, how long will it take,
+and do its pixels depend on the rows that are rendered with them?
+
+Only the last question needs more than one small render. Radiosity and stock's jittered area lights do depend on
+them; the samples of a tilt_lens picture never do.
+"""
+
+import re
+import time
+
+import key as keys
+import merge
+import povray
+from store import BatchError
+
+SMALL_ROWS = 64
+SMALL_COLUMNS = 128
+
+
+class Probe:
+    """Small renders in folders of their own, one after another."""
+
+    def __init__(self, work, description, picture):
+        self.work, self.description, self.picture = work, description, picture
+        self.read, self.missing = set(), set()
+
+    def render(self, name, rows, size=None):
+        """Renders rows; returns the folder, the log's text and the seconds it took."""
+        folder = self.work.probe / name
+        folder.mkdir(parents=True, exist_ok=True)
+        povray.clear_output(folder, also_state=True)
+        (folder / "files").unlink(missing_ok=True)
+        log = folder / "log"
+        log.unlink(missing_ok=True)
+        begun = time.monotonic()
+        words = povray.arguments(self.description, self.picture, rows, size)
+        if size is None:
+            words += ["+SC1", "+EC2"]
+        process = povray.start(self.description, folder, [*words, "-C"], log)
+        status = process.wait()
+        seconds = time.monotonic() - begun
+        text = log.read_text(encoding="utf-8", errors="replace")
+        if status != 0:
+            raise BatchError(f"POV-Ray cannot render the scene (exit code {status}); nothing was started. It said:\n"
+                             + told(text) + f"\n(all of it: {log})")
+        read, missing = keys.listed_files(folder / "files", keys.Links(self.description["links"]))
+        self.read |= read
+        self.missing |= missing
+        return folder, text, seconds
+
+    def picture_size(self):
+        """Size of the whole picture, from two pixels of it; its parse reads the files that the key names."""
+        folder, _, _ = self.render("whole", (1, 2))
+        return povray.image_info(self.output(folder))["size"]
+
+    def output(self, folder):
+        """The picture in the folder."""
+        return povray.outputs(folder)["." + self.description["key"]["extension"]]
+
+    def small_size(self, size):
+        """A small version with the same proportions, near enough for an estimate."""
+        rows = min(SMALL_ROWS, size[1])
+        return [max(2, min(SMALL_COLUMNS, round(size[0] * rows / size[1]))), rows]
+
+    def estimate(self, size):
+        """Seconds for one whole picture, and seconds that each start of POV-Ray costs besides (parsing, photons)."""
+        small = self.small_size(size)
+        self.small = self.render("small", (1, small[1]), small)
+        folder, text, seconds = self.small
+        traced = trace_seconds(text)
+        return {"picture": traced * size[0] * size[1] / (small[0] * small[1]),
+                "start": max(0.1, seconds - traced * self.description["threads"])}
+
+    def seam(self, size, aligned):
+        """Whether the small picture changes when it is cut in two, as it would be in bands."""
+        small = self.small_size(size)
+        cut = 32 if aligned else 19
+        if small[1] <= cut or re.search(r"^Tilt Lens Sampling", self.small[1], re.MULTILINE):
+            return False
+        halves = [(1, cut), (cut + 1, small[1])]
+        paths = [str(self.output(self.render(name, rows, small)[0]).relative_to(self.work.probe))
+                 for name, rows in zip(("upper", "lower"), halves)]
+        joined = self.work.probe / f"joined.{self.description['key']['extension']}"
+        merge.join(self.work.probe, list(zip(paths, halves)), small[0], joined)
+        return povray.image_info(joined)["pixels"] != povray.image_info(self.output(self.small[0]))["pixels"]
+
+    def radiosity(self):
+        """Whether the scene uses radiosity, as POV-Ray's statistics tell."""
+        return bool(re.search(r"^Radiosity", self.small[1], re.MULTILINE))
+
+
+def trace_seconds(text):
+    """"Trace Time" of the statistics."""
+    found = re.findall(r"Trace Time:.*?\(([0-9.]+) seconds\)", text)
+    return float(found[-1]) if found else 0.0
+
+
+def told(text):
+    """The lines of a failed render that say why."""
+    lines = [line for line in text.replace("\r", "\n").splitlines() if line.strip()]
+    errors = [i for i, line in enumerate(lines) if re.search(r"error", line, re.IGNORECASE)]
+    first = max(0, errors[0] - 4) if errors else -8
+    return "\n".join("  " + line for line in lines[first:][:14])

@@ -1,0 +1,126 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What is done, running, failed; the line that tells it; the summary."""
+
+import os
+import sys
+import time
+
+from plan import unit_name
+from store import read_json
+
+
+def span(seconds):
+    """A length of time for people."""
+    seconds = int(round(seconds))
+    if seconds < 90:
+        return f"{seconds} s"
+    if seconds < 5400:
+        return f"{seconds / 60:.0f} min"
+    return f"{seconds / 3600:.1f} h"
+
+
+class State:
+    """Where the batch stands, from four listings of folders."""
+
+    def __init__(self, work, description):
+        bands = len(description["key"]["bands"])
+        pictures = len(description["key"]["pictures"])
+        self.units = [unit_name(n, bands) for n in range(pictures * bands)]
+        merged = {int(name) for name in work.names("merged")}
+        done = work.names("done")
+        self.done = {name for i, name in enumerate(self.units) if i // bands in merged or name in done}
+        self.failed = work.names("failed") - self.done
+        self.running = work.names("running") - self.done
+        self.merged, self.pictures = len(merged), pictures
+
+    def missing(self):
+        """Numbers of the units that are neither done nor failed."""
+        return [n for n, name in enumerate(self.units) if name not in self.done and name not in self.failed]
+
+
+class Progress:
+    """One line about the whole batch: overwritten on a terminal, a new one now and then elsewhere."""
+
+    def __init__(self, work, description, quiet=False):
+        self.work, self.description, self.quiet = work, description, quiet
+        self.begun = time.monotonic()
+        self.at_begin = len(State(work, description).done)
+        self.terminal = sys.stderr.isatty()
+        self.last_text, self.last_time = "", 0.0
+
+    def time_left(self, state):
+        """From the pace of this run; before the first unit is done, nothing."""
+        finished = len(state.done) - self.at_begin
+        if finished <= 0:
+            return ""
+        pace = (time.monotonic() - self.begun) / finished
+        return f", {span(pace * (len(state.units) - len(state.done)))} left"
+
+    def text(self):
+        """The line."""
+        state = State(self.work, self.description)
+        what = "bands" if len(self.description["key"]["bands"]) > 1 else "pictures"
+        left = self.time_left(state) if len(state.done) < len(state.units) else ""
+        return (f"{len(state.done)} of {len(state.units)} {what} done, {len(state.running)} running, "
+                f"{len(state.failed)} failed{left}")
+
+    def show(self, final=False):
+        """Tells where the batch stands."""
+        now = time.monotonic()
+        pause = 1.0 if self.terminal else 30.0
+        if self.quiet or (not final and now - self.last_time < pause):
+            return
+        text = self.text()
+        self.last_time = now
+        if self.terminal:
+            columns = os.get_terminal_size(sys.stderr.fileno()).columns
+            sys.stderr.write(f"\r\033[K{text[:columns - 1]}" + ("\n" if final else ""))
+        elif text != self.last_text:
+            sys.stderr.write(text + "\n")
+        sys.stderr.flush()
+        self.last_text = text
+
+
+def log_end(path, lines=6):
+    """The last lines of a log."""
+    try:
+        with open(path, "rb") as stream:
+            stream.seek(max(0, os.path.getsize(path) - 20000))
+            text = stream.read().decode(errors="replace")
+    except OSError as error:
+        return [f"(no log: {error.strerror})"]
+    kept = [line for line in text.replace("\r", "\n").splitlines() if line.strip()]
+    return kept[-lines:]
+
+
+def failures(work, description):
+    """What failed, each with the end of its log."""
+    for name in sorted(State(work, description).failed):
+        record = read_json(work.record("failed", name)) or {}
+        yield f"failed: {record.get('picture', name)!r} rows {record.get('rows')}: {record.get('reason')}"
+        yield f"  log: {record.get('log')}"
+        yield from ("  | " + line for line in log_end(record.get("log", "")))
+
+
+def times(work, description):
+    """Seconds of POV-Ray and repeated tries in the records that are left."""
+    seconds = tries = 0
+    for name in State(work, description).units:
+        record = read_json(work.record("done", name))
+        if record:
+            seconds += record["seconds"]
+            tries += record["try"] - 1
+    return seconds, tries
+
+
+def summary(work, description, elapsed):
+    """The closing lines."""
+    state = State(work, description)
+    seconds, tries = times(work, description)
+    missing = len(state.units) - len(state.done)
+    yield (f"{state.merged} of {state.pictures} pictures in {description['output']!r}"
+           if state.pictures > 1 else f"{state.merged} of 1 picture")
+    yield (f"{len(state.done)} of {len(state.units)} units done, {len(state.failed)} failed, "
+           f"{missing - len(state.failed)} not finished; {tries} tries repeated")
+    yield f"time {span(elapsed)} in this run; {span(seconds)} of povray in all"

@@ -1,0 +1,73 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The contact sheet of a sweep: every picture small, with its values under it."""
+
+import math
+import os
+import pathlib
+
+import merge
+import povray
+from store import sync_file
+
+THUMB = 320  # columns of a picture on the sheet
+STRIP = 26  # rows for the label
+
+
+def columns(sets, count):
+    """With two or more parameters a row for each value of the others, a column for each of the last; with one, a
+    sheet that is a little wider than tall."""
+    if len(sets) > 1:
+        return len(sets[-1][1])
+    return math.ceil(math.sqrt(count))
+
+
+def thumb(work, link, target, size, label):
+    """One small picture with its label. Pictures of linear values are shown as a screen needs them."""
+    width, height = size
+    words = [link, "--ch", "R,G,B"]
+    if link.endswith(".exr"):
+        words += ["--colorconvert", "linear", "sRGB", "--clamp:min=0:max=1"]
+    words += ["--resize", f"{width}x{height}", "--pattern", "constant:color=0.12,0.12,0.12", f"{width}x{height + STRIP}", "3",
+              "--paste", "+0+0",
+              f"--text:x=8:y={height + 18}:size=15:font=../inputs/font.ttf:color=0.9,0.9,0.9", label,
+              "-d", "uint8", "-o", target]
+    merge.oiiotool(work.folder / "sheet", words)
+
+
+def font_file(program):
+    """POV-Ray's own sans serif font."""
+    prefix = pathlib.Path(os.path.realpath(program)).parent.parent
+    return str(prefix / "share" / "povray-3.7" / "include" / "cyrvetic.ttf")
+
+
+def make(work, description):
+    """Writes the sheet beside the pictures; returns its name."""
+    folder = work.folder / "sheet"
+    folder.mkdir(exist_ok=True)
+    font = work.inputs / "font.ttf"
+    font.unlink(missing_ok=True)
+    font.symlink_to(font_file(description["program"]))
+    width, height = description["key"]["size"]
+    size = [min(THUMB, width), max(1, round(height * min(THUMB, width) / width))]
+    names = []
+    for i, picture in enumerate(description["key"]["pictures"]):
+        link = folder / f"in{i:05d}.{description['key']['extension']}"
+        link.unlink(missing_ok=True)
+        link.symlink_to(os.path.join(description["output"], picture["name"]))
+        names.append(f"out{i:05d}.png")
+        thumb(work, link.name, names[-1], size, label_that_fits(picture["label"], size[0]))
+    across = min(len(names), columns(description["sets"], len(names)))
+    down = -(-len(names) // across)
+    merge.oiiotool(folder, [*names, "--mosaic:pad=6", f"{across}x{down}", "-o", "sheet.png"])
+    sync_file(folder / "sheet.png")
+    povray.image_info(folder / "sheet.png")
+    target = pathlib.Path(description["output"]) / description["sheet"]
+    merge.deliver(folder / "sheet.png", target)
+    return target
+
+
+def label_that_fits(label, width):
+    """A label too long for its picture loses its end rather than running into the next one."""
+    most = max(4, (width - 16) // 8)
+    return label if len(label) <= most else label[:most - 3] + "..."

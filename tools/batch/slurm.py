@@ -1,0 +1,143 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Runs tasks on a Slurm cluster: a job array, and a job that depends on it and finishes the batch."""
+
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+
+from store import BatchError, read_json, write_json, write_text
+
+PATIENCE = 600  # seconds that a silent controller is waited for
+SCRIPT = """#!/bin/sh
+# Written by batch; one task of the array, or the last step.
+exec {python} -B {script} {verb} {work} {argument}
+"""
+
+
+def check():
+    """Says what is missing before anything is started."""
+    for name in ("sbatch", "squeue", "scontrol", "sinfo"):
+        if shutil.which(name) is None:
+            raise BatchError(f"{name} is missing: --on slurm needs Slurm's commands on this machine (Debian package "
+                             "slurm-client) and the site's slurm.conf.")
+
+
+def command(*words):
+    """Runs one of Slurm's commands; returns what it prints."""
+    try:
+        done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False)
+    except subprocess.TimeoutExpired:
+        raise BatchError(f"{words[0]} gave no answer for 120 s.") from None
+    if done.returncode != 0:
+        raise BatchError(f"{words[0]} failed: {done.stderr.decode(errors='replace').strip()}")
+    return done.stdout.decode(errors="replace").strip()
+
+
+def largest_array():
+    """How many tasks one array may have: the site's MaxArraySize bounds the largest index."""
+    found = re.search(r"MaxArraySize\s*=\s*(\d+)", command("scontrol", "show", "config"))
+    return int(found.group(1)) if found else 1001
+
+
+def workers(settings, threads):
+    """How many POV-Rays can run at once, as far as sinfo tells; what decides is the site's queue."""
+    if settings.workers:
+        return settings.workers
+    words = ["sinfo", "-h", "-o", "%C"] + ([f"--partition={settings.partition}"] if settings.partition else [])
+    totals = [int(line.split("/")[3]) for line in command(*words).splitlines() if line.count("/") == 3]
+    return max(1, sum(totals) // threads)
+
+
+def site_options(settings):
+    """The user's options for sbatch."""
+    words = [f"--{name}={getattr(settings, name)}" for name in ("partition", "time", "account") if getattr(settings, name)]
+    return words + settings.sbatch
+
+
+def write_script(work, verb, argument):
+    """The batch script; the shell reads the names from it, so they may hold anything."""
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "batch.py")
+    path = work.folder / f"{verb}.sh"
+    write_text(path, SCRIPT.format(python=shlex.quote(sys.executable), script=shlex.quote(script), verb=verb,
+                                   work=shlex.quote(str(work.folder)), argument=argument))
+    return path
+
+
+def ranges(numbers):
+    """0,1,2,5 as 0-2,5."""
+    runs = []
+    for n in numbers:
+        if runs and runs[-1][1] == n - 1:
+            runs[-1][1] = n
+        else:
+            runs.append([n, n])
+    return ",".join(str(a) if a == b else f"{a}-{b}" for a, b in runs)
+
+
+def submit(work, description, tasks, settings):
+    """Submits array and last step; returns the numbers of the jobs."""
+    common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
+    limit = f"%{settings.workers}" if settings.workers else ""
+    array = command(*common, "--requeue", "--ntasks=1", f"--cpus-per-task={description['threads']}",
+                    f"--array={ranges(tasks)}{limit}", "--job-name=batch", "--output=log/slurm-%a.out",
+                    str(write_script(work, "task", '"$SLURM_ARRAY_TASK_ID"'))).split(";")[0]
+    # afterany: a failed task must not keep the last step, which tells what is missing, from running.
+    try:
+        last = command(*common, "--ntasks=1", f"--dependency=afterany:{array}", "--job-name=batch-end",
+                       "--kill-on-invalid-dep=yes", "--output=log/slurm-end.out", str(write_script(work, "finish", ""))).split(";")[0]
+    except BatchError:
+        command("scancel", array)
+        raise
+    write_json(work.folder / "jobs.json", [array, last])
+    return [array, last]
+
+
+def alive(jobs):
+    """Which of the jobs are waiting or running. A number that Slurm has forgotten has ended."""
+    listed = command("squeue", "--noheader", "--me", "--format=%A %F")
+    known = {number for line in listed.splitlines() for number in line.split()}
+    return [job for job in jobs if job in known]
+
+
+def active_jobs(work):
+    """Jobs of an earlier call that are still at work."""
+    jobs = read_json(work.folder / "jobs.json")
+    return alive(jobs) if jobs and shutil.which("squeue") else []
+
+
+def wait(jobs, progress):
+    """Waits for the jobs. While the controller does not answer, so does this, but not for ever."""
+    pause, silent_since = 0.5, None
+    while True:
+        try:
+            if not alive(jobs):
+                return
+            silent_since = None
+        except BatchError as error:
+            silent_since = silent_since or time.monotonic()
+            if time.monotonic() - silent_since > PATIENCE:
+                raise BatchError(f"Slurm has not answered for {PATIENCE} s ({error}). The jobs {' '.join(jobs)} may still "
+                                 "run: call again later to go on.") from None
+        progress.show()
+        time.sleep(pause)
+        pause = min(5.0, pause * 1.2)
+
+
+def run(work, description, tasks, settings, progress):
+    """Submits the tasks and waits for the last step, unless told not to."""
+    jobs = submit(work, description, tasks, settings)
+    print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)
+    if settings.detach:
+        print("Not waiting for them. Call again with the same arguments to watch, or to go on with what is missing.",
+              file=sys.stderr)
+        return
+    try:
+        wait(jobs, progress)
+    except KeyboardInterrupt:
+        print(f"\nThe jobs go on. To end them: scancel {' '.join(jobs)}", file=sys.stderr)
+        raise

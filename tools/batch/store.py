@@ -1,0 +1,157 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Files of a batch: where they lie in the work folder, and how they are written so that no crash can spoil them.
+
+The work folder:
+
+    batch.json          what this batch is: its key (see key.py), its units and tasks
+    lock                held by the front end
+    inputs/             links to the scene, its folder and other folders, under names that POV-Ray can take
+    units/PPPPP.BBBB/   one folder for band B of picture P: POV-Ray runs in it
+    running/ done/ failed/ merged/      one small JSON file for each unit (merged: for each picture)
+    log/                one log for each task
+    probe/              the first small renders
+    summary.txt         the last summary
+"""
+
+import contextlib
+import fcntl
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+
+
+class BatchError(Exception):
+    """Something that the user can mend; the message says what and how."""
+
+
+def sha256(path):
+    """Hash of a file's bytes."""
+    digest = hashlib.sha256()
+    with open(path, "rb") as stream:
+        for piece in iter(lambda: stream.read(1 << 20), b""):
+            digest.update(piece)
+    return digest.hexdigest()
+
+
+def sync_folder(folder):
+    """Makes names in the folder survive a power failure."""
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def sync_file(path):
+    """Makes the contents of a file that another program wrote survive a power failure."""
+    with open(path, "rb") as stream:
+        os.fsync(stream.fileno())
+
+
+def write_text(path, text):
+    """Writes a file whole or not at all, even when the machine stops."""
+    path = pathlib.Path(path)
+    handle, name = tempfile.mkstemp(prefix=".new.", dir=path.parent)
+    try:
+        with open(handle, "w", encoding="utf-8", errors="surrogateescape") as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+            os.fchmod(stream.fileno(), 0o644)
+        os.replace(name, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(name)
+        raise
+    sync_folder(path.parent)
+
+
+def write_json(path, value):
+    """As write_text; names that are not UTF-8 survive as surrogates."""
+    write_text(path, json.dumps(value, indent=1, ensure_ascii=True) + "\n")
+
+
+def read_json(path):
+    """The value, or None where there is no such file or it is not JSON."""
+    try:
+        return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+@contextlib.contextmanager
+def locked(path, wait=True):
+    """Holds a lock file; yields whether it was got. The open file is inherited by no other program."""
+    with open(path, "a", encoding="utf-8") as stream:
+        try:
+            fcntl.flock(stream, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+        except BlockingIOError:
+            yield False
+            return
+        yield True
+
+
+def boot():
+    """Names this machine and its last start: a file written under another name may have lost its end."""
+    try:
+        return pathlib.Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
+    except OSError:
+        return os.uname().nodename
+
+
+class Work:
+    """The work folder and the names in it."""
+
+    STATES = ("running", "done", "failed", "merged")
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.description = self.folder / "batch.json"
+        self.lock = self.folder / "lock"
+        self.inputs = self.folder / "inputs"
+        self.units = self.folder / "units"
+        self.logs = self.folder / "log"
+        self.probe = self.folder / "probe"
+
+    def make(self):
+        """Creates the folders that are missing."""
+        for folder in (self.inputs, self.units, self.logs, *(self.folder / name for name in self.STATES)):
+            folder.mkdir(parents=True, exist_ok=True)
+
+    def names_in_it(self):
+        """All names that a work folder may hold."""
+        return {"batch.json", "lock", "inputs", "units", "log", "probe", "summary.txt", "jobs.json", "task.sh", "finish.sh",
+                "sheet", "sheet.json", "sheet.lock", *self.STATES}
+
+    def clear(self):
+        """Empties the folder, but for the lock that this call holds."""
+        for name in self.names_in_it() - {"lock"}:
+            path = self.folder / name
+            if path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path)
+            else:
+                path.unlink(missing_ok=True)
+
+    def unit(self, name):
+        """The folder that POV-Ray runs in for a unit."""
+        return self.units / name
+
+    def record(self, state, name):
+        """The small file that says that a unit is running, done..."""
+        return self.folder / state / f"{name}.json"
+
+    def names(self, state):
+        """All units in a state: one listing of one folder, cheap on a file server."""
+        try:
+            entries = os.listdir(self.folder / state)
+        except FileNotFoundError:
+            return set()
+        return {entry[:-5] for entry in entries if entry.endswith(".json") and not entry.startswith(".")}
+
+    def log(self, task):
+        """The log of a task."""
+        return self.logs / f"task-{task:05d}.log"

@@ -1,0 +1,176 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Does one task: renders its units one after the other, checks each, and puts together each picture whose last band
+it has finished. Any number of these may run on the same work folder; a unit that is done or locked is never begun
+again. What ends a worker (a kill, a lost node) loses nothing but the tile in work: POV-Ray dies with it and its
+state file is continued."""
+
+import contextlib
+import fcntl
+import os
+import pathlib
+import signal
+import sys
+import time
+
+import key as keys
+import merge
+import povray
+from plan import unit_name
+from store import BatchError, Work, locked, read_json, sha256, sync_file, sync_folder, write_json
+
+
+class Changed(BatchError):
+    """An input is not what it was when the batch was planned: no further try can mend it."""
+
+
+def check_inputs(description, folder, started):
+    """What this unit read besides the key's files; refuses a file that is no longer the key's."""
+    known, stamps = description["key"]["files"], description["stamps"]
+    links = keys.Links(description["links"])
+    read, missing = keys.listed_files(folder / "files", links)
+    extra = {}
+    for path in sorted(read):
+        stamp = keys.file_stamp(path)
+        if path in known and stamps.get(path) == stamp:
+            continue
+        found = sha256(path)
+        if path in known and found != known[path]:
+            raise Changed(f"file {path!r} has changed since the batch began.")
+        if path in description["key"]["missing"]:
+            raise Changed(f"file {path!r} appeared since the batch began.")
+        if path not in known:
+            if stamp[1] > started * 1e9:
+                raise BatchError(f"file {path!r} was written while it was being read.")
+            extra[path] = found
+    gone = sorted(missing & known.keys())
+    if gone:
+        raise Changed(f"file {gone[0]!r} was there when the batch began, and is not now.")
+    return extra, sorted(missing - set(description["key"]["missing"]))
+
+
+class Unit:
+    """One band of one picture in its folder."""
+
+    def __init__(self, work, description, number, log):
+        key = description["key"]
+        self.work, self.description, self.log = work, description, log
+        self.name = unit_name(number, len(key["bands"]))
+        self.picture = key["pictures"][number // len(key["bands"])]
+        self.rows = key["bands"][number % len(key["bands"])]
+        self.folder = work.unit(self.name)
+        self.process = None
+
+    def say(self, text):
+        """A line in the task's log."""
+        with open(self.log, "a", encoding="utf-8", errors="surrogateescape") as stream:
+            stream.write(f"--- {time.strftime('%H:%M:%S')} unit {self.name}: {text}\n")
+
+    def do(self):
+        """Renders the unit where that is not done yet, with a bounded number of tries."""
+        if self.work.record("done", self.name).exists():
+            return True
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with open(self.folder / "lock", "a", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if self.work.record("done", self.name).exists():
+                return True
+            tries = 1 + self.description["retries"]
+            for attempt in range(1, tries + 1):
+                reason, final = self.attempt(attempt, lock.fileno())
+                if reason is None:
+                    return True
+                self.say(f"try {attempt} of {tries} failed: {reason}")
+                if final:
+                    break
+                time.sleep(min(5.0, 0.5 * attempt))
+            write_json(self.work.record("failed", self.name), {"reason": reason, "picture": self.picture["name"],
+                                                               "rows": self.rows, "log": str(self.log)})
+            return False
+
+    def attempt(self, attempt, lock):
+        """One run of POV-Ray: None, or why there is no picture and whether another try is in vain."""
+        running = self.work.record("running", self.name)
+        write_json(running, {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()})
+        try:
+            return self.render(attempt, lock)
+        except Changed as error:
+            return str(error), True
+        except (BatchError, OSError) as error:
+            return str(error), False
+        finally:
+            with contextlib.suppress(OSError):
+                running.unlink()
+
+    def render(self, attempt, lock):
+        """The work of one try."""
+        povray.clear_output(self.folder)
+        with contextlib.suppress(FileNotFoundError):
+            (self.folder / "files").unlink()
+        goes_on = povray.prepare_state(self.folder)
+        words = povray.arguments(self.description, self.picture, self.rows) + ["+C" if goes_on else "-C"]
+        state = f"continued from {povray.state_file(self.folder).stat().st_size} bytes" if goes_on else "from the start"
+        self.say(f"{self.picture['label']}, rows {self.rows[0]} to {self.rows[1]}, try {attempt}, {state}, on "
+                 f"{os.uname().nodename}")
+        started = time.time()
+        self.process = povray.start(self.description, self.folder, words, self.log, lock)
+        status = self.process.wait()
+        self.process = None
+        if status != 0:
+            told = f"was ended by signal {-status}" if status < 0 else f"ended with exit code {status}"
+            return f"povray {told}", status == 1
+        extra, missing = check_inputs(self.description, self.folder, started)
+        self.finish(extra, missing, attempt, time.time() - started)
+        return None, False
+
+    def finish(self, extra, missing, attempt, seconds):
+        """Checks the pictures and records the unit as done."""
+        size = self.description["key"]["size"]
+        files = {}
+        for rest, path in povray.outputs(self.folder).items():
+            info = povray.image_info(path)
+            if info["size"] != size:
+                raise BatchError(f"{path.name} has {info['size']} pixels, expected {size}")
+            sync_file(path)
+            files[rest] = {"file": path.name, "bytes": path.stat().st_size, "sha256": sha256(path), **info}
+        if "." + self.description["key"]["extension"] not in files:
+            raise BatchError("povray ended well but wrote no picture")
+        sync_folder(self.folder)
+        write_json(self.work.record("done", self.name), {
+            "files": files, "read": extra, "missing": missing, "seconds": seconds, "try": attempt,
+            "host": os.uname().nodename})
+        self.say(f"done in {seconds:.1f} s")
+
+
+def end_when_asked(unit):
+    """On SIGTERM or SIGINT POV-Ray is ended first: it keeps its state file."""
+    def end(number, _):
+        if unit.process:
+            with contextlib.suppress(ProcessLookupError):
+                unit.process.send_signal(signal.SIGKILL)
+        os._exit(128 + number)
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, end)
+
+
+def run(folder, task):
+    """Does a task. The exit code is 0 where every unit has an outcome, good or bad: then no repetition helps."""
+    work = Work(pathlib.Path(folder))
+    description = read_json(work.description)
+    if description is None:
+        sys.exit(f"batch task: cannot read {work.description}")
+    povray.needed_programs()
+    bands = len(description["key"]["bands"])
+    for number in description["tasks"][task]:
+        unit = Unit(work, description, number, work.log(task))
+        end_when_asked(unit)
+        if work.record("failed", unit.name).exists() or not unit.do():
+            continue
+        picture = number // bands
+        if all(work.record("done", unit_name(picture * bands + b, bands)).exists() for b in range(bands)):
+            try:
+                with locked(work.units / f"{picture:05d}.lock"):
+                    merge.merge_picture(work, description, picture)
+            except (BatchError, OSError) as error:  # the last step of the batch tries again, and tells
+                unit.say(f"merging failed: {error}")
+    return 0
