@@ -1,0 +1,224 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""A private Slurm cluster on loopback: munge, one controller, some nodes, all in one folder and all this user's.
+
+Only processes that it started are ended, each by its number and only while the number is still theirs.
+"""
+
+import contextlib
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+CONFIGURATION = """ClusterName=loop
+SlurmctldHost={host}(127.0.0.1)
+SlurmctldPort={port}
+SlurmUser={user}
+SlurmdUser={user}
+AuthType=auth/munge
+AuthInfo=socket={folder}/munge/socket,cred_expire=5
+CredType=cred/munge
+StateSaveLocation={folder}/state
+SlurmctldPidFile={folder}/slurmctld.pid
+SlurmctldLogFile={folder}/log/slurmctld.log
+SlurmdSpoolDir={folder}/spool/%n
+SlurmdPidFile={folder}/slurmd.%n.pid
+SlurmdLogFile={folder}/log/slurmd.%n.log
+CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+JobCompType=jobcomp/none
+MpiDefault=none
+SwitchType=switch/none
+SlurmctldTimeout=30
+SlurmdTimeout=5
+KillWait=2
+ReturnToService=2
+JobRequeue=1
+MaxArraySize=201
+SchedulerType=sched/backfill
+SchedulerParameters=sched_interval=2,bf_interval=2,batch_sched_delay=0,defer_batch
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SlurmdParameters=config_overrides
+PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+"""
+
+
+def started_at(pid):
+    """When a process began, in ticks since the machine's start; None where it has ended."""
+    try:
+        fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
+    except OSError:
+        return None
+    return None if fields[0] == "Z" else fields[19]
+
+
+def environment_of(pid):
+    """A process's environment as it was at its start."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
+    except OSError:
+        return []
+
+
+def parent_of(pid):
+    """The number of a process's parent."""
+    try:
+        return int(pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()[1])
+    except OSError:
+        return 0
+
+
+def free_ports(count):
+    """The first of so many free ports in a row."""
+    for first in range(20000 + os.getpid() % 20000, 60000, count):
+        with contextlib.ExitStack() as stack:
+            try:
+                for port in range(first, first + count):
+                    stack.enter_context(contextlib.closing(socket.socket())).bind(("127.0.0.1", port))
+            except OSError:
+                continue
+            return first
+    raise RuntimeError("no free ports")
+
+
+class Cluster:
+    """Use as a context: the cluster is up inside and gone behind."""
+
+    def __init__(self, folder, nodes=3):
+        self.folder = pathlib.Path(folder)
+        self.nodes = [f"n{i + 1}" for i in range(nodes)]
+        self.processes = {}  # name -> (Popen, start time)
+        self.env = dict(os.environ, SLURM_CONF=str(self.folder / "slurm.conf"),
+                        PATH="/usr/sbin:/usr/bin:/sbin:/bin")
+
+    def __enter__(self):
+        try:
+            self.start()
+        except BaseException:
+            self.stop()
+            raise
+        return self
+
+    def __exit__(self, *_):
+        self.stop()
+
+    def configure(self):
+        """Writes slurm.conf and munge's key."""
+        for name in ("state", "spool", "log", "munge"):
+            (self.folder / name).mkdir(parents=True, exist_ok=True)
+            (self.folder / name).chmod(0o755)
+        self.folder.chmod(0o755)
+        key = self.folder / "munge" / "key"
+        key.write_bytes(os.urandom(128))
+        key.chmod(0o600)
+        host, port = socket.gethostname().split(".")[0], free_ports(1 + len(self.nodes))
+        user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True).stdout.strip()
+        lines = [f"NodeName={node} NodeHostname={host} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 RealMemory=1000 State=UNKNOWN\n"
+                 for i, node in enumerate(self.nodes)]
+        head, partition = CONFIGURATION.format(host=host, port=port, user=user, folder=self.folder).split("PartitionName=")
+        (self.folder / "slurm.conf").write_text(head + "".join(lines) + "PartitionName=" + partition, encoding="ascii")
+
+    def daemon(self, name, *command):
+        """Starts a daemon in the foreground of its own session."""
+        with open(self.folder / "log" / f"{name}.out", "ab") as log:
+            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=self.env,
+                                       start_new_session=True)
+        self.processes[name] = (process, started_at(process.pid))
+
+    def start(self):
+        """Brings the cluster up; returns when every node is idle."""
+        self.configure()
+        munge = self.folder / "munge"
+        self.daemon("munged", "munged", "-F", f"--key-file={munge}/key", f"--socket={munge}/socket", f"--pid-file={munge}/pid",
+                    f"--log-file={munge}/log", f"--seed-file={munge}/seed")
+        self.until("munge's socket", (munge / "socket").exists)
+        self.daemon("slurmctld", "slurmctld", "-D")
+        self.until("the controller", lambda: self.run("scontrol", "ping").returncode == 0)
+        for node in self.nodes:
+            self.start_node(node)
+        self.until("idle nodes", lambda: len(self.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == len(self.nodes))
+
+    def start_node(self, node):
+        """Starts a node's daemon."""
+        (self.folder / "spool" / node).mkdir(parents=True, exist_ok=True)
+        self.daemon(node, "slurmd", "-D", "-N", node)
+
+    def run(self, *command):
+        """One of Slurm's commands."""
+        return subprocess.run(command, env=self.env, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, timeout=60)
+
+    def until(self, what, condition, seconds=30):
+        """Waits for something to become so."""
+        end = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > end:
+                logs = "\n".join(f"{path.name}: {path.read_text(errors='replace')[-800:]}" for path in sorted((self.folder / "log").iterdir()))
+                raise AssertionError(f"waited {seconds} s in vain for {what}\n{logs}")
+            time.sleep(0.1)
+
+    def job_processes(self, node):
+        """Numbers of the processes of jobs on a node, and of the step daemons that started them."""
+        mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
+        jobs = [int(name) for name in os.listdir("/proc") if name.isdigit() and mine <= set(environment_of(name))]
+        parents = {parent_of(pid) for pid in jobs} - set(jobs) - {0, 1, os.getpid()}
+        daemon = self.processes[node][0].pid
+        steps = [pid for pid in parents if pid != daemon and b"slurmstepd" in pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()]
+        return steps + jobs
+
+    def kill_node(self, node):
+        """What a power failure of one node does: everything on it is gone at once."""
+        process, _ = self.processes.pop(node)
+        found = self.job_processes_of_daemon(node, process.pid)
+        for pid in [process.pid, *found]:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+        process.wait()
+        return found
+
+    def job_processes_of_daemon(self, node, daemon):
+        """As job_processes, for a daemon that is no longer in the list."""
+        self.processes[node] = (type("Known", (), {"pid": daemon})(), None)
+        try:
+            return self.job_processes(node)
+        finally:
+            del self.processes[node]
+
+    def stop(self):
+        """Jobs first, so that none is left; then nodes, controller, munge."""
+        if "slurmctld" in self.processes:
+            self.run("scancel", "--me")
+            with contextlib.suppress(AssertionError):
+                self.until("the queue to be empty", lambda: not self.run("squeue", "-h").stdout.strip(), 10)
+        for name in sorted(self.processes, key=lambda name: (name == "munged", name == "slurmctld")):
+            process, begun = self.processes[name]
+            if started_at(process.pid) != begun:
+                continue
+            process.terminate()
+            try:
+                process.wait(timeout=10)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+        self.processes.clear()
+
+
+def main():
+    """cluster.py NODES COMMAND...: runs a command with a cluster to use."""
+    if len(sys.argv) < 3 or not sys.argv[1].isdigit():
+        sys.exit("usage: cluster.py NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes")
+    with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder, int(sys.argv[1])) as cluster:
+        return subprocess.run(sys.argv[2:], env=cluster.env, check=False).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

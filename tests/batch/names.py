@@ -1,0 +1,91 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Names with anything in them, scenes that read files relative to themselves, folders that cannot be written."""
+
+import os
+import subprocess
+
+import common
+from common import LENS, SETTINGS, BatchTest, ordinary_user
+
+WEIRD = "a \"b' c\nd $(x) %a ;*"
+RELATIVE = LENS + """#include "own.inc"
+#include "../beside/other.inc"
+box { -1, 1 pigment { image_map { png "textures/map.png" } } }
+#fopen Data "values.txt" read
+#read (Data, Size)
+sphere { <2, 0, 0>, Size pigment { rgb 1 } }
+#fopen Trace "trace.txt" write
+#write (Trace, "written by the scene")
+"""
+
+
+class Names(BatchTest):
+    def lay_out(self, name):
+        """A scene with its files in a folder of that name."""
+        folder = self.folder / name / "scenes"
+        for path, text in (("own.inc", "#declare Own = 1;"), ("../beside/other.inc", "#declare Other = 1;"), ("values.txt", "0.7")):
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_text(text + "\n")
+        (folder / "textures").mkdir()
+        subprocess.run(["oiiotool", "--pattern", "checker", "16x16", "3", "-o", "map.png"], cwd=folder / "textures", check=True)
+        scene = folder / f"{name}.pov"
+        scene.write_text(RELATIVE)
+        return scene
+
+    def whole_in_place(self, scene):
+        """The witness, rendered where the scene lies."""
+        copy = scene.with_name("copy.pov")
+        copy.write_text(scene.read_text())
+        subprocess.run([SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "-D", "+FN", "+W64", "+H64"], cwd=scene.parent, check=True,
+                       env=self.env, stdin=subprocess.DEVNULL, capture_output=True)
+        copy.unlink()
+        return scene.with_name("copy.png")
+
+    def test_anything_in_names(self):
+        scene = self.lay_out(WEIRD)
+        self.batch("still", scene, "--bands", 2, "+W64", "+H64", "--output", f"out {WEIRD}.png")
+        self.assert_same(self.folder / f"out {WEIRD}.png", self.whole_in_place(scene))
+        self.batch("film", scene, "--frames", 2, "+W64", "+H64", "--work", f"work {WEIRD}")
+        self.assertEqual(len(os.listdir(self.folder / f"{WEIRD}_film")), 2)
+        self.batch("sweep", scene, "--set", "Tilt=1,2", "+W64", "+H64")
+        self.assertEqual(len(os.listdir(self.folder / f"{WEIRD}_sweep")), 3)
+
+    def test_folders_of_options(self):
+        (self.folder / "in c").mkdir()
+        (self.folder / "in c" / "deep.inc").write_text("#declare Deep = 1;\n")
+        (self.folder / "more.ini").write_text("Width=48\nHeight=40\n[wide]\nWidth=96\n")
+        scene = self.scene(LENS + '#include "deep.inc"\n')
+        self.batch("still", scene, "--bands", 1, "+Lin c", "more.ini[wide]")
+        self.assertEqual(common.picture(self.folder / "scene.png")[:2], (96, 40))
+
+    def test_the_current_folder_comes_first_as_for_render(self):
+        (self.folder / "colors.inc").write_text("#declare Ball = rgb <0, 1, 0>;\n")
+        scene = self.scene('#include "colors.inc"\n' + LENS.replace("rgb <0.9, 0.4, 0.1>", "Ball"))
+        self.batch("still", scene, "--bands", 1, "+W48", "+H40")
+        (self.folder / "povray.ini").write_text("Width=32\nHeight=24\n")
+        said = self.batch("still", scene, "--bands", 1, "+W48", "+H40", code=1)
+        self.assertIn("is there now", said)
+        self.batch("still", scene, "--bands", 1, "--output", "b.png")
+        self.assertEqual(common.picture(self.folder / "b.png")[:2], (32, 24))
+
+    def test_read_only_scene_folder(self):
+        scene = self.lay_out("fixed")
+        os.chmod(self.folder, 0o755)
+        out = self.folder / "out"
+        out.mkdir()
+        if ordinary_user():
+            os.chown(out, 65534, 65534)
+        for folder, _, _ in os.walk(self.folder / "fixed"):
+            os.chmod(folder, 0o555)
+        before = sorted(self.folder.joinpath("fixed").rglob("*"))
+        self.env["HOME"] = str(out)
+        self.batch("still", scene, "--bands", 2, "--output", out / "a.png", "+W64", "+H64", before=ordinary_user())
+        self.assertEqual(sorted(self.folder.joinpath("fixed").rglob("*")), before)
+        for folder, _, _ in os.walk(self.folder / "fixed"):
+            os.chmod(folder, 0o755)
+        self.assert_same(out / "a.png", self.whole_in_place(scene))
+
+
+if __name__ == "__main__":
+    common.main()

@@ -1,0 +1,123 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""A batch on a private Slurm cluster of three nodes: a still, a film and a sweep, while a POV-Ray, a task's shell and a
+whole node are killed in mid-render. The pictures are those of single renders."""
+
+import contextlib
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+import common
+from cluster import Cluster, environment_of
+from common import LENS, SETTINGS, SLOW, BatchTest, ordinary_user, processes
+
+SMALL = ("+W48", "+H40", "+WT1")
+
+
+class OnSlurm(BatchTest):
+    """One cluster for all tests: each uses it alone."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="slurm.")
+        cls.addClassCleanup(folder.cleanup)
+        cls.cluster = Cluster(folder.name)
+        cls.enterClassContext(cls.cluster)
+
+    def setUp(self):
+        super().setUp()
+        self.env = dict(self.cluster.env, HOME=str(self.folder))
+        for node in self.cluster.nodes:
+            if node not in self.cluster.processes:
+                self.cluster.start_node(node)
+        self.cluster.until("all nodes", lambda: len(self.cluster.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == 3)
+
+    def kinds(self):
+        """Calls of all three kinds."""
+        return {"still": ("still", "scene.pov", "--bands", 2, *SMALL), "film": ("film", "scene.pov", "--frames", 4, *SMALL),
+                "sweep": ("sweep", "scene.pov", "--set", "Tilt=2,4", *SMALL)}
+
+    def test_same_pictures_as_locally(self):
+        scene = self.scene(LENS)
+        for kind, words in self.kinds().items():
+            with self.subTest(kind):
+                self.batch(*words, "--on", "slurm", "--partition", "main", "--time", "10", "--sbatch=--mem=100")
+        self.assert_same(self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN", *SMALL))
+        for tilt in (2, 4):
+            whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL, f"Declare=Tilt={tilt}")
+            self.assert_same(self.folder / "scene_sweep" / f"scene_Tilt={tilt}.png", whole)
+        self.assertTrue((self.folder / "scene_sweep" / "scene_sheet.png").exists())
+        self.whole(scene, self.folder / "f.png", "+FN", *SMALL, "+KFI1", "+KFF4")
+        for n in range(1, 5):
+            self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
+        # begun on Slurm, taken up with GNU parallel
+        (self.folder / "scene_film" / "scene0003.png").unlink()
+        self.batch(*self.kinds()["film"])
+        self.assert_same(self.folder / "scene_film" / "scene0003.png", self.folder / "whole" / "f3.png")
+
+    def test_detached_then_watched(self):
+        self.scene(LENS)
+        words = ("still", "scene.pov", "--bands", 4, *SLOW)
+        self.assertIn("Not waiting", self.batch(*words, "--on", "slurm", "--detach"))
+        self.assertIn("of an earlier call are at work", self.batch(*words, code=1))
+        self.assertIn("still at work: waiting", self.batch(*words, "--on", "slurm"))
+        self.assert_same(self.folder / "scene.png", self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW))
+
+    def test_faults(self):
+        self.scene(LENS)
+        process = self.start("still", "scene.pov", "--bands", 5, "--on", "slurm", *SLOW)
+        work = self.folder / "scene.png.batch"
+        place = {}
+
+        def all_at_work():
+            place.update({node_of(pid): pid for pid in self.working_povrays(work)})
+            return set(place) >= set(self.cluster.nodes)
+        self.until("a half done band on each node", all_at_work)
+        self.cluster.kill_node("n3")
+        os.kill(place["n1"], signal.SIGKILL)
+        shells = [pid for pid, words in processes(f" task {work}") if node_of(pid) == "n2" and "setpriv" not in words]
+        self.assertTrue(shells, "the task's shell, which has become the worker")
+        os.kill(shells[0], signal.SIGKILL)
+        # meanwhile the two nodes that are left do other batches
+        for kind, words in self.kinds().items():
+            if kind != "still":
+                self.batch(*words, "--on", "slurm")
+        self.assertEqual(process.wait(timeout=150), 0, self.said() + self.logs())
+        log = "".join(path.read_text(errors="replace") for path in (work / "log").glob("task-*"))
+        self.assertIn("continued from", log)
+        self.assertIn("was ended by signal 9", log)
+        self.assert_same(self.folder / "scene.png", self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW))
+        self.assertEqual(len(list((self.folder / "scene_film").iterdir())), 4)
+
+
+def node_of(pid):
+    """The node whose job a process belongs to."""
+    for entry in environment_of(pid):
+        if entry.startswith(b"SLURMD_NODENAME="):
+            return entry.split(b"=")[1].decode()
+    return None
+
+
+def main():
+    """As an ordinary user where that user can read the repository: a cluster must not need root."""
+    words = ordinary_user()
+    program = SETTINGS_FROM_COMMAND
+    if words and subprocess.run([*words, program, "--version"], capture_output=True, check=False).returncode == 0:
+        with tempfile.TemporaryDirectory(prefix="home.") as home:
+            os.chown(home, 65534, 65534)
+            os.chmod(home, 0o755)  # munge wants its socket to be reachable for all
+            done = subprocess.run([*words, sys.executable, "-B", *sys.argv], check=False, env=dict(os.environ, HOME=home, TMPDIR=home))
+            sys.exit(done.returncode)
+    common.main()
+
+
+SETTINGS_FROM_COMMAND = sys.argv[sys.argv.index("--povray") + 1] if "--povray" in sys.argv else "povray"
+
+if __name__ == "__main__":
+    main()

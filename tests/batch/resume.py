@@ -1,0 +1,115 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The same command again: what is done stays, what is missing is made, what has changed is refused; POV-Ray's own
+pitfalls of continuing cannot be reached."""
+
+import os
+import shutil
+
+import common
+from common import LENS, SETTINGS, BatchTest
+
+SIZE = ("+W48", "+H40", "+WT1")
+
+
+class Again(BatchTest):
+    def test_only_what_is_missing(self):
+        scene = self.scene(LENS)
+        self.batch("film", scene, "--frames", 4, *SIZE)
+        work, film = self.folder / "scene_film.batch", self.folder / "scene_film"
+        times = {path.name: path.stat().st_mtime_ns for path in film.iterdir()}
+        first = common.picture(film / "scene0002.png")
+        self.assertIn("4 of 4 pictures", self.batch("film", scene, "--frames", 4, *SIZE))
+        self.assertEqual(times, {path.name: path.stat().st_mtime_ns for path in film.iterdir()}, "nothing was made again")
+        (film / "scene0002.png").unlink()
+        self.batch("film", scene, "--frames", 4, *SIZE)
+        self.assertEqual(common.picture(film / "scene0002.png"), first)
+        self.assertEqual({n for n, t in times.items() if (film / n).stat().st_mtime_ns != t}, {"scene0002.png"})
+        self.assertIn("4 of 4 pictures", (work / "summary.txt").read_text())
+
+    def test_left_overs_are_not_taken_for_results(self):
+        scene = self.scene(LENS)
+        self.batch("still", scene, "--bands", 2, *SIZE)
+        whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE)
+        work = self.folder / "scene.png.batch"
+        # A band that is recorded but damaged, and one that is no more than a file cut short beside a state of elsewhere.
+        for name in ("00000.0000", "00000.0001"):
+            (work / "units" / name).mkdir(exist_ok=True)
+        (self.folder / "scene.png").unlink()
+        (work / "merged" / "00000.json").unlink()
+        record = common.json.loads((work / "done" / "00000.0000.json").read_text())
+        size = record["files"][".png"]["bytes"]
+        (work / "units" / "00000.0000" / "picture.png").write_bytes(b"\x89PNG".ljust(size, b"x"))
+        (work / "done" / "00000.0001.json").unlink()
+        (work / "units" / "00000.0001" / "picture.png").write_bytes(whole.read_bytes()[:200])
+        (work / "units" / "00000.0001" / "picture.pov-state").write_bytes(b"POV-Ray Render State File\0\0\x000001".ljust(700, b"\1"))
+        self.batch("still", scene, "--bands", 2, *SIZE)
+        self.assert_same(self.folder / "scene.png", whole)
+
+    def test_a_foreign_folder_is_left_alone(self):
+        scene = self.scene(LENS)
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine" / "letter.txt").write_text("dear")
+        for anew in ((), ("--anew",)):
+            self.assertIn("letter.txt", self.batch("still", scene, "--work", "mine", *anew, *SIZE, code=1))
+        self.assertEqual(os.listdir(self.folder / "mine"), ["letter.txt"])
+
+
+class Changed(BatchTest):
+    def refused(self, *said, words=SIZE, **how):
+        told = self.batch("still", self.folder / "scene.pov", "--bands", 1, *words, code=1, **how)
+        for text in (*said, "--anew"):
+            self.assertIn(text, told)
+
+    def test_each_change_is_named(self):
+        scene = self.scene('#include "parts/own.inc"\n' + LENS + "box { -1, 1 pigment { image_map { png \"map.png\" } } }\n")
+        own = self.scene("#declare Own = 1;\n", "parts/own.inc")
+        create = ["oiiotool", "--create", "4x4", "3", "-o", "map.png"]
+        common.subprocess.run(create, cwd=self.folder, check=True)
+        self.batch("still", scene, "--bands", 1, *SIZE)
+        for path in (scene, own, self.folder / "map.png"):
+            kept = path.read_bytes()
+            path.write_bytes(kept + b"\n")
+            self.refused(f"{path.name}", "has changed")
+            path.unlink()
+            self.refused(path.name) if path != scene else None
+            path.write_bytes(kept)
+        self.refused("options of POV-Ray", "+Q3", words=(*SIZE, "+Q3"))
+        self.refused("bands", words=(*SIZE, "--bands", "3"))
+        self.batch("still", scene, "--bands", 1, *SIZE)
+
+    def test_another_program(self):
+        scene = self.scene(LENS)
+        self.batch("still", scene, "--bands", 1, *SIZE)
+        prefix = self.folder / "newer"
+        (prefix / "bin").mkdir(parents=True)
+        shutil.copy(SETTINGS.povray, prefix / "bin" / "povray")
+        with open(prefix / "bin" / "povray", "ab") as program:
+            program.write(b"\0")
+        for folder in ("etc", "share"):
+            (prefix / folder).symlink_to(os.path.join(os.path.dirname(os.path.dirname(SETTINGS.povray)), folder))
+        words = self.words("still", scene, "--bands", 1, *SIZE)
+        words[words.index(SETTINGS.povray)] = str(prefix / "bin" / "povray")
+        done = common.subprocess.run(words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("program povray", done.stderr)
+
+    def test_a_file_that_would_be_found_first(self):
+        self.scene("#declare Own = 1;\n", "deep/own.inc")
+        scene = self.scene('#include "own.inc"\n' + LENS)
+        words = (*SIZE, f"+L{self.folder}/deep")
+        self.batch("still", scene, "--bands", 1, *words)
+        self.scene("#declare Own = 1;\n", "own.inc")
+        self.refused("is there now, and would be found before", words=words)
+
+    def test_an_include_file_of_one_frame(self):
+        scene = self.scene('#if (frame_number = 3) #include "third.inc" #end\n' + LENS)
+        self.scene("#declare Third = 1;\n", "third.inc")
+        self.batch("film", scene, "--frames", 3, *SIZE)
+        self.scene("#declare Third = 2;\n", "third.inc")
+        self.assertIn("has changed", self.batch("film", scene, "--frames", 3, *SIZE, code=1))
+        self.batch("film", scene, "--frames", 3, *SIZE, "--anew")
+
+
+if __name__ == "__main__":
+    common.main()

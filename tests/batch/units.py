@@ -1,0 +1,156 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Parts of ./batch without POV-Ray: bands, values, options, state files, lists, messages."""
+
+import os
+import pathlib
+import struct
+import tempfile
+import unittest
+
+import common
+
+import key
+import plan
+import povray
+import pov_options
+import slurm
+import store
+
+
+class Bands(unittest.TestCase):
+    def test_every_row_once_for_any_number(self):
+        for height in (2, 3, 31, 32, 33, 64, 75, 100, 481):
+            for count in range(1, height + 3):
+                bands = plan.cut_bands(height, count)
+                rows = [row for first, last in bands for row in range(first, last + 1)]
+                self.assertEqual(rows, list(range(1, height + 1)), (height, count, bands))
+                if len(bands) > 1:
+                    self.assertGreater(bands[0][1], 1, "+SR1 +ER1 means all rows")
+
+    def test_as_many_as_asked(self):
+        self.assertEqual(len(plan.cut_bands(100, 7)), 7)
+        self.assertEqual(len(plan.cut_bands(320, 10)), 10)
+        self.assertEqual(plan.cut_bands(1, 5), [[1, 1]])
+
+    def test_cut_between_blocks(self):
+        for height, count in ((75, 3), (480, 15), (480, 4), (2160, 8)):
+            self.assertTrue(all(last % 32 == 0 for _, last in plan.cut_bands(height, count)[:-1]))
+
+
+class Values(unittest.TestCase):
+    def test_ranges_are_exact(self):
+        self.assertEqual(plan.values("-8:8:4"), ["-8", "-4", "0", "4", "8"])
+        self.assertEqual(plan.values("0.1:0.4:0.1"), ["0.1", "0.2", "0.3", "0.4"])
+        self.assertEqual(plan.values("3:1:-1"), ["3", "2", "1"])
+        self.assertEqual(plan.values("1e2,1e-3"), ["100", "0.001"])
+
+    def test_what_is_wrong_is_named(self):
+        for text, said in (("a", "not a number"), ("1:2", "FROM:TO:STEP"), ("1:2:0", "not zero"), ("1:2:-1", "0 values"),
+                           ("1,1.0", "twice"), ("nan", "FROM:TO:STEP"), ("", "not a number"), ("0:1:1e-9", "values")):
+            with self.assertRaisesRegex(store.BatchError, said, msg=text):
+                plan.values(text)
+
+    def test_sets(self):
+        self.assertEqual(plan.parse_sets(["A=1,2", "B=3"]), [("A", ["1", "2"]), ("B", ["3"])])
+        for words, said in ((["A"], "NAME=VALUES"), (["A=1", "A=2"], "twice"), (["1A=1"], "NAME=VALUES")):
+            with self.assertRaisesRegex(store.BatchError, said):
+                plan.parse_sets(words)
+
+
+class Options(unittest.TestCase):
+    def test_what_the_batch_sets_is_refused(self):
+        for word in ("+Iother.pov", "+Oa.png", "+C", "-C", "+SR1", "+ER0.5", "+SC3", "+EC4", "+SF1", "+EF2", "+KFI1", "+KFF9", "+UF",
+                     "+TH", "Output_File_Name=x", "Continue_Trace=on", "Start_Row=1", "Final_Frame=9", "+FJ", "+FT",
+                     "Post_Frame_Command=rm", "+WT0", "picture.pov", "Output_File_Type=J", "+HIx.inc", "+RFsaved"):
+            with self.assertRaises(store.BatchError, msg=word):
+                pov_options.PovOptions([word])
+
+    def test_the_others_pass(self):
+        words = ["+W64", "-A", "+AM2", "+UA", "Declare=A=1", "Width=3", "+KC", "-TH", "+K0.5", "+Q9", "+CC", "Dither=off"]
+        self.assertEqual(pov_options.PovOptions(words).words, words)
+
+    def test_files_threads_and_kind(self):
+        options = pov_options.PovOptions(['+L"my files"', "Library_Path=b", "+WT2", "+FN16", "quick.ini[draft]"])
+        self.assertEqual(list(options.named_files("/x")), ["/x/my files", "/x/b", "/x/quick.ini"])
+        self.assertEqual((options.threads, options.kind, options.words), (2, "png", ["+FN16"]))
+
+
+def message(contents):
+    """One message as POV-Ray writes them into its state file."""
+    return b"POVRAYMS\0\0\3p" + struct.pack(">i", len(contents)) + b"RAWS" + contents
+
+
+class StateFile(unittest.TestCase):
+    head = b"POV-Ray Render State File\0\0\x000001".ljust(512, b"\1")
+
+    def test_only_whole_messages_are_kept(self):
+        whole = self.head + message(b"a" * 5000) + message(b"b" * 300)
+        cut = message(b"c" * 4000)
+        for length in (0, 1, 7, 8, 15, 19, 20, 3000):
+            self.assertEqual(povray.whole_messages(whole + cut[:length], True), len(whole))
+        self.assertEqual(povray.whole_messages(whole + cut, True), len(whole + cut))
+
+    def test_not_a_state_file(self):
+        self.assertEqual(povray.whole_messages(b"", True), 0)
+        self.assertEqual(povray.whole_messages(b"x" * 9000, True), 0)
+
+    def test_black_pictures_are_kept_on_the_same_machine(self):
+        black = self.head + message(b"\0" * 20000) + message(b"\0" * 20000)
+        self.assertEqual(povray.whole_messages(black, True), len(black))
+
+    def test_pages_that_never_reached_the_disk_end_it(self):
+        first = self.head + message(b"a" * 9000)
+        lost = bytearray(first + message(b"b" * 30000) + message(b"c" * 9000))
+        lost[12288:16384] = bytes(4096)
+        self.assertEqual(povray.whole_messages(bytes(lost), False), len(first))
+
+    def test_another_machine_s_file_is_cut(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            lost = bytearray(self.head + message(b"a" * 9000) + message(b"b" * 30000))
+            lost[16384:20480] = bytes(4096)
+            (folder / "picture.pov-state").write_bytes(lost)
+            (folder / "boot.json").write_text('"another start"')
+            self.assertTrue(povray.prepare_state(folder))
+            self.assertEqual((folder / "picture.pov-state").stat().st_size, 512 + 20 + 9000)
+            (folder / "picture.pov-state").write_bytes(lost[:600])
+            self.assertFalse(povray.prepare_state(folder))
+            self.assertFalse((folder / "picture.pov-state").exists())
+
+
+class Lists(unittest.TestCase):
+    links = key.Links({"here": "/a b", "scene": "/c"})
+
+    def test_names_come_back(self):
+        self.assertEqual(self.links.real("../../inputs/here/x.inc"), "/a b/x.inc")
+        self.assertEqual(self.links.real("../../inputs/scene/../x"), "/c/../x")
+        self.assertEqual(self.links.real("/usr/x"), "/usr/x")
+        self.assertIsNone(self.links.real("own.inc"))
+        self.assertIsNone(self.links.real("../../inputs/povray.ini"))
+
+    def test_any_name_in_the_list(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "files"
+            path.write_bytes(b"+/a\nb\0-/c\0+/c\0-/d'\"\0+picture.pov-state\0")
+            self.assertEqual(key.listed_files(path, self.links), ({"/a\nb", "/c"}, {"/d'\""}))
+            with self.assertRaisesRegex(store.BatchError, "does not list"):
+                key.listed_files(path.with_name("none"), self.links)
+
+    def test_array_ranges(self):
+        self.assertEqual(slurm.ranges([0, 1, 2, 5, 7, 8]), "0-2,5,7-8")
+
+
+class Records(unittest.TestCase):
+    def test_written_whole(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "r.json"
+            store.write_json(path, {"name": os.fsdecode(b"\xff\n'")})
+            self.assertEqual(store.read_json(path), {"name": os.fsdecode(b"\xff\n'")})
+            path.write_text('{"cut')
+            self.assertIsNone(store.read_json(path))
+            self.assertEqual(os.listdir(name), ["r.json"])
+
+
+if __name__ == "__main__":
+    common.main()
