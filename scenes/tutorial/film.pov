@@ -23,7 +23,7 @@ camera {
   look_at <0, 0, 44>
   angle 40
   focal_point <0, 0, -15+clock*150>  // from the first pawn to the last
-  blur_samples 16, 256  confidence 0.95  variance 1/10000
+  blur_samples 16, 64  confidence 0.95  variance 1/2000  // quick rather than fine
   tilt_lens {
     scene_unit 10                    // one unit is 10 mm
     f_stop Stop
