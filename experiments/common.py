@@ -7,6 +7,7 @@ import dataclasses
 import hashlib
 import json
 import pathlib
+import shutil
 import subprocess
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[1]
@@ -20,20 +21,28 @@ class Failed(Exception):
 
 @dataclasses.dataclass
 class Claim:
-    """One measured number and the limit it must keep."""
+    """One measured number and what it must keep: at most the limit, whatever its sign; or, with
+    `low`, between the two."""
 
     text: str
     value: float
     limit: float
     unit: str = ""
+    low: float = None
 
     @property
     def holds(self):
+        if self.low is not None:
+            return self.low <= self.value <= self.limit
         return abs(self.value) <= self.limit
+
+    def allowed(self):
+        """In words."""
+        return f"{self.limit:.3g}" if self.low is None else f"{self.low:.3g} to {self.limit:.3g}"
 
     def line(self):
         verdict = "ok  " if self.holds else "FAIL"
-        return f"{verdict} {self.text}: {self.value:.4g} {self.unit} (limit {self.limit:.4g})"
+        return f"{verdict} {self.text}: {self.value:.4g} {self.unit} (limit {self.allowed()})"
 
 
 @dataclasses.dataclass
@@ -47,6 +56,7 @@ class Laboratory:
     results: pathlib.Path           # curves and tables to keep
     quick: bool = False
     threads: int = 2
+    program: str = ""           # its hash, once it was needed
 
     def tool(self, folder, name):
         return str(self.tools / "tests" / folder / name)
@@ -72,13 +82,36 @@ class Laboratory:
                    f"+H{size[1]}", f"+L{scene.parent}", f"+L{SCENES}", "-D", "-V", "-GA", "-P",
                    "-A", f"+WT{self.threads}",
                    *[f"Declare={name}={value}" for name, value in declare], *options]
-        picture.unlink(missing_ok=True)
-        picture.with_name(picture.name + ".pov-state").unlink(missing_ok=True)
+        # A picture of the same program, scene and options is kept: a run that was interrupted goes on.
+        key = self.key(command, [scene.parent, SCENES, picture.parent])
+        note = picture.with_name(picture.name + ".key")
+        if picture.is_file() and note.is_file() and note.read_text() == key:
+            return picture
+        for old in (note, picture, picture.with_name(picture.name + ".pov-state")):
+            old.unlink(missing_ok=True)
         # Includes of a scene are read, and files written, in the folder the program runs in.
         self.run(command, cwd=picture.parent)
         if not picture.is_file():
             raise Failed(f"{scene}: the program ended well but wrote no {picture}")
+        note.write_text(key)
         return picture
+
+    def key(self, command, folders):
+        """Changes with the program, the command, and any scene file in the folders."""
+        if not self.program:
+            self.program = hashlib.sha256(self.povray.read_bytes()).hexdigest()
+        found = hashlib.sha256((self.program + json.dumps([str(x) for x in command])).encode())
+        for folder in dict.fromkeys(folders):
+            for path in sorted(p for p in folder.iterdir() if p.suffix in (".pov", ".inc")):
+                found.update(path.name.encode() + path.read_bytes())
+        return found.hexdigest()
+
+    def png(self, picture):
+        """The same picture for people: 8-bit sRGB."""
+        made = picture.with_suffix(".png")
+        self.run(["oiiotool", picture, "--ch", "R,G,B", "--colorconvert", "linear", "sRGB", "-d",
+                  "uint8", "-o", made])
+        return made
 
     def moments(self, picture, windows):
         return self.json([self.tool("paper", "profile"), "moments", picture],
@@ -91,16 +124,16 @@ class Laboratory:
         picture = folder / "mean.exr"
         if not picture.is_file():
             frames = folder / "frames"
-            frames.mkdir(parents=True, exist_ok=True)
+            if frames.is_dir():         # of a run that was interrupted
+                shutil.rmtree(frames)
+            frames.mkdir(parents=True)
             text = json.dumps({"name": name, "scene": scene.name, **case})
             (folder / "case.json").write_text(text)
             (folder / scene.name).write_bytes(scene.read_bytes())
             self.run([self.tool("tools", "oracle"), "render", folder / "case.json",
                       folder / "part.exr", "--povray", self.stock, "--work", frames, "--batches",
                       batches, "--samples", samples])
-            for left in frames.iterdir():
-                left.unlink()
-            frames.rmdir()
+            shutil.rmtree(frames)
             (folder / "part.exr").rename(picture)
         return picture
 

@@ -1,37 +1,148 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The paper's pictures for the eye: Figs. 4, 5, 6 and 9. They make no claims in numbers; the other
-experiments measure what these show."""
+"""The paper's Figs. 4, 5, 6 and 9: pictures for the eye, and the blur of what they show measured in
+them, against a pinhole's picture of the same scene."""
 
-from common import SCENES
+import dataclasses
+import math
 
-PICTURES = {
-    "dragons": (["dragons_normal", "dragons_tilted"], (480, 270)),
-    "box": (["box_a", "box_b", "box_c"], (360, 240)),
-    "landscape": ([f"landscape_{letter}" for letter in "abcd"], (480, 270)),
-}
+import box as box_scene
+from blur import parabola
+from common import SCENES, Claim
+from lens import Lens, View, add, length, sub, times
+from sharpness import Region, measure, regions
+
+PINHOLE = 0.0001        # factor of the aperture
 
 
-def make(lab, group):
-    names, size = PICTURES[group]
-    if lab.quick:
-        size = (size[0] // 4, size[1] // 4)
+def pictures(lab, names, size, pinhole):
+    """Renders scenes and, with these declarations, the pinhole's picture of the first; linear
+    pictures by name."""
+    found = {}
     for name in names:
-        picture = lab.render(SCENES / f"{name}.pov", f"{name}.png", size)
-        print(f"        {picture}", flush=True)
-    return ()
+        found[name] = lab.render(SCENES / f"{name}.pov", f"{name}.exr", size)
+        print(f"        {lab.png(found[name])}", flush=True)
+    found["pinhole"] = lab.render(SCENES / f"{names[0]}.pov", f"{names[0]}_pinhole.exr", size,
+                                  pinhole)
+    return found
+
+
+# ---- Fig. 4 ----
+ROW_START, ROW_STEP = (-0.85, 0, -0.6), (1.45, 0, 4.0)
+
+
+def dragon(number):
+    """Back and crest of one of the four, as a box along the world's axes."""
+    middle = add(ROW_START, times(number, ROW_STEP))
+    return Region(f"dragon {number + 1}", add(middle, (-0.35, 0.5, -0.35)),
+                  add(middle, (0.35, 1.1, 0.35)))
 
 
 def dragons(lab):
-    """Fig. 4."""
-    return make(lab, "dragons")
+    """Fig. 4: the normal lens shows the second dragon sharp, the tilted one all four."""
+    view = View((0.2, 2.7, -9.5), (0.55, 0.9, 2.2), *((320, 180) if lab.quick else (640, 360)),
+                0, 0, 1000)
+    row = [dragon(i) for i in range(4)]
+    focus = add(add(ROW_START, ROW_STEP), (0, 0.8, 0))
+    planes = {"dragons_normal": (sub(view.look_at, view.location), focus),
+              "dragons_tilted": ((ROW_STEP[2], 0, -ROW_STEP[0]), ROW_START)}
+    shown = pictures(lab, list(planes), (view.width, view.height), [("Wide", PINHOLE)])
+    found = {}
+    for name, (normal, point) in planes.items():
+        lens = Lens.of_angle(view, 41, 0.45, normal, point)
+        found[name], claims = regions(lab, shown["pinhole"], shown[name], lens, row)
+        for claim in claims:
+            yield dataclasses.replace(claim, text=f"{name[8:]}, {claim.text}")
+    normal, tilted = (list(found[name].values()) for name in planes)
+    yield Claim("normal: the second dragon's blur in parts of the next sharpest one's",
+                normal[1] / min(normal[0], *normal[2:]), 0.5)
+    yield Claim("tilted: the most blurred dragon in parts of the normal lens's most blurred one",
+                max(tilted) / max(normal), 0.25)
+    lab.table("dragons.csv", ["dragon", "normal, pixels", "tilted, pixels"],
+              [[i + 1, *pair] for i, pair in enumerate(zip(normal, tilted))])
+
+
+# ---- Figs. 5 and 6 ----
+SHARP_LIMIT = 0.01      # of the distance from the camera
+
+
+def floor_line(count):
+    """Over the floor beside the box, from near to far."""
+    return [(-15.0, 0.0, -19.0 + 30.0 * i / (count - 1)) for i in range(count)]
+
+
+def side_line(count):
+    """Up a side face of the box, not to its upper edge."""
+    return [box_scene.turned((-1.0, 0.9 + 4.6 * i / (count - 1), -6)) for i in range(count)]
+
+
+def sharp_place(lab, sharp, blurred, lens, points, half):
+    """Where along a straight line of points the picture is sharpest: blur times depth is in
+    proportion to the distance from the plane of sharp focus, so its square is a parabola that
+    touches zero there. Also the measured diameters."""
+    windows = []
+    for point in points:
+        x, y = (round(c) for c in lens.pixel(point))
+        windows.append([x - half, y - half, 2 * half, 2 * half])
+    found = measure(lab, sharp, blurred, windows, 40)
+    depths = [lens.view.local(p)[2] for p in points]
+    steps = [i / (len(points) - 1) for i in range(len(points))]
+    fit = parabola(steps, [(d * z) ** 2 for d, z in zip(found, depths)])
+    at = -fit[1] / (2 * fit[2])
+    return add(points[0], times(at, sub(points[-1], points[0]))), found
 
 
 def box(lab):
-    """Figs. 5 and 6."""
-    return make(lab, "box")
+    """Figs. 5 and 6: where the three states are sharp."""
+    view = dataclasses.replace(box_scene.VIEW, width=480, height=320)
+    size = (view.width, view.height)
+    shown = pictures(lab, ["box_a", "box_b", "box_c"], size, [("Stop", 1e6)])
+    rows = []
+    for letter, line, half in (("a", floor_line(9), 30), ("b", side_line(6), 14),
+                               ("c", floor_line(9), 30)):
+        lens = box_scene.state(letter, view)
+        place, found = sharp_place(lab, shown["pinhole"], shown[f"box_{letter}"], lens, line, half)
+        local = view.local(place)
+        off = (1 - sum(k * x for k, x in zip(lens.focus, local))) / length(lens.focus)
+        yield Claim(f"({letter}): the sharpest place of the {'side' if letter == 'b' else 'floor'} "
+                    "is off the plane by", off / length(local), SHARP_LIMIT, "of its distance")
+        for point, diameter in zip(line, found):
+            rows.append([letter, *point, lens.blur_diameter(point), diameter])
+    lab.table("box.csv", ["state", "x", "y", "z", "closed form, pixels", "measured, pixels"], rows)
+
+
+# ---- Fig. 9 ----
+GREEN = (4, 0, -2)
+LANDSCAPE = [
+    Region("village green", (0, 0, -6), (8, 4, 2)),
+    Region("keep", (28.5, 10, -6.5), (37.5, 24, -2)),
+    Region("red balloon", (9, 44, -8), (23, 59, -2)),
+    Region("windmill", (-34, 4, -44), (-28, 12, -38)),
+    Region("field", (20, 0, -62), (28, 0.2, -54)),
+    Region("blue balloon", (-72, 36, 84), (-60, 50, 96)),
+]
 
 
 def landscape(lab):
-    """Fig. 9."""
-    return make(lab, "landscape")
+    """Fig. 9: what is sharp in the four landscapes, and twice the blur with twice the aperture."""
+    view = View((-10, 56, -116), (4, 3.4, -4), *((320, 240) if lab.quick else (640, 480)), 0, 0,
+                1000)
+    planes = {"a": (8, sub(view.look_at, view.location), GREEN), "b": (8, (0, 1, 0), (0, 0, 0)),
+              "c": (8, (0, 0, 1), GREEN), "d": (16, (0, 0, 1), GREEN)}
+    shown = pictures(lab, [f"landscape_{letter}" for letter in planes], (view.width, view.height),
+                     [("Wide", PINHOLE), ("Variance", 1e-5)])
+    found = {}
+    for letter, (diameter, normal, point) in planes.items():
+        lens = Lens.of_angle(view, 70, diameter, normal, point)
+        found[letter], claims = regions(lab, shown["pinhole"], shown[f"landscape_{letter}"], lens,
+                                        LANDSCAPE)
+        for claim in claims:
+            yield dataclasses.replace(claim, text=f"({letter}) {claim.text}")
+    for name in ("keep", "red balloon"):
+        yield Claim(f"(c) {name}: blur in parts of (a)'s", found["c"][name] / found["a"][name], 0.6)
+    for name in ("windmill", "blue balloon"):
+        yield Claim(f"(d) {name}: blur in parts of (c)'s", found["d"][name] / found["c"][name],
+                    2.2, low=1.8)
+    lab.table("landscape.csv", ["region", *(f"({letter}), pixels" for letter in planes)],
+              [[place.name, *(found[letter][place.name] for letter in planes)]
+               for place in LANDSCAPE])

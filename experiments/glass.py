@@ -1,62 +1,93 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A lens of glass as a second photograph of the box scene. Its distortion moves image points, which
-an ideal lens does not know; so each line is drawn between the images of the same two points of the
-scene, as on a photograph, and how far they moved is reported beside the brightness."""
+"""A lens of glass as a second photograph of the box scene, and why it differs from the thin lens: its
+properties are given to the thin lens one after the other, and the difference that is left is
+measured after each. How large it may be is worked out, not chosen: rays that meet the scene some
+pixels aside change a line's brightness by at most so many times the picture's steepness."""
 
 import dataclasses
-import math
 
 from box import LINES, VIEW, state
 from common import SCENES, Claim
 
 F_STOP = 8              # the glass's own aberrations are small there
-SAME_SCENE = 1.0        # level: the ideal lens in the glass's program against tilt_lens
-GLASS = 8.0             # levels; found 1.2 to 7.0, with the image points put in place
+SAME_SCENE = 0.5        # levels: the ideal lens in the glass's program against tilt_lens, as Table 1
+MODELS = ("thin", "distortion", "field", "pupil", "glass")
+STEPS = ("distortion", "field", "pupil", "rest")
+REACH = 3.0             # pixels beside a line whose steepness counts
+PINHOLE = 1e6           # f-number of the sharp picture
 
 
-def photograph(lab, letter, lens, name, extra=()):
-    """The picture and what the program says of the lens."""
-    view, picture = lens.view, lab.work / f"{name}_{letter}.exr"
-    lab.work.mkdir(parents=True, exist_ok=True)
-    points = [x for _, _, start, end in LINES.values() for p in (start, end) for x in p]
-    report = lab.json([lab.tool("paper", "glass"), picture, "--width", view.width, "--height",
-                       view.height, "--samples", 192 if lab.quick else 512, "--f-stop", view.f_stop,
-                       "--tilt", lens.tilt(), "--film-distance",
-                       lens.film_distance * view.scene_unit, *extra, "--locate", *points])
-    return picture, report
+@dataclasses.dataclass
+class Tracer:
+    """The program of its own for one state of the box scene."""
+
+    lab: object
+    letter: str
+    lens: object
+    lines: list
+
+    def picture(self, model, f_stop=F_STOP, measure=False, whole=False):
+        """The lines' surroundings, or the whole picture; and what was measured of the rays."""
+        view, kind = self.lens.view, "whole" if whole else "sharp" if f_stop > F_STOP else "lines"
+        made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
+        made.parent.mkdir(parents=True, exist_ok=True)
+        report = self.lab.json([
+            self.lab.tool("paper", "glass"), made, "--width", view.width, "--height", view.height,
+            "--samples", 128 if whole else 1024 if self.lab.quick else 4096, "--f-stop", f_stop,
+            "--tilt", self.lens.tilt(), "--film-distance",
+            self.lens.film_distance * view.scene_unit, "--model", model,
+            *([] if whole else ["--line", *[x for line in self.lines for x in line], "--reach",
+                                REACH + 2]), *(["--measure"] if measure else [])])
+        return made, report["lines"]
 
 
-def levels(lab, picture, line, csv):
-    """The profile along a line, 200 points."""
-    lab.results.mkdir(parents=True, exist_ok=True)
-    lab.run([lab.tool("paper", "profile"), "line", picture, "--from-to", *line, "--points", 200,
-             "--csv", csv])
-    return [float(row.split(",")[1]) for row in csv.read_text().splitlines()[1:]]
+def levels(lab, first, others, line):
+    """Average differences of pictures from the first, along a line."""
+    report = lab.json([lab.tool("paper", "profile"), "line", first, *others, "--from-to", *line,
+                       "--points", 400])
+    return [curve["average_difference"] for curve in report["curves"]]
 
 
 def compare(lab):
     view = dataclasses.replace(VIEW, f_stop=F_STOP)
+    if lab.quick:
+        view = dataclasses.replace(view, width=120, height=80)
     rows = []
     for letter in "b" if lab.quick else "abc":
         lens = state(letter, view)
+        lines = {colour: [*lens.pixel(start), *lens.pixel(end)]
+                 for colour, (_, _, start, end) in LINES.items()}
+        tracer = Tracer(lab, letter, lens, list(lines.values()))
         ours = lab.render(SCENES / f"box_{letter}.pov", f"stopped_{letter}.exr",
-                          (view.width, view.height), [("Stop", F_STOP)])
-        ideal, _ = photograph(lab, letter, lens, "ideal", ["--thin"])
-        glass, report = photograph(lab, letter, lens, "glass")
-        for i, (colour, (_, _, start, end)) in enumerate(LINES.items()):
-            line = [*lens.pixel(start), *lens.pixel(end)]
-            moved = [x for point in report["located"][2 * i:2 * i + 2] for x in point]
-            csv = lab.results / f"glass_{letter}_{colour}"
-            curves = [levels(lab, picture, at, csv.with_name(f"{csv.name}_{name}.csv"))
-                      for name, picture, at in (("tilt_lens", ours, line), ("ideal", ideal, line),
-                                                ("glass", glass, moved))]
-            same, far = (sum(abs(a - b) for a, b in zip(curves[0], c)) / 200 for c in curves[1:])
-            shift = max(math.hypot(moved[j] - line[j], moved[j + 1] - line[j + 1]) for j in (0, 2))
-            rows.append([letter, colour, same, far, shift])
-            yield Claim(f"glass ({letter}) {colour}: the same scene, ideal lens", same, SAME_SCENE,
-                        "levels")
-            yield Claim(f"glass ({letter}) {colour}: glass against tilt_lens, image points moved "
-                        f"by {shift:.2g} pixels", far, GLASS, "levels")
-    lab.table("glass.csv", ["state", "line", "ideal lens, levels", "glass, levels",
-                            "image points moved, pixels"], rows)
+                          (view.width, view.height),
+                          [("Stop", F_STOP), ("Quality", 1), ("Variance", 2e-6)])
+        shots = {model: tracer.picture(model)[0] for model in MODELS[:-1]}
+        glass, measured = tracer.picture("glass", measure=True)
+        sharp, _ = tracer.picture("thin", f_stop=PINHOLE)
+        if not lab.quick:
+            lab.png(tracer.picture("glass", whole=True)[0])
+        for (colour, line), rays in zip(lines.items(), measured):
+            whole, *left = levels(lab, glass, [ours, *shots.values()], line)
+            same, = levels(lab, ours, [shots["thin"]], line)
+            steep = float(lab.run([lab.tool("paper", "profile"), "steepness", sharp, "--from-to",
+                                   *line, "--reach", REACH]))
+            rows.append([letter, colour, same, whole, *left[1:], *(rays[step] for step in STEPS),
+                         rays["all"], rays["vignetted"], steep])
+            yield from claims(f"glass ({letter}) {colour}", same, whole, left, rays, steep)
+    lab.table("glass.csv",
+              ["state", "line", "ideal lens, levels", "glass, levels", "with its distortion",
+               "with its field", "with its pupil", *(f"{step}, pixels" for step in STEPS),
+               "all, pixels", "vignetted", "steepness, levels per pixel"], rows)
+
+
+def claims(text, same, whole, left, rays, steep):
+    """The same scene; and what is left after each property within what its rays explain."""
+    yield Claim(f"{text}: the same scene, ideal lens", same, SAME_SCENE, "levels")
+    yield Claim(f"{text}: glass against tilt_lens, rays {rays['all']:.2g} pixels aside", whole,
+                SAME_SCENE + steep * rays["all"], "levels")
+    aside = sum(rays[step] for step in STEPS[1:])
+    for i, (model, step) in enumerate(zip(MODELS[1:], STEPS[1:]), 1):
+        yield Claim(f"{text}: left with the glass's {model}, rays {aside:.2g} pixels aside",
+                    left[i], SAME_SCENE + steep * aside, "levels")
+        aside -= rays[step]

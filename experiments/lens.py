@@ -94,6 +94,17 @@ class Lens:
         t_z = math.sqrt(1 - across[0] ** 2 - across[1] ** 2)
         return cls(view, (*across, t_z), 1 / (t_z / f - k[2]))
 
+    @classmethod
+    def of_angle(cls, view, angle, diameter, normal, point):
+        """The lens of this diameter whose view is `angle` degrees wide, focused on a plane; its
+        focal length and f-number take the place of the view's."""
+        s = view.film_width / view.scene_unit / 2 / math.tan(math.radians(angle / 2))
+        n = view.turned(unit(normal))
+        q = add(times(1 / dot(n, view.local(point)), n), (0, 0, 1 / s))
+        f = 1 / length(q)
+        view = dataclasses.replace(view, focal_length=f * view.scene_unit, f_stop=f / diameter)
+        return cls(view, times(f, q), s)
+
     def tilt(self):
         return math.degrees(math.atan2(-self.normal[1], self.normal[2]))
 
@@ -113,9 +124,9 @@ class Lens:
                 v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
 
     def lens_axes(self):
-        """Right and up of the lens plane, unit, camera frame; only for a lens without swing."""
-        assert self.normal[0] == 0.0
-        return (1, 0, 0), (0, self.normal[2], -self.normal[1])
+        """Two directions of the lens plane, unit, camera frame; right and up without swing."""
+        right = unit(cross((0, 1, 0), self.normal))
+        return right, cross(self.normal, right)
 
     def vergence(self, point):
         """Defocus of a world point: w(D) - 1/T for its chief ray X = T D, D.z = 1."""
@@ -136,6 +147,11 @@ class Lens:
         """Second moments (xx, xy, yy) of that ellipse, evenly filled: squared axes by four."""
         axes = self.blur_axes(point)
         return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
+
+    def blur_diameter(self, point):
+        """Of the disc with the mean of that ellipse's moments, pixels."""
+        xx, _, yy = self.blur_moments(point)
+        return 4 * math.sqrt((xx + yy) / 2)
 
     def blur_centre(self, point):
         """Where the middle of the blur lies, in pixels: the mean over the lens of where the ray

@@ -14,7 +14,6 @@ global_settings { assumed_gamma 1 }
 camera
 {
   Dragons_Camera()
-  aperture 0.9
   focal_point Row_Start + Row_Step + 0.8*y
   tilt_lens { }
 }

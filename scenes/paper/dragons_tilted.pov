@@ -15,6 +15,5 @@ global_settings { assumed_gamma 1 }
 camera
 {
   Dragons_Camera()
-  aperture 0.9
   tilt_lens { focal_points Row_Start, Row_Start + Row_Step, Row_Start + y }
 }

@@ -3,9 +3,10 @@
 //
 // The seed paper's Fig. 9(b): a landscape, the plane of sharp focus on the ground.
 //
-//   ./render scenes/paper/landscape_b.pov +W960 +H540
+//   ./render scenes/paper/landscape_b.pov +W960 +H720
 //
-// Look for: all of the ground sharp, from the first field to the last; only what rises above it blurs a little.
+// Look for: all of the ground sharp, from the first field to the foot of the hills; the higher a thing
+//          rises above it, the more it blurs: spire, keep, balloon.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -13,8 +14,6 @@ global_settings { assumed_gamma 1 }
 
 camera
 {
-  Landscape_Camera()
-  aperture 4
-
+  Landscape_Camera(16)
   tilt_lens { focal_plane { y, 0 } }
 }

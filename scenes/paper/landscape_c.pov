@@ -3,9 +3,10 @@
 //
 // The seed paper's Fig. 9(c): a landscape, reverse tilt: the plane of sharp focus perpendicular to the ground.
 //
-//   ./render scenes/paper/landscape_c.pov +W960 +H540
+//   ./render scenes/paper/landscape_c.pov +W960 +H720
 //
-// Look for: one street across the village sharp from doorstep to spire, and the look of a model.
+// Look for: church, green, keep, poplars and the red balloon sharp from foot to top, and the look of a
+//          model before and behind them.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -13,8 +14,6 @@ global_settings { assumed_gamma 1 }
 
 camera
 {
-  Landscape_Camera()
-  aperture 4
-
+  Landscape_Camera(16)
   tilt_lens { focal_plane { z, Village_Green.z } }
 }

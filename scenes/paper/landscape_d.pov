@@ -3,9 +3,9 @@
 //
 // The seed paper's Fig. 9(d): a landscape, as (c) with twice the aperture.
 //
-//   ./render scenes/paper/landscape_d.pov +W960 +H540
+//   ./render scenes/paper/landscape_d.pov +W960 +H720
 //
-// Look for: the sharp strip half as deep as in (c).
+// Look for: the same plane sharp, all else twice as blurred as in (c).
 
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -13,8 +13,6 @@ global_settings { assumed_gamma 1 }
 
 camera
 {
-  Landscape_Camera()
-  aperture 8
-
+  Landscape_Camera(32)
   tilt_lens { focal_plane { z, Village_Green.z } }
 }

@@ -10,9 +10,6 @@
 namespace paper
 {
 
-namespace
-{
-
 double Luminance(const witness::Picture& picture, int column, int row)
 {
     const double* p = &picture.values[3 * (static_cast<std::size_t>(row) * picture.width + column)];
@@ -24,6 +21,9 @@ double Level(double linear)
     const double c = std::clamp(linear, 0.0, 1.0);
     return 255.0 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055);
 }
+
+namespace
+{
 
 /// Levels are taken first and mixed then, as somebody does who reads them off an 8-bit file.
 double LevelAt(const witness::Picture& picture, Point at)

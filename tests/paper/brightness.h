@@ -21,6 +21,12 @@ struct Point
     double x = 0.0, y = 0.0;  ///< pixels
 };
 
+/// Linear luminance of a pixel, Rec. 709 weights.
+double Luminance(const witness::Picture& picture, int column, int row);
+
+/// A linear value as a level from 0 to 255 of an 8-bit sRGB file, not rounded.
+double Level(double linear);
+
 /// Brightness on a straight line between two points of the image, in levels from 0 to 255 of an
 /// 8-bit sRGB file, not rounded: luminance (Rec. 709 weights) at evenly spaced points, ends
 /// included, bilinear between the middles of pixels.

@@ -12,7 +12,7 @@ namespace paper
 namespace
 {
 
-/// As printed: radius, distance to the next surface, index behind, clear diameter; mm.
+/// A row of the file: radius, distance to the next surface, index behind, clear diameter; mm.
 struct Printed
 {
     double radius, thickness, index, diameter;
@@ -89,6 +89,7 @@ GlassLens::GlassLens(double focalLength, double fStop)
         s.rim *= scale;
     }
     mFocalLength = focalLength;
+    mPrintedFocal = printedFocal;
     mSeparation = scale * (frontPrincipal - rearPrincipal);
     mStopZ = mSurfaces[kStopAfter].z - scale * kPrintedStop;
     mPupilRadius = 0.5 * focalLength / fStop;
@@ -140,16 +141,19 @@ void GlassLens::PlaceStop()
     mPupilRadius = mStopRadius * std::fabs(seen(best, false).second);
 }
 
-std::optional<Ray> GlassLens::Trace(const Ray& fromFilm) const
+std::optional<Passage> GlassLens::Trace(const Ray& fromFilm, bool rims) const
 {
     Ray ray = fromFilm;
+    double stopX = 0.0, stopY = 0.0;
     for (int i = static_cast<int>(mSurfaces.size()) - 1; i >= 0; --i)
     {
         if (i == mStopAfter)
         {
             const double step = (mStopZ - ray.origin.z) / ray.direction.z;
             const Vector at = ray.origin + step * ray.direction;
-            if (std::hypot(at.x, at.y) > mStopRadius)
+            stopX = at.x / mStopRadius;
+            stopY = at.y / mStopRadius;
+            if (std::hypot(stopX, stopY) > 1.0)
                 return std::nullopt;
         }
         const Surface& s = mSurfaces[i];
@@ -162,7 +166,7 @@ std::optional<Ray> GlassLens::Trace(const Ray& fromFilm) const
         // Of the sphere's two points the one on the vertex's side.
         const double step = s.radius > 0.0 ? -b + std::sqrt(square) : -b - std::sqrt(square);
         ray.origin = ray.origin + step * ray.direction;
-        if (std::hypot(ray.origin.x, ray.origin.y) > s.rim)
+        if (rims && std::hypot(ray.origin.x, ray.origin.y) > s.rim)
             return std::nullopt;
         Vector normal = (1.0 / s.radius) * (ray.origin - centre);
         if (witness::Dot(normal, ray.direction) > 0.0)
@@ -172,7 +176,7 @@ std::optional<Ray> GlassLens::Trace(const Ray& fromFilm) const
             return std::nullopt;
         ray.direction = witness::Unit(*direction);
     }
-    return ray;
+    return Passage{ray, stopX, stopY};
 }
 
 }  // namespace paper

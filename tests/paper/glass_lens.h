@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_lens.h
-/// A lens of glass: a double Gauss of six elements of the type of US patent 2,532,751 (1950, long
-/// expired), for 50 mm and f/2. Not all of its rows were checked against the patent; its tests
-/// measure what it is. One wavelength, Snell's law at
-/// every surface. It shares nothing with the thin lens but the numbers it is asked for.
+/// A lens of glass: a double Gauss of six elements for 50 mm and f/2. Its rows are those of the lens
+/// file dgauss.50mm.dat of the renderer pbrt, all of them, but for the place of the stop; the file
+/// names US patent 2,673,491 (Tronnier) after Smith, Modern Lens Design, as its source. One
+/// wavelength, Snell's law at every surface. It shares nothing with the thin lens but the numbers it
+/// is asked for.
 ///
 /// Frame: z along the lens's axis toward the scene, origin in the front principal point H. The film
 /// side principal point H' is at -Separation(). A thin lens is this lens with the space between H
@@ -29,6 +30,13 @@ struct Ray
     Vector origin, direction;  ///< lens frame, mm; direction is a unit vector
 };
 
+/// A ray that came through.
+struct Passage
+{
+    Ray out;
+    double stopX, stopY;  ///< where it passed the stop, in parts of its radius
+};
+
 class GlassLens
 {
   public:
@@ -47,8 +55,11 @@ class GlassLens
     }  ///< its z, mm; H' where the stop could be put so
     double EntrancePupil() const { return mEntrancePupil; }  ///< its z, mm
 
-    /// The way out into the scene of a ray from the film; nothing where the stop or a rim ends it.
-    std::optional<Ray> Trace(const Ray& fromFilm) const;
+    double PrintedFocalLength() const { return mPrintedFocal; }  ///< of the rows as they are, mm
+
+    /// The way out into the scene of a ray from the film; nothing where the stop or, unless they
+    /// are left out, a rim ends it.
+    std::optional<Passage> Trace(const Ray& fromFilm, bool rims = true) const;
 
   private:
     /// A spherical surface, in order from the scene to the film.
@@ -64,7 +75,7 @@ class GlassLens
 
     std::vector<Surface> mSurfaces;
     int mStopAfter = 0;  ///< the stop lies behind this surface, toward the film
-    double mFocalLength = 0.0, mSeparation = 0.0;
+    double mFocalLength = 0.0, mPrintedFocal = 0.0, mSeparation = 0.0;
     double mStopZ = 0.0, mStopRadius = 0.0;
     double mPupilRadius = 0.0, mExitPupil = 0.0, mEntrancePupil = 0.0;
 };

@@ -3,7 +3,8 @@
 
 // The profile tool: brightness along a line between two points of one or several pictures, as CSV
 // and as a plot of one over the other, with the average absolute difference to the first in 8-bit
-// levels; and the moments of blur spots and the edges of bright things, for the other experiments.
+// levels; and the moments of blur spots, the edges of bright things, the blur between two pictures
+// and the steepness of one, for the other experiments.
 
 #include <cstdio>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brightness.h"
+#include "sharpness.h"
 
 namespace
 {
@@ -150,6 +152,23 @@ void RunEdges(const std::string& path, int inside, int first, int last)
     std::cout << result.dump() << '\n';
 }
 
+void RunBlur(const std::string& sharpPath, const std::string& blurredPath, double widest)
+{
+    const witness::Picture sharp = witness::ReadPicture(sharpPath),
+                           blurred = witness::ReadPicture(blurredPath);
+    json result = json::array();
+    for (const json& window : json::parse(std::cin))
+    {
+        const paper::Blur blur = paper::BlurBetween(
+            sharp, blurred,
+            {window.at(0).get<int>(), window.at(1).get<int>(), window.at(2).get<int>(),
+             window.at(3).get<int>()},
+            widest);
+        result.push_back({{"diameter", blur.diameter}, {"residual", blur.residual}});
+    }
+    std::cout << result.dump() << '\n';
+}
+
 CLI::App* AddLine(CLI::App& app, LineOptions& options)
 {
     CLI::App* line =
@@ -178,7 +197,9 @@ int main(int argc, char** argv)
     app.require_subcommand(1);
     LineOptions options;
     CLI::App* line = AddLine(app, options);
-    std::string picture;
+    std::string picture, blurred;
+    double widest = 0.0, reach = 0.0;
+    std::vector<double> steepLine;
     int inside = 0, first = 0, last = 0;
     CLI::App* moments = app.add_subcommand(
         "moments", "second moments in windows: JSON [[left, top, width, height], ...] on stdin");
@@ -189,6 +210,16 @@ int main(int argc, char** argv)
     edges->add_option("--inside", inside, "a column inside of it")->required();
     edges->add_option("--first", first, "row")->required();
     edges->add_option("--last", last, "row")->required();
+    CLI::App* blur = app.add_subcommand(
+        "blur", "diameter of the disc that makes the second picture of the first, in windows on "
+                "stdin as for moments");
+    blur->add_option("sharp", picture)->required();
+    blur->add_option("blurred", blurred)->required();
+    blur->add_option("--widest", widest, "pixels")->required();
+    CLI::App* steep = app.add_subcommand("steepness", "mean along a line, levels per pixel");
+    steep->add_option("picture", picture)->required();
+    steep->add_option("--from-to", steepLine, "x y x y in pixels")->required()->expected(4);
+    steep->add_option("--reach", reach, "on both sides of the line, pixels")->required();
     CLI11_PARSE(app, argc, argv);
     try
     {
@@ -196,6 +227,13 @@ int main(int argc, char** argv)
             return RunLine(options) ? 0 : 2;
         if (*moments)
             RunMoments(picture);
+        else if (*blur)
+            RunBlur(picture, blurred, widest);
+        else if (*steep)
+            std::cout << paper::MeanSteepness(witness::ReadPicture(picture),
+                                              {steepLine[0], steepLine[1]},
+                                              {steepLine[2], steepLine[3]}, reach)
+                      << '\n';
         else
             RunEdges(picture, inside, first, last);
     }

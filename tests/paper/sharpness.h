@@ -1,0 +1,42 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file sharpness.h
+/// How blurred a part of a picture is, measured against a sharp picture of the same: the diameter
+/// of the disc that makes the one out of the other. And how steep the brightness of a picture is.
+
+#ifndef PAPER_SHARPNESS_H
+#define PAPER_SHARPNESS_H
+
+#include "brightness.h"
+#include "picture.h"
+
+namespace paper
+{
+
+struct Window
+{
+    int left = 0, top = 0, width = 0, height = 0;  ///< pixels
+};
+
+struct Blur
+{
+    double diameter = 0.0;  ///< pixels
+    double residual = 0.0;  ///< RMS of what the disc does not explain, in parts of the contrast
+};
+
+/// The disc, at most `widest` pixels across, with which the sharp picture comes nearest to the
+/// blurred one in the window: least squares of linear luminance. Beyond the picture's edge its last
+/// pixels go on.
+/// @throws std::invalid_argument  pictures of two sizes, a window outside, or one without contrast.
+Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
+                 const Window& window, double widest);
+
+/// Mean steepness in levels of an 8-bit sRGB file per pixel, of the pixels not farther than
+/// `reach` from a line between two points.
+/// @throws std::invalid_argument  for a line outside of the picture.
+double MeanSteepness(const witness::Picture& picture, Point from, Point to, double reach);
+
+}  // namespace paper
+
+#endif
