@@ -154,25 +154,37 @@ class Lens:
         return 4 * math.sqrt((xx + yy) / 2)
 
     def blur_centre(self, point):
-        """Where the middle of the blur lies, in pixels: the mean over the lens of where the ray
-        from the point through it meets the plane of sharp focus, seen from the lens centre. A
-        tilted lens is nearer to the point at one rim than at the other, which moves the middle."""
+        """Where the centroid of a small disc's blur lies, in pixels; the disc is parallel to the film.
+        Through a lens point the disc is seen as far aside as its ray meets the plane of sharp focus,
+        and as large as from there: a tilted lens is nearer to the disc at one rim than at the other,
+        which moves the middle of the blur and gives the near rim more weight."""
         p, (right, up) = self.view.local(point), self.lens_axes()
-        sums, rings, spokes = [0.0, 0.0], 8, 16
+        sums, rings, spokes = [0.0, 0.0, 0.0], 8, 16
         for i in range(rings):
             for j in range(spokes):
                 r = self.radius * math.sqrt((i + 0.5) / rings)
                 angle = 2 * math.pi * (j + 0.5) / spokes
                 rim = add(times(r * math.cos(angle), right), times(r * math.sin(angle), up))
-                k_rim = dot(self.focus, rim)
-                step = (1 - k_rim) / (dot(self.focus, p) - k_rim)
-                met = add(rim, times(step, sub(p, rim)))
-                sums[0] += met[0] / met[2]
-                sums[1] += met[1] / met[2]
+                size = self.seen_size(rim, p)
+                for k, slope in enumerate((1.0, *self.seen_from(rim, p))):
+                    sums[k] += size * slope
         x, y = self.pixel(point)
-        scale, count = self.pixels_per_slope(), rings * spokes
-        return (x + scale * (sums[0] / count - p[0] / p[2]),
-                y - scale * (sums[1] / count - p[1] / p[2]))
+        scale = self.pixels_per_slope()
+        return (x + scale * (sums[1] / sums[0] - p[0] / p[2]),
+                y - scale * (sums[2] / sums[0] - p[1] / p[2]))
+
+    def seen_from(self, rim, p):
+        """The film point, as slopes, that sees a point (camera frame) through a point of the lens."""
+        k_rim, k_p = dot(self.focus, rim), dot(self.focus, p)
+        met = add(times(k_p - k_rim, rim), times(1 - k_rim, sub(p, rim)))
+        return met[0] / met[2], met[1] / met[2]
+
+    def seen_size(self, rim, p):
+        """The area on the film of a small piece parallel to it, by differences."""
+        step = 1e-4 * p[2]
+        (ax, ay), (bx, by) = (self.seen_from(rim, (p[0] + d, p[1], p[2])) for d in (-step, step))
+        (cx, cy), (dx, dy) = (self.seen_from(rim, (p[0], p[1] + d, p[2])) for d in (-step, step))
+        return abs((bx - ax) * (dy - cy) - (by - ay) * (dx - cx))
 
     def disc_moments(self, point, radius):
         """Those of a disc about the point, parallel to the film, as a pinhole sees it."""
