@@ -69,6 +69,16 @@ def compare_lines(lab, letter, lens, pictures, names, stem, title):
     return found
 
 
+def draw_lines(lab, lens, picture):
+    """The picture, twice as large, with the lines on it."""
+    drawing = ["--resize", f"{2 * lens.view.width}x{2 * lens.view.height}"]
+    for _, shade, start, end in LINES.values():
+        colour = ",".join(f"{int(shade[i:i + 2], 16) / 255:.3f}" for i in (1, 3, 5))
+        ends = ",".join(str(round(2 * c)) for p in (start, end) for c in lens.pixel(p))
+        drawing += [f"--line:color={colour}", ends]
+    lab.png(picture, *drawing)
+
+
 def table_1(lab):
     """Figs. 7, 8 and Table 1; yields claims."""
     view = dataclasses.replace(VIEW, width=120, height=80) if lab.quick else VIEW
@@ -82,6 +92,8 @@ def table_1(lab):
                                SCENES / "box_objects.inc", batches, samples)
         pictures = [lab.render(SCENES / f"box_{letter}.pov", f"table1_{letter}_{quality}.exr", size,
                                declare=[("Quality", quality)]) for quality in qualities]
+        if not lab.quick:
+            draw_lines(lab, lens, pictures[0])
         names = ["accumulation, unpatched", "tilt_lens", "tilt_lens, high quality"]
         found = compare_lines(lab, letter, lens, [reference, *pictures], names[:1 + len(pictures)],
                               "profile", "Fig. 7" if letter == "b" else "Fig. 8")

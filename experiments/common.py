@@ -106,11 +106,13 @@ class Laboratory:
                 found.update(path.name.encode() + path.read_bytes())
         return found.hexdigest()
 
-    def png(self, picture):
-        """The same picture for people: 8-bit sRGB."""
-        made = picture.with_suffix(".png")
-        self.run(["oiiotool", picture, "--ch", "R,G,B", "--colorconvert", "linear", "sRGB", "-d",
-                  "uint8", "-o", made])
+    def png(self, picture, *drawing):
+        """The same picture for people, among the results: 8-bit sRGB, with what oiiotool's options
+        draw on it."""
+        made = self.results / picture.with_suffix(".png").name
+        made.parent.mkdir(parents=True, exist_ok=True)
+        self.run(["oiiotool", picture, "--ch", "R,G,B", "--colorconvert", "linear", "sRGB",
+                  *drawing, "-d", "uint8", "-o", made])
         return made
 
     def moments(self, picture, windows):

@@ -6,14 +6,12 @@
 import argparse
 import importlib
 import pathlib
-import re
-import shutil
 import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-import figures  # noqa: E402
-from common import REPOSITORY, Failed, Laboratory  # noqa: E402
+import document  # noqa: E402
+from common import REPOSITORY, Laboratory  # noqa: E402
 
 # Name, module, function; in the order of docs/paper.md.
 EXPERIMENTS = [
@@ -34,33 +32,25 @@ EXPERIMENTS = [
 
 def run(lab, name, module, function):
     """One experiment; its failures in words."""
-    started, failures = time.monotonic(), []
+    started, failures, claims = time.monotonic(), [], []
     print(f"== {name}", flush=True)
     try:
         for claim in getattr(importlib.import_module(module), function)(lab):
             print("   " + claim.line(), flush=True)
+            claims.append([claim.text, float(claim.value), claim.unit, claim.allowed()])
             if not claim.holds:
                 failures.append(f"{name}: {claim.line()}")
-    except Failed as trouble:
-        print(f"   FAIL {trouble}", flush=True)
-        failures.append(f"{name}: {str(trouble).splitlines()[0]}")
+    except Exception as trouble:  # whatever it is, the other experiments go on
+        print(f"   FAIL {type(trouble).__name__}: {trouble}", flush=True)
+        failures.append(f"{name}: {type(trouble).__name__}: {str(trouble).splitlines()[0]}")
+    if not claims and not failures:
+        failures.append(f"{name}: FAIL it claims nothing")
+    lab.table("claims.csv", ["measured", "found", "unit", "limit"], claims)
     print(f"   {time.monotonic() - started:.0f} s", flush=True)
     return failures
 
 
-def update_docs(lab):
-    """Pictures, curves and tables of this run become those of docs/paper.md."""
-    folder = REPOSITORY / "docs" / "pictures" / "paper"
-    folder.mkdir(parents=True, exist_ok=True)
-    made = [lab.work / f"{name}.png" for names, _ in figures.PICTURES.values() for name in names]
-    made += [*lab.results.glob("profile_*.svg"), *lab.results.glob("*.csv")]
-    # curves' own tables are as long as pictures are wide; the documents show the plots
-    for path in made:
-        if path.is_file() and not re.match(r"(profile|glass)_._.*\.csv", path.name):
-            shutil.copyfile(path, folder / path.name)
-
-
-def main():
+def options():
     build = REPOSITORY / "build"
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="EXPERIMENT",
@@ -70,28 +60,44 @@ def main():
     parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray",
                         help="the unpatched program")
     parser.add_argument("--tools", type=pathlib.Path, default=build, help="build folder")
-    parser.add_argument("--work", type=pathlib.Path, default=build / "experiments")
-    parser.add_argument("--results", type=pathlib.Path,
-                        help="curves and tables; default: in --work")
+    parser.add_argument("--work", type=pathlib.Path,
+                        help="pictures, and results/EXPERIMENT; default: build/experiments/full or "
+                             "quick. Pictures of the same program and scene are kept from run to run")
     parser.add_argument("--update-docs", action="store_true",
-                        help="copy what was made to docs/pictures/paper")
+                        help="where all holds, bring docs/paper.md and its pictures up to date")
+    parser.add_argument("--check-docs", action="store_true",
+                        help="only tell whether docs/paper.md shows the stored tables")
     parser.add_argument("--threads", type=int, default=2)
     args = parser.parse_args()
     unknown = set(args.names) - {name for name, *_ in EXPERIMENTS}
     if unknown:
         parser.error("no such experiment: " + ", ".join(sorted(unknown)))
-    work = args.work.resolve()
-    results = args.results.resolve() if args.results else work / "results"
-    lab = Laboratory(args.povray.resolve(), args.stock.resolve(), args.tools.resolve(), work,
-                     results, args.quick, args.threads)
-    failures = []
+    if args.quick and args.update_docs:
+        parser.error("--update-docs takes the full form, not --quick")
+    if not args.work:
+        args.work = build / "experiments" / ("quick" if args.quick else "full")
+    return args
+
+
+def main():
+    args = options()
+    if args.check_docs:
+        wrong = document.faults()
+        print("\n".join(wrong) if wrong else "docs/paper.md shows the stored tables and pictures.")
+        return 1 if wrong else 0
+    work, failures, done = args.work.resolve(), [], []
     for name, module, function in EXPERIMENTS:
         if not args.names or name in args.names:
+            lab = Laboratory(args.povray.resolve(), args.stock.resolve(), args.tools.resolve(), work,
+                             work / "results" / name, args.quick, args.threads)
             failures += run(lab, name, module, function)
-    if args.update_docs:
-        update_docs(lab)
+            done.append(lab.results)
+    if args.update_docs and not failures:
+        document.update(done)
     print("\n".join(["", f"{len(failures)} out of tolerance"] + failures if failures
                     else ["", "Everything is within its tolerance."]))
+    if args.update_docs and failures:
+        print("docs/paper.md was left as it is.")
     return 1 if failures else 0
 
 

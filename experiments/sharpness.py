@@ -10,9 +10,14 @@ import math
 
 from common import Claim
 
-# The grid of pixels counts a pixel's own variance, 1/12, or does not, by how an edge falls on it; a
-# disc's variance is d^2/16. So a measured d^2 is right to 16/12 square pixels.
+# By how an edge falls on the grid, a pixel's own variance, 1/12, is counted or is not; a disc's
+# variance is d^2/16. So a measured d^2 is right to 16/12 square pixels.
 GRID = 16 / 12
+
+
+def beyond_grid(diameter):
+    """What is left of a measured diameter without the grid's part: of a sharp place, nothing."""
+    return math.sqrt(max(0.0, diameter * diameter - GRID))
 
 
 @dataclasses.dataclass
@@ -59,5 +64,5 @@ def regions(lab, sharp, blurred, lens, places):
     for place, (low, high), diameter in zip(places, spans, found):
         claims.append(Claim(f"{place.name}: blur, closed form {low:.1f} to {high:.1f}", diameter,
                             math.sqrt(high * high + GRID), "pixels",
-                            math.sqrt(max(0.0, low * low - GRID))))
+                            beyond_grid(low)))
     return dict(zip((place.name for place in places), found)), claims

@@ -44,13 +44,40 @@ struct Disc
         for (double& weight : weights)
             weight /= sum;
     }
+
+    /// That of a true disc with the weights' variance: on the grid they are a little wider, and a
+    /// disc within one pixel does nothing at all.
+    double TrueDiameter() const
+    {
+        double variance = 0.0;
+        const double* weight = weights.data();
+        for (int y = -reach; y <= reach; ++y)
+            for (int x = -reach; x <= reach; ++x)
+                variance += 0.5 * (x * x + y * y) * *weight++;
+        return 4.0 * std::sqrt(variance);
+    }
 };
+
+/// The disc's weights, each spread over n by n cells: what one pixel sees of a grid n times finer.
+Disc Spread(const Disc& disc, int n)
+{
+    Disc wide(0.0);
+    wide.reach = disc.reach + n / 2;
+    const int from = 2 * disc.reach + 1, to = 2 * wide.reach + 1;
+    wide.weights.assign(static_cast<std::size_t>(to) * to, 0.0);
+    for (int y = 0; y < from; ++y)
+        for (int x = 0; x < from; ++x)
+            for (int k = 0; k < n * n; ++k)
+                wide.weights[(y + k / n) * to + x + k % n] += disc.weights[y * from + x] / (n * n);
+    return wide;
+}
 
 class Match
 {
   public:
     Match(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window)
-        : mWidth(sharp.width), mHeight(sharp.height), mWindow(window)
+        : mWidth(sharp.width), mHeight(sharp.height), mFiner(sharp.width / blurred.width),
+          mWindow(window)
     {
         for (int row = 0; row < mHeight; ++row)
             for (int column = 0; column < mWidth; ++column)
@@ -62,7 +89,7 @@ class Match
             for (int column = 0; column < window.width; column += mStep)
             {
                 mWanted.push_back(Luminance(blurred, window.left + column, window.top + row));
-                const double light = At(window.left + column, window.top + row);
+                const double light = At(Fine(window.left + column), Fine(window.top + row));
                 sum += light;
                 squares += light * light;
             }
@@ -71,11 +98,15 @@ class Match
     }
 
     double Contrast() const { return mContrast; }
+    double TrueDiameter(double diameter) const
+    {
+        return Disc(mFiner * diameter).TrueDiameter() / mFiner;
+    }
 
     /// RMS difference with a disc of this diameter.
     double Error(double diameter) const
     {
-        const Disc disc(diameter);
+        const Disc disc = Spread(Disc(mFiner * diameter), mFiner);
         double squares = 0.0;
         std::size_t next = 0;
         for (int row = 0; row < mWindow.height; row += mStep)
@@ -85,7 +116,8 @@ class Match
                 double sum = 0.0;
                 for (int y = -disc.reach; y <= disc.reach; ++y)
                     for (int x = -disc.reach; x <= disc.reach; ++x)
-                        sum += *weight++ * At(mWindow.left + column + x, mWindow.top + row + y);
+                        sum += *weight++ * At(Fine(mWindow.left + column) + x,
+                                              Fine(mWindow.top + row) + y);
                 const double off = sum - mWanted[next++];
                 squares += off * off;
             }
@@ -93,13 +125,16 @@ class Match
     }
 
   private:
+    /// The cell of the sharp picture in the middle of a pixel.
+    int Fine(int pixel) const { return mFiner * pixel + mFiner / 2; }
+
     double At(int column, int row) const
     {
         return mSharp[static_cast<std::size_t>(std::clamp(row, 0, mHeight - 1)) * mWidth +
                       std::clamp(column, 0, mWidth - 1)];
     }
 
-    int mWidth, mHeight, mStep = 1;
+    int mWidth, mHeight, mFiner, mStep = 1;
     Window mWindow;
     std::vector<double> mSharp, mWanted;
     double mContrast = 0.0;
@@ -110,10 +145,13 @@ class Match
 Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
                  const Window& window, double widest)
 {
-    if (!sharp.SameSize(blurred))
-        throw std::invalid_argument("pictures of two sizes");
+    const int finer = blurred.width > 0 ? sharp.width / blurred.width : 0;
+    if (finer % 2 == 0 || sharp.width != finer * blurred.width ||
+        sharp.height != finer * blurred.height)
+        throw std::invalid_argument("the sharp picture must be 1, 3, 5 ... times as wide and high");
     if (window.left < 0 || window.top < 0 || window.width < 2 || window.height < 2 ||
-        window.left + window.width > sharp.width || window.top + window.height > sharp.height)
+        window.left + window.width > blurred.width ||
+        window.top + window.height > blurred.height)
         throw std::invalid_argument("the window leaves the picture");
     const Match match(sharp, blurred, window);
     if (!(match.Contrast() > 0.0))
@@ -136,7 +174,7 @@ Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
         best = 0.5 * (low + high);
         least = std::min(left, right);
     }
-    return {best, least / match.Contrast()};
+    return {match.TrueDiameter(best), least / match.Contrast()};
 }
 
 double MeanSteepness(const witness::Picture& picture, Point from, Point to, double reach)

@@ -16,7 +16,7 @@ namespace paper
 
 struct Window
 {
-    int left = 0, top = 0, width = 0, height = 0;  ///< pixels
+    int left = 0, top = 0, width = 0, height = 0;  ///< pixels of the blurred picture
 };
 
 struct Blur
@@ -26,9 +26,9 @@ struct Blur
 };
 
 /// The disc, at most `widest` pixels across, with which the sharp picture comes nearest to the
-/// blurred one in the window: least squares of linear luminance. Beyond the picture's edge its last
-/// pixels go on.
-/// @throws std::invalid_argument  pictures of two sizes, a window outside, or one without contrast.
+/// blurred one in the window: least squares of linear luminance. The sharp picture may be 3, 5 ...
+/// times as wide and high, so that the grid matters less. Beyond its edge its last pixels go on.
+/// @throws std::invalid_argument  pictures of unfit sizes, a window outside, or one without contrast.
 Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
                  const Window& window, double widest);
 

@@ -1,0 +1,68 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""docs/paper.md and docs/pictures/paper: pictures, curves and tables are copied from a run, and the
+tables within the text are written from the copies. No number is typed in by hand:
+
+    <!-- table: spots/claims.csv -->
+    ...whatever stands here is replaced...
+    <!-- end of table -->
+"""
+
+import csv
+import re
+import shutil
+
+from common import REPOSITORY
+
+TEXT = REPOSITORY / "docs" / "paper.md"
+PICTURES = REPOSITORY / "docs" / "pictures" / "paper"
+TABLE = re.compile(r"(<!-- table: (\S+) -->\n).*?(<!-- end of table -->)", re.DOTALL)
+LINK = re.compile(r"\]\((pictures/paper/[^)]+)\)")
+
+
+def cell(text):
+    """Four digits are enough to read."""
+    try:
+        number = float(text)
+    except ValueError:
+        return text.replace("|", "/")
+    return f"{number:.4g}" if number else "0"
+
+
+def table(path):
+    """A CSV file in Markdown."""
+    with path.open(newline="") as lines:
+        rows = [[cell(text) for text in row] for row in csv.reader(lines)]
+    rows.insert(1, ["---"] * len(rows[0]))
+    return "".join("| " + " | ".join(row) + " |\n" for row in rows)
+
+
+def written():
+    """The text as it ought to be."""
+    return TABLE.sub(lambda found: found[1] + table(PICTURES / found[2]) + found[3],
+                     TEXT.read_text())
+
+
+def update(folders):
+    """Takes over the results of experiments, a folder each."""
+    for folder in folders:
+        target = PICTURES / folder.name
+        shutil.rmtree(target, ignore_errors=True)
+        target.mkdir(parents=True)
+        for path in folder.iterdir():
+            # curves' own tables are as long as pictures are wide; the document shows the plots
+            if not re.match(r"profile_._.*\.csv", path.name):
+                shutil.copyfile(path, target / path.name)
+    TEXT.write_text(written())
+
+
+def faults():
+    """What in the document does not agree with the stored results."""
+    found = [f"docs/{link} is missing" for link in LINK.findall(TEXT.read_text())
+             if not (TEXT.parent / link).is_file()]
+    found += [f"docs/pictures/paper/{name} is missing" for _, name, _ in TABLE.findall(
+        TEXT.read_text()) if not (PICTURES / name).is_file()]
+    if not found and written() != TEXT.read_text():
+        found.append("a table in docs/paper.md is not that of docs/pictures/paper; "
+                     "experiments/run --update-docs writes it")
+    return found
