@@ -67,6 +67,7 @@ def compare(lab):
         sharp, _ = tracer.picture("thin", f_stop=PINHOLE)
         if not lab.quick:
             lab.png(tracer.picture("glass", whole=True)[0])
+            lab.png(ours)
         for (colour, line), rays in zip(lines.items(), measured):
             whole, *left = levels(lab, glass, [ours, *shots.values()], line)
             same, = levels(lab, ours, [shots["thin"]], line)

@@ -21,7 +21,7 @@ camera
     scene_unit Scene_Unit
     focal_length Focal_Length
     f_stop F_Stop
-    focal_plane { z, Edge_Top.z }    // the lens leans back by about 2 degrees
+    focal_plane { z, Edge_Top.z }    // the lens leans back by about 3.5 degrees
   }
 }
 
