@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_camera.h
-/// The camera of scenes/paper/box_camera.inc with a lens of glass, tilted as a whole, or with an ideal thin
-/// lens that has been given some of the glass's properties: each model has one more, so that the
-/// difference of two pictures is what that property does.
+/// The camera of scenes/paper/box_camera.inc with a lens of glass, tilted as a whole, or with an
+/// ideal thin lens that has been given some of the glass's properties: each model has one more, so
+/// that the difference of two pictures is what that property does.
 
 #ifndef PAPER_GLASS_CAMERA_H
 #define PAPER_GLASS_CAMERA_H

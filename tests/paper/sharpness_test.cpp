@@ -17,8 +17,9 @@ namespace
 using paper::Point;
 using witness::Picture;
 
-/// A checker board, the grid `finer` times as fine, turned against the grid, each pixel the mean over its square and over a disc about it:
-/// evaluated directly, by random points, not by the tool's own disc.
+/// A checker board turned against the grid, which is `finer` times as fine; each pixel the mean
+/// over its square and over a disc about it: evaluated directly, by random points, not by the tool's
+/// own disc.
 Picture Checkers(double diameter, int finer = 1)
 {
     std::mt19937 random(7);
