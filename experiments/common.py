@@ -7,6 +7,7 @@ import dataclasses
 import hashlib
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 
@@ -83,7 +84,7 @@ class Laboratory:
                    "-A", f"+WT{self.threads}",
                    *[f"Declare={name}={value}" for name, value in declare], *options]
         # A picture of the same program, scene and options is kept: a run that was interrupted goes on.
-        key = self.key(command, [scene.parent, SCENES, picture.parent])
+        key = self.key(command, scene, [scene.parent, SCENES, picture.parent])
         note = picture.with_name(picture.name + ".key")
         if picture.is_file() and note.is_file() and note.read_text() == key:
             return picture
@@ -96,14 +97,21 @@ class Laboratory:
         note.write_text(key)
         return picture
 
-    def key(self, command, folders):
-        """Changes with the program, the command, and any scene file in the folders."""
+    def key(self, command, scene, folders):
+        """Changes with the program, the command, the scene, and what of the folders it includes."""
         if not self.program:
             self.program = hashlib.sha256(self.povray.read_bytes()).hexdigest()
         found = hashlib.sha256((self.program + json.dumps([str(x) for x in command])).encode())
-        for folder in dict.fromkeys(folders):
-            for path in sorted(p for p in folder.iterdir() if p.suffix in (".pov", ".inc")):
-                found.update(path.name.encode() + path.read_bytes())
+        seen, left = set(), [scene]
+        while left:
+            path = left.pop()
+            if path in seen or not path.is_file():      # POV-Ray's own include files are elsewhere
+                continue
+            seen.add(path)
+            text = path.read_text()
+            found.update(text.encode())
+            left += [folder / name for name in re.findall(r'#include "([^"]+)"', text)
+                     for folder in folders]
         return found.hexdigest()
 
     def png(self, picture, *drawing):

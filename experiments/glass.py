@@ -34,7 +34,7 @@ class Tracer:
         made.parent.mkdir(parents=True, exist_ok=True)
         report = self.lab.json([
             self.lab.tool("paper", "glass"), made, "--width", view.width, "--height", view.height,
-            "--samples", 128 if whole else 1024 if self.lab.quick else 4096, "--f-stop", f_stop,
+            "--samples", 128 if whole else 1024, "--f-stop", f_stop,
             "--tilt", self.lens.tilt(), "--film-distance",
             self.lens.film_distance * view.scene_unit, "--model", model,
             *([] if whole else ["--line", *[x for line in self.lines for x in line], "--reach",
