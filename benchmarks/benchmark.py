@@ -5,36 +5,119 @@
 
 import argparse
 import pathlib
+import shutil
+import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import accumulation  # noqa: E402
+import contract  # noqa: E402
+import growth  # noqa: E402
+import instructions  # noqa: E402
+import pan_focus  # noqa: E402
+import plots  # noqa: E402
+import post  # noqa: E402
+import report  # noqa: E402
 import suite  # noqa: E402
+import tilt_cost  # noqa: E402
+import tilted  # noqa: E402
 import versus_stock  # noqa: E402
-from front import geometric_mean  # noqa: E402
 from lab import HERE, Failed, Lab  # noqa: E402
+
+PARTS = ("stock", "tilted", "pan", "tilt", "instructions", "loops", "growth", "contract")
+NAMES = [scene.name for scene in suite.SCENES]
+
+
+def chosen(text, names, what, parser):
+    wanted = text.split(",")
+    unknown = sorted(set(wanted) - set(names))
+    if unknown:
+        parser.error(f"no such {what}: {', '.join(unknown)} (there are {', '.join(names)})")
+    return wanted
 
 
 def arguments():
     build = HERE.parent / "build"
-    names = [scene.name for scene in suite.SCENES]
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="fewer settings, a few minutes")
+    parser.add_argument("--quick", action="store_true", help="fewer settings: some CPU minutes")
     parser.add_argument("--full", dest="quick", action="store_false", help="all settings (default)")
-    parser.add_argument("--scenes", default=",".join(names), help="of " + ", ".join(names))
-    parser.add_argument("--ours", type=pathlib.Path, default=build / "bin" / "povray")
+    parser.add_argument("--scenes", default=",".join(NAMES), help="of " + ", ".join(NAMES))
+    parser.add_argument("--parts", help=f"of {', '.join(PARTS)}; all if not given, with --quick only stock,tilted")
+    parser.add_argument("--ours", type=pathlib.Path, default=build / "bin" / "povray", help="the patched program")
     parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray", help="the unpatched program")
+    parser.add_argument("--unpatched", type=pathlib.Path, default=build / "stock" / "bin" / "povray",
+                        help="the same source built as ours, without the patches (for part instructions)")
     parser.add_argument("--tools", type=pathlib.Path, default=build / "tests" / "benchmarks" / "tools")
     parser.add_argument("--work", type=pathlib.Path, default=build / "benchmarks")
     parser.add_argument("--fresh", action="store_true",
                         help="measure again what an earlier run has measured (references are kept)")
+    parser.add_argument("--update-docs", action="store_true", help="put tables and plots into docs/")
     args = parser.parse_args()
-    unknown = set(args.scenes.split(",")) - set(names)
-    if unknown:
-        parser.error(f"no such scene: {', '.join(sorted(unknown))} (there are {', '.join(names)})")
-    for path in (args.ours, args.stock):
+    args.scenes = chosen(args.scenes, NAMES, "scene", parser)
+    args.parts = chosen(args.parts or ("stock,tilted" if args.quick else ",".join(PARTS)), PARTS, "part", parser)
+    programs = [args.ours, args.stock] + [args.unpatched] * ("instructions" in args.parts)
+    for path in programs:
         if not path.is_file():
             parser.error(f"no such program: {path}")
     return args
+
+
+def measure_scenes(lab, args, results, runs):
+    """Parts stock and tilted, scene by scene; comparisons into results, records into runs."""
+    for scene in (scene for scene in suite.SCENES if scene.name in args.scenes):
+        untilted = versus_stock.measure(lab, scene)
+        lines = versus_stock.compare(untilted)
+        for line in lines:
+            lab.say(f"  as stock with {line['target']}: {report.ratio_cell(line)}")
+        if "stock" in args.parts:
+            runs += untilted + accumulation.measure(lab, scene, 0) + post.measure(lab, scene, 0)
+            results.setdefault("stock", {})[scene.name] = lines
+        if "tilted" in args.parts:
+            errors = {line["target"]: line["rmse"] for line in lines}
+            records = tilted.measure(lab, scene, errors)
+            runs += records
+            results.setdefault("tilted", {})[scene.name] = tilted.compare(records, errors)
+
+
+def measure(lab, args):
+    done = subprocess.run([lab.ours, "--version"], capture_output=True, text=True, check=False)
+    version = next((line.strip() for line in (done.stdout + done.stderr).splitlines() if "patch series" in line), "?")
+    results, runs = {"version": version}, []
+    if {"stock", "tilted"} & set(args.parts):
+        measure_scenes(lab, args, results, runs)
+    scenes = [scene for scene in suite.SCENES if scene.name in args.scenes]
+    if "pan" in args.parts:
+        sharp = [pan_focus.measure(lab, scene) for scene in scenes if scene.name in pan_focus.SCENES]
+        results["pan"] = [line for records in sharp for line in pan_focus.compare(records)]
+        runs += [{**record, "scene": record["scene"] + ", sharp"} for records in sharp for record in records]
+    if "tilt" in args.parts:
+        results["tilt"] = tilt_cost.measure(lab)
+    if "instructions" in args.parts:
+        results["instructions"] = instructions.measure(lab, args.unpatched)
+    if "loops" in args.parts:
+        results["loops"] = instructions.inner_loops(lab)
+    if "growth" in args.parts:
+        results["growth"] = growth.measure(lab)
+    if "contract" in args.parts:
+        results["contract"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt)]
+    return results, runs
+
+
+def draw(folder, results, runs):
+    """Plots and CSV files."""
+    for name in sorted({record["scene"] for record in runs} & set(NAMES)):
+        for tilt, title in ((0, report.TITLES[name]), (1, report.TITLES[name] + ", tilted")):
+            records = [record for record in runs if record["scene"] == name and record.get("tilted", 0) == tilt]
+            if records:
+                plots.errors(folder / f"{name}{'_tilted' if tilt else ''}.svg", title, records)
+    for name in dict.fromkeys(row["series"] for row in results.get("growth", [])):
+        rows = [row for row in results["growth"] if row["series"] == name]
+        plots.growth(folder / f"growth_{name.replace(' ', '_')}.svg", name, rows)
+    if runs:
+        report.write_csv(folder / "runs.csv", runs, report.COLUMNS)
+    for part in ("growth", "contract", "pan", "tilt", "instructions"):
+        if results.get(part):
+            report.write_csv(folder / f"{part}.csv", results[part])
 
 
 def main():
@@ -43,24 +126,21 @@ def main():
     if args.fresh:
         (work / "runs.jsonl").unlink(missing_ok=True)
     lab = Lab(args.ours.resolve(), args.stock.resolve(), args.tools.resolve(), work, args.quick)
-    ratios = []
     try:
-        for scene in [scene for scene in suite.SCENES if scene.name in args.scenes.split(",")]:
-            records = versus_stock.measure(lab, scene)
-            for record in sorted(records, key=lambda record: (record["program"], record["cpu"])):
-                lab.say("    {program:9} {setting:18} {cpu:8.3f} s  RMSE {rmse:.5f}".format(**record)
-                        + f"  mean {record['mean']:+.5f}  samples {record.get('samples', 0):.0f}")
-            for line in versus_stock.compare(records):
-                ratio = "missed" if line["ratio"] is None else f"{line['ratio']:.2f}"
-                ours = "      -" if line["tilt_lens"] is None else f"{line['tilt_lens']:7.3f}"
-                lab.say(f"  {scene.name:10} as stock {line['target']:5}: RMSE {line['rmse']:.5f}  stock "
-                        f"{line['stock']:7.3f} s  tilt_lens {ours} s  ratio {ratio}")
-                if line["ratio"]:
-                    ratios.append(line["ratio"])
+        results, runs = measure(lab, args)
+        folder = work / "results"
+        folder.mkdir(exist_ok=True)
+        draw(folder, results, runs)
     except Failed as trouble:
         print(trouble, file=sys.stderr)
         return 1
-    lab.say(f"geometric mean {geometric_mean(ratios):.2f}, worst {min(ratios):.2f}")
+    made = report.text(results, args.quick)
+    (folder / "tables.md").write_text(made)
+    print(made)
+    if args.update_docs:
+        pictures = HERE.parent / "docs" / "pictures" / "benchmarks"
+        shutil.copytree(folder, pictures, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.md"))
+        report.update_document(HERE.parent / "docs" / "benchmarks.md", made)
     return 0
 
 

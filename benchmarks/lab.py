@@ -10,6 +10,7 @@ import pathlib
 import re
 import statistics
 import subprocess
+import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -31,11 +32,11 @@ def digest(*parts):
 
 def run_measured(command, cwd, low_priority=False):
     """Runs a program to its end: its messages, CPU seconds (user and system), seconds by the clock."""
-    with open(os.path.join(cwd, "messages.txt"), "wb+") as messages:
+    with tempfile.TemporaryFile() as messages:
         started = time.monotonic()
         process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=messages, cwd=cwd,
-                                   preexec_fn=(lambda: os.nice(10)) if low_priority else None)
+                                   preexec_fn=(lambda: os.nice(4)) if low_priority else None)
         _, status, usage = os.wait4(process.pid, 0)
         seconds = time.monotonic() - started
         process.returncode = os.waitstatus_to_exitcode(status)
@@ -111,17 +112,34 @@ class Lab:
         """A linear 16-bit PNG; messages, CPU seconds, seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
-        command = [program, *shot.arguments(), f"+O{picture}", "+FN16", "File_Gamma=1.0"]
+        command = [program, *shot.arguments(), *self.gathered_light(shot), f"+O{picture}", "+FN16",
+                   "File_Gamma=1.0"]
         result = run_measured(command, picture.parent, low_priority)
         if not picture.is_file():
             raise Failed(f"{shot}: the program ended well but wrote no {picture}")
         return result
+
+    def gathered_light(self, shot):
+        """Options that read the scene's radiosity from a file, which stock makes first; none for most scenes."""
+        if b"Gather" not in shot.sources():
+            return []
+        path = self.work / "references" / f"{shot.scene}-{digest(shot.sources())}.rca"
+        if not path.is_file():
+            wide = dataclasses.replace(shot, form=PINHOLE, tilted=0, size=(300, 225), threads=1, options=(),
+                                       declare=(("Gather", 1),))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            run_measured([self.stock, *wide.arguments(), f"+O{path}.png", "+FN", "+RFO", f"+RF{path}.part"],
+                         path.parent)
+            path.with_name(path.name + ".png").unlink()
+            path.with_name(path.name + ".part").rename(path)
+        return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]
 
     def reference(self, shot, batches, samples):
         """The picture that a camera should give: the mean of independent pictures of tilt_lens with the
         same number of samples at every pixel. Made once for the same scene and settings."""
         if shot.form == PINHOLE:     # a lens without width: as sharp, and sampled as well
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
+        samples = samples//2 if self.quick else samples
         name = digest(shot.arguments()[2:], shot.sources(), batches, samples)
         path = self.work / "references" / f"{shot.scene}-{name}.exr"
         if path.is_file():
@@ -148,7 +166,7 @@ class Lab:
 
     def run(self, binary, shot, reference=None, repetition=0, limits=(), **about):
         """A measured render, taken from the journal if it was made before. `about` goes into the record."""
-        key = digest(self.hashes[binary], shot.arguments()[1:], shot.sources(),
+        key = digest(self.hashes[binary], shot.arguments()[2:], shot.sources(),
                      str(reference.name if reference else ""), list(limits))
         record = self.runs.get((key, repetition))
         if record is None:
@@ -163,6 +181,14 @@ class Lab:
             picture.unlink()
             self.keep(record)
         return {**record, **about}
+
+    def interleaved(self, programs_and_shots, repetitions, reference=None, limits=()):
+        """Every shot several times, in turn; records of the first time with median CPU seconds."""
+        rounds = [[self.run(binary, shot, reference, repetition, limits) for binary, shot in programs_and_shots]
+                  for repetition in range(repetitions)]
+        return [{**records[0], "cpu": statistics.median(record["cpu"] for record in records),
+                 "seconds": statistics.median(record["seconds"] for record in records)}
+                for records in zip(*rounds)]
 
     def keep(self, record):
         self.runs[record["key"], record["repetition"]] = record

@@ -8,7 +8,7 @@ import statistics
 
 import suite
 from front import seconds_for
-from lab import STOCK, TILT_LENS, Shot
+from lab import STOCK, TILT_LENS
 
 
 def repetitions(cpu, quick):
@@ -18,8 +18,8 @@ def repetitions(cpu, quick):
 
 def first_runs(lab, scene, reference):
     """Every setting once, the two programs in turn. Ours goes on until it is better than stock's best."""
-    stock = list(suite.stock_shots(scene.name, lab.quick))
-    chains = [collections.deque(chain) for chain in suite.ours_shots(scene.name, 0, lab.quick)]
+    stock = list(suite.stock_shots(scene, lab.quick))
+    chains = [collections.deque(chain) for chain in suite.ours_chains(scene, 0, lab.quick)]
     done, finest = [], None
     while stock or chains:
         if stock:
@@ -39,10 +39,10 @@ def first_runs(lab, scene, reference):
 def measure(lab, scene):
     """Records of one scene; CPU seconds are medians over the repetitions, which are interleaved."""
     lab.say(f"{scene.name}: stock focal blur and tilt_lens")
-    reference = lab.reference(Shot(scene.name, TILT_LENS), *scene.reference)
+    reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
     done = first_runs(lab, scene, reference)
-    start = {lab.stock: lab.start_up(lab.stock, Shot(scene.name, STOCK)),
-             lab.ours: lab.start_up(lab.ours, Shot(scene.name, TILT_LENS))}
+    start = {lab.stock: lab.start_up(lab.stock, scene.shot(STOCK)),
+             lab.ours: lab.start_up(lab.ours, scene.shot(TILT_LENS))}
     times = collections.defaultdict(list)
     for repetition in range(3):
         for program, shot, record in done:

@@ -19,7 +19,7 @@ sky_sphere
   pigment { gradient y color_map { [0 color rgb <0.75, 0.82, 0.9>] [0.5 color rgb <0.25, 0.42, 0.75>] } }
   pigment { wrinkles scale <0.5, 0.1, 0.5> color_map { [0.4 color rgbt 1] [0.8 color rgbt <1, 1, 1, 0.2>] } }
 }
-fog { fog_type 1 distance 120 color rgb <0.75, 0.82, 0.9> }
+#ifndef (Depth) fog { fog_type 1 distance 120 color rgb <0.75, 0.82, 0.9> } #end
 height_field
 {
   function 200, 200 { pattern { granite scale 1.1 poly_wave 1.2 } }

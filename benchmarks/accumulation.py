@@ -1,0 +1,61 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The accumulation buffer: the mean of many pinhole pictures of the unpatched program, each from another
+point of the lens. It is the only way to a tilted focus that the unpatched program has."""
+
+import concurrent.futures
+import dataclasses
+import math
+import re
+import shutil
+
+from lab import ACCUMULATE, TILT_LENS, Failed, digest, run_measured
+
+PROCESSES = 4       # the program idles between frames
+
+
+def frames(lab, shot, first, last, count, folder):
+    """Renders frames first to last of an animation of `count`; CPU seconds of its rays alone, as the program
+    states them after each frame, and of the whole process."""
+    command = [lab.stock, *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/f.png", "+FN16",
+               "File_Gamma=1.0", "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"]
+    messages, cpu, _ = run_measured(command, folder)
+    traced = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
+    if len(traced) != last - first + 1:
+        raise Failed(f"{shot}: {len(traced)} trace times for frames {first} to {last}")
+    return sum(map(float, traced)), cpu
+
+
+def cpu_of_frames(lab, shot, count, folder):
+    """All frames, in a few processes side by side."""
+    step = math.ceil(count/PROCESSES)
+    with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
+        parts = [pool.submit(frames, lab, shot, first, min(count, first + step - 1), count, folder)
+                 for first in range(1, count + 1, step)]
+        return [sum(sums) for sums in zip(*(part.result() for part in parts))]
+
+
+def measure(lab, scene, tilted):
+    """(CPU seconds of the rays, RMSE) for each number of frames."""
+    count = 64 if lab.quick else scene.frames
+    shot = scene.shot(ACCUMULATE, tilted)
+    reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)
+    key = digest("accumulation by trace time", lab.hashes[lab.stock], shot.arguments()[2:], shot.sources(), reference.name, count)
+    record = lab.runs.get((key, 0))
+    if record is None:
+        lab.say(f"  accumulation buffer of {count} frames")
+        folder = lab.work / "frames"
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        rays, cpu = cpu_of_frames(lab, shot, count, folder)
+        pictures = sorted(folder.glob("f*.png"))
+        counts = [2**k for k in range(3, count.bit_length())]
+        lines = lab.tool("noise", "prefixes", reference, *pictures, "--counts", ",".join(map(str, counts)))
+        shutil.rmtree(folder)
+        record = {"key": key, "repetition": 0, "rays": rays, "cpu": cpu, "frames": count,
+                  "errors": [[line["count"], line["mse"]] for line in lines]}
+        lab.keep(record)
+    seconds, whole = record["rays"]/count, record["cpu"]/count
+    return [{"program": "accumulation", "scene": scene.name, "tilted": tilted, "setting": str(used),
+             "cpu": used*seconds, "start_up": used*(whole - seconds), "mse": mse, "rmse": math.sqrt(mse)}
+            for used, mse in record["errors"]]

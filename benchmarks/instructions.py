@@ -1,0 +1,73 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What the patches cost a scene without tilt_lens: instructions counted by callgrind, against the same source
+built without the patches. And the inner loops, by Google Benchmark."""
+
+import json
+import re
+import subprocess
+import tempfile
+
+import suite
+from lab import PINHOLE, STOCK, Failed, Shot, digest
+
+SIZE = (64, 48)
+CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
+         ("town, +A", Shot("town", PINHOLE, size=SIZE, options=("+A0.1", "+AM2", "+R3"))),
+         ("town, stock focal blur", Shot("town", STOCK, size=SIZE, declare=suite.limits(16, 16, 0))),
+         ("mirrors and glass, pinhole", Shot("glass", PINHOLE, size=SIZE)),
+         ("area light, pinhole", Shot("shadows", PINHOLE, size=SIZE))]
+
+
+def count(lab, binary, shot):
+    """Instructions of a whole run. Threads that wait for each other make it waver a little: least of three."""
+    key = digest("callgrind", binary.read_bytes(), shot.arguments()[2:], shot.sources())
+    record = lab.runs.get((key, 0))
+    if record is None:
+        with tempfile.TemporaryDirectory() as folder:
+            command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", binary,
+                       *shot.arguments(), f"+O{folder}/picture.png"]
+            counts = []
+            for _ in range(3):
+                done = subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True,
+                                      errors="replace", check=False)
+                found = re.search(r"Collected : (\d+)", done.stderr)
+                if done.returncode != 0 or not found:
+                    raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n{done.stderr[-2000:]}")
+                counts.append(int(found.group(1)))
+        record = {"key": key, "repetition": 0, "instructions": min(counts), "all": counts}
+        lab.keep(record)
+    return record["instructions"]
+
+
+def measure(lab, unpatched):
+    lab.say("instructions of scenes without tilt_lens, patched and unpatched")
+    rows = []
+    for name, shot in CASES[:2] if lab.quick else CASES:
+        plain, patched = count(lab, unpatched, shot), count(lab, lab.ours, shot)
+        rows.append({"case": name, "unpatched": plain, "patched": patched, "more": patched/plain - 1})
+    return rows
+
+
+def inner_loops(lab):
+    """Nanoseconds a call; what drawing the arguments takes is taken off."""
+    lab.say("inner loops")
+    command = [lab.tools / "inner_loops", "--benchmark_format=json", "--benchmark_repetitions=5",
+               f"--benchmark_min_time={0.05 if lab.quick else 0.3}"]
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=True)
+    medians = {entry["run_name"]: entry for entry in json.loads(done.stdout)["benchmarks"]
+               if entry.get("aggregate_name") == "median"}
+    empty = medians["Empty"]["cpu_time"]
+
+    def call(name, arguments_drawn=True):
+        return medians[name]["cpu_time"] - (empty if arguments_drawn else 0.0)
+
+    tile = {most: 1e9*medians[f"TilePerSample/{most}"]["per_sample"] for most in (64, 1024)}
+    point = call("SamplePoint", False)
+    return [("ray from film point and lens point (MakeRay)", call("Ray")),
+            ("sample of lens and pixel (PixelSampler)", point),
+            ("a pixel's sampler made anew", call("NewPixel", False)),
+            ("round aperture", call("Map/disc")), ("aperture of 7 blades", call("Map/polygon")),
+            ("aperture from a picture", call("Map/picture")),
+            ("bookkeeping a sample, 64 samples a pixel (TileSampler, without the sample itself)", tile[64] - point),
+            ("bookkeeping a sample, 1024 samples a pixel", tile[1024] - point)]

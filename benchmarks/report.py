@@ -1,0 +1,143 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The results as tables in Markdown and as CSV."""
+
+import csv
+import platform
+import re
+
+import suite
+from front import geometric_mean
+
+COLUMNS = ("program", "scene", "tilted", "setting", "cpu", "start_up", "runs", "rmse", "mean", "samples",
+           "samples_99", "samples_most")
+BEGIN, END = "<!-- begin of what benchmarks/run wrote -->", "<!-- end of what benchmarks/run wrote -->"
+TITLES = {scene.name: scene.title for scene in suite.SCENES}
+
+
+def write_csv(path, rows, columns=None):
+    columns = columns or list(rows[0])
+    with path.open("w", newline="") as out:
+        writer = csv.DictWriter(out, columns, extrasaction="ignore", lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({name: f"{value:.6g}" if isinstance(value, float) else value
+                             for name, value in row.items() if name in columns})
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "| " + " | ".join(["---"] * len(header)) + " |"]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def ratio_cell(line):
+    if line["ratio"] is None:
+        return f"not reached ({line['rmse']:.4f})"
+    least = "at least " if line.get("at_least") else ""
+    return f"{least}{line['ratio']:.1f} ({line['rmse']:.4f})"
+
+
+def ratios(comparisons):
+    """A table of scenes by errors and its last line, the geometric mean of each column."""
+    targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
+    rows = [[TITLES[scene], *[ratio_cell(line) for line in lines]] for scene, lines in comparisons.items()]
+    means = [geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines
+                            if line["target"] == target and line["ratio"]) for target in targets]
+    rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
+    return table(["scene", *[f"as stock with {target}" for target in targets]], rows)
+
+
+def summary(comparisons, wanted):
+    """The geometric mean of all and the worst, in words."""
+    lines = [(line["ratio"], scene, line) for scene, found in comparisons.items() for line in found if line["ratio"]]
+    missing = sum(line["ratio"] is None for found in comparisons.values() for line in found)
+    if not lines:
+        return "Nothing was compared."
+    mean, worst = geometric_mean(ratio for ratio, _, _ in lines), min(lines, key=lambda entry: entry[0])
+    verdict = "reached" if mean >= wanted else "missed"
+    text = (f"Geometric mean of all **{mean:.1f}** (aimed at: {wanted}; {verdict}); worst **{worst[0]:.2f}** "
+            f"({TITLES[worst[1]]}, at an RMSE of {worst[2]['rmse']:.4f}).")
+    return text + (f" {missing} errors were not reached by any setting tried." if missing else "")
+
+
+def section_stock(results):
+    return ["### Untilted: stock focal blur's CPU seconds over ours", "", ratios(results["stock"]), "",
+            summary(results["stock"], 8), ""]
+
+
+def section_tilted(results):
+    return ["### Tilted: the accumulation buffer's CPU seconds over ours", "", ratios(results["tilted"]), "",
+            summary(results["tilted"], 10), ""]
+
+
+def section_pan(results):
+    rows = [[TITLES[line["scene"]], f"`{line['target']}`", f"{line['rmse']:.4f}", f"{line['stock']:.3f}",
+             f"{line['tilt_lens']:.3f}" if line["tilt_lens"] else "-",
+             f"{line['times']:.2f}" if line["times"] else "not reached"] for line in results["pan"]]
+    worst = max((line["times"] or float("inf") for line in results["pan"]), default=0)
+    return ["### All sharp: tilt_lens against a pinhole's anti-aliasing", "",
+            table(["scene", "error of", "RMSE", "pinhole, s", "tilt_lens, s", "times"], rows), "",
+            f"Aimed at: at most 1.3 times; worst {worst:.2f}, {'reached' if worst <= 1.3 else 'missed'}.", ""]
+
+
+def section_tilt(results):
+    rows = [[row["setting"], f"{row['untilted']:.3f}", f"{row['tilted']:.3f}", f"{100*row['times'] - 100:+.1f} %"]
+            for row in results["tilt"]]
+    worst = max(row["times"] for row in results["tilt"])
+    return ["### What a tilt costs, at equal blur", "", table(["setting", "untilted, s", "tilted, s", "more"], rows), "",
+            f"Aimed at: within 5 %; {'reached' if worst <= 1.05 else 'missed'}.", ""]
+
+
+def section_instructions(results):
+    rows = [[row["case"], f"{row['unpatched']:,}", f"{row['patched']:,}", f"{100*row['more']:+.3f} %"]
+            for row in results["instructions"]]
+    worst = max(row["more"] for row in results["instructions"])
+    return ["### Scenes without tilt_lens: instructions (callgrind)", "",
+            table(["scene", "unpatched build", "patched build", "more"], rows), "",
+            f"Aimed at: at most +0.1 %; {'reached' if worst <= 0.001 else 'missed'}.", ""]
+
+
+def section_loops(results):
+    return ["### Inner loops", "", table(["what", "ns a call"], [[name, f"{ns:.1f}"] for name, ns in results["loops"]]), ""]
+
+
+def section_growth(results):
+    rows = [[row["series"], f"{row['x']:g} {row['unit']}", row["program"], f"{row['cpu']:.3f}",
+             f"{row['start_up']:.3f}", f"{row['seconds']:.3f}", f"{row['samples']:.0f}" if row["samples"] else "-"]
+            for row in results["growth"]]
+    return ["### How cost grows", "", table(
+        ["with", "at", "program", "CPU s", "of it start and parsing", "seconds by the clock", "samples a pixel"], rows), ""]
+
+
+def section_contract(results):
+    rows = [[TITLES[row["scene"]] + (", tilted" if row["tilted"] else ""), f"{row['variance']:g}",
+             f"{row['share']:.2f}", f"{100*row['beyond']:.1f} %", f"{row['samples'] or 0:.0f}",
+             "yes" if row["share"] <= 1.2 and row["beyond"] <= 0.05 else "**no**"] for row in results["contract"]]
+    held = sum(row[-1] == "yes" for row in rows)
+    return ["### Is `variance V` honoured", "",
+            table(["scene", "V", "MSE/V", "pixels off by more than 2 sqrt(V)", "samples a pixel", "holds"], rows), "",
+            f"Aimed at: MSE at most 1.2 V, at most 5 % of the pixels; holds in {held} of {len(rows)} cases.", ""]
+
+
+SECTIONS = [("stock", section_stock), ("tilted", section_tilted), ("pan", section_pan), ("tilt", section_tilt),
+            ("instructions", section_instructions), ("loops", section_loops), ("growth", section_growth),
+            ("contract", section_contract)]
+
+
+def machine():
+    try:
+        model = re.search(r"^model name\s*:\s*(.+)$", open("/proc/cpuinfo", encoding="utf-8").read(), re.M).group(1)
+    except (OSError, AttributeError):
+        model = platform.processor() or "an unknown processor"
+    return model
+
+
+def text(results, quick):
+    head = [f"Made by `benchmarks/run{' --quick' if quick else ''}` on {machine()}, with {results['version']}.", ""]
+    return "\n".join(head + [line for name, section in SECTIONS if results.get(name) for line in section(results)])
+
+
+def update_document(path, made):
+    """Puts the text between the two marks."""
+    before, rest = path.read_text().split(BEGIN)
+    path.write_text(f"{before}{BEGIN}\n\n{made}\n{END}{rest.split(END)[1]}")

@@ -1,0 +1,18 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What a tilt costs: scenes/wall.pov is blurred alike with and without."""
+
+import suite
+from lab import TILT_LENS, Shot
+
+SETTINGS = {"64 samples everywhere": suite.limits(64, 64, 0), "variance 1/5000": suite.limits(8, 4096, 2e-4)}
+
+
+def measure(lab):
+    lab.say("tilted and untilted at equal blur")
+    shots = [(lab.ours, Shot("wall", TILT_LENS, tilted, declare=declare))
+             for declare in SETTINGS.values() for tilted in (0, 1)]
+    runs = lab.interleaved(shots, 3 if lab.quick else 9)
+    return [{"setting": setting, "untilted": runs[2*i]["cpu"], "tilted": runs[2*i + 1]["cpu"],
+             "samples_untilted": runs[2*i].get("samples"), "samples_tilted": runs[2*i + 1].get("samples"),
+             "times": runs[2*i + 1]["cpu"]/runs[2*i]["cpu"]} for i, setting in enumerate(SETTINGS)]

@@ -1,0 +1,48 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Tilted pictures: tilt_lens against the accumulation buffer, at the errors compared at untilted."""
+
+import math
+
+import accumulation
+import post
+import suite
+from front import pareto, seconds_for
+from lab import TILT_LENS
+from versus_stock import repetitions
+
+
+def ours(lab, scene, reference, finest):
+    """tilt_lens from the roughest setting to one that is better than the finest error compared at."""
+    records = []
+    for setting, shot in suite.ours_chains(scene, 1, quick=True)[0]:
+        first = lab.run(lab.ours, shot, reference)
+        run, = lab.interleaved([(lab.ours, shot)], repetitions(first["cpu"], lab.quick), reference)
+        records.append({**run, "program": "tilt_lens", "scene": scene.name, "tilted": 1, "setting": setting,
+                        "start_up": lab.start_up(lab.ours, scene.shot(TILT_LENS, 1)), "rmse": math.sqrt(run["mse"])})
+        if records[-1]["rmse"] < finest:
+            break
+    return records
+
+
+def measure(lab, scene, errors):
+    lab.say(f"{scene.name} tilted: accumulation buffer, blur after the fact, tilt_lens")
+    reference = lab.reference(scene.shot(TILT_LENS, 1), *scene.reference)
+    return [*accumulation.measure(lab, scene, 1), *post.measure(lab, scene, 1),
+            *ours(lab, scene, reference, min(errors.values()))]
+
+
+def compare(records, errors):
+    """One line an error: seconds of both. Where even all frames of the accumulation buffer leave more than the
+    error, their time is given as the least that it would take."""
+    fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
+              for program in ("accumulation", "tilt_lens")}
+    lines = []
+    for target, error in sorted(errors.items()):
+        took, other = (seconds_for(fronts[program], error) for program in ("tilt_lens", "accumulation"))
+        at_least = other is None
+        if at_least:
+            other = pareto(fronts["accumulation"])[-1][0]
+        lines.append({"target": target, "rmse": error, "accumulation": other, "at_least": at_least,
+                      "tilt_lens": took, "ratio": other/took if took else None})
+    return lines
