@@ -37,7 +37,7 @@ def cpu_of_frames(lab, shot, count, folder):
 
 def measure(lab, scene, tilted):
     """(CPU seconds of the rays, RMSE) for each number of frames."""
-    count = 64 if lab.quick else scene.frames
+    count = min(64, scene.frames) if lab.quick else scene.frames
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)
     key = digest("accumulation by trace time", lab.hashes[lab.stock], shot.arguments()[2:], shot.sources(), reference.name, count)

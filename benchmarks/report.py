@@ -3,7 +3,7 @@
 """The results as tables in Markdown and as CSV."""
 
 import csv
-import platform
+import pathlib
 import re
 
 import suite
@@ -125,11 +125,8 @@ SECTIONS = [("stock", section_stock), ("tilted", section_tilted), ("pan", sectio
 
 
 def machine():
-    try:
-        model = re.search(r"^model name\s*:\s*(.+)$", open("/proc/cpuinfo", encoding="utf-8").read(), re.M).group(1)
-    except (OSError, AttributeError):
-        model = platform.processor() or "an unknown processor"
-    return model
+    found = re.search(r"^model name\s*:\s*(.+)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M)
+    return found.group(1) if found else "an unnamed processor"
 
 
 def text(results, quick):
