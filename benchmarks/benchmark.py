@@ -93,7 +93,7 @@ def measure(lab, args):
     if "tilt" in args.parts:
         results["tilt"] = tilt_cost.measure(lab)
     if "instructions" in args.parts:
-        results["instructions"] = instructions.measure(lab, args.unpatched)
+        results["instructions"] = instructions.measure(lab, args.unpatched.resolve())
     if "loops" in args.parts:
         results["loops"] = instructions.inner_loops(lab)
     if "growth" in args.parts:
