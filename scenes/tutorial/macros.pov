@@ -6,8 +6,10 @@
 //   ./render scenes/tutorial/macros.pov +W640 +H360                     the miniature look
 //   ./render scenes/tutorial/macros.pov +W640 +H360 Declare=Look=1      sharp all over the ground
 //   ./render scenes/tutorial/macros.pov +W640 +H360 Declare=Look=2      a real 24 mm lens, shifted up
+//   ./render scenes/tutorial/macros.pov +W640 +H360 Declare=Look=3      sharp from a bench to a far roof
 //
-// Look for: the same village green as a toy, as a table sharp from hedge to wood, and from a lawn chair.
+// Look for: the same village green as a toy, as a table sharp from hedge to wood, from a lawn chair, and along a
+// plane that rises from the near bench to the roofs behind.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -35,7 +37,11 @@ camera {
     #break
     #case (2)
       location <-4, 1.3, -26>  look_at <-4, 1.3, 4>
-      Tilt_Lens_Real(Tilt_Lens_TS_24, 1000, 3.5, 0, 0, <0, 5>)
+      Tilt_Lens_Canon_TS_E_24(1000, 3.5, 0, 0, <0, 5>)
+    #break
+    #case (3)
+      location Eye  look_at Pond  angle 34
+      Tilt_Lens_Near_Far(Eye, Pond, <0, 0.5, -5>, <0, 9, 60>, 20, 1.4)
     #break
   #end
   blur_samples 16, 128  confidence 0.95  variance 1/3000
