@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Makes the pictures of docs/manual.md, its table of qualities, and the drawings of docs/optics.md.
+
+    docs/figures/make.py                     everything: some minutes
+    docs/figures/make.py pictures tilt_8     some of the pictures
+    docs/figures/make.py drawings            needs gnuplot (Debian: gnuplot-nox)
+    docs/figures/make.py quality             the table
+
+The scenes are taken from the manual itself, so that a picture shows what its code makes. Pictures are written with
+oiiotool (Debian: openimageio-tools).
+"""
+
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+MANUAL = ROOT / "docs" / "manual.md"
+PICTURES = ROOT / "docs" / "pictures" / "manual"
+DRAWINGS = ROOT / "docs" / "pictures" / "optics"
+SMALL, WIDE = (256, 144), (480, 270)
+
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+import pages  # noqa: E402
+
+
+def variants(stem, scene, variable, values, size=SMALL):
+    """Pictures of one scene with several values of a variable: {name: (scene, options, size)}."""
+    return {f"{stem}_{name}": (scene, [f"Declare={variable}={value}"], size) for name, value in values.items()}
+
+
+def same(values):
+    """Names that are the values."""
+    return {str(value): value for value in values}
+
+
+MADE = {
+    **variants("tilt", "tilt.pov", "Tilt", same((-8, 0, 8))),
+    **variants("swing", "swing.pov", "Swing", same((-8, 8))),
+    **variants("focus_tilt", "focus_tilt.pov", "Turn", {"-37": -36.9, "53": 53.1}),
+    "wall": ("wall.pov", [], WIDE),
+    "points": ("points.pov", [], WIDE),
+    **variants("shift", "shift.pov", "Right", same((-8, 0, 8))),
+    **variants("film", "film_width.pov", "Film", same((36, 18))),
+    **variants("focal", "focal_length.pov", "Focal", same((24, 50, 90))),
+    **variants("unit", "scene_unit.pov", "Unit", same((5, 10, 100))),
+    **variants("stop", "f_stop.pov", "Stop", same((0.7, 1.4, 5.6))),
+    **variants("lights", "lights.pov", "Shape", same((0, 1, 2))),
+    "miniature": ("miniature.pov", [], WIDE),
+    **variants("table", "table.pov", "Tilted", same((0, 1)), WIDE),
+    "facade_turned": ("facade.pov", ["Declare=Shifted=0", "+A0.05"], WIDE),
+    "facade_shifted": ("facade.pov", ["Declare=Shifted=1", "+A0.05"], WIDE),
+    "photograph": ("photograph.pov", [], (450, 300)),
+}
+ANTIALIASED = {"shift.pov"}  # no aperture: nothing else smooths the edges
+
+
+def scenes(folder):
+    """Writes the named scenes of the manual into the folder."""
+    text = MANUAL.read_text()
+    for example in pages.examples_of(pages.blocks_of(MANUAL.name, text)):
+        if example.name:
+            (folder / example.name).write_text(example.block.text)
+
+
+def render(povray, folder, scene, options, size, output):
+    """What the program says."""
+    command = [povray, f"+I{scene}", f"+O{output}", f"+W{size[0]}", f"+H{size[1]}", "-D", "-P",
+               f"+L{ROOT / 'scenes' / 'include'}", *options]
+    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          check=False)
+    said = done.stdout.decode(errors="replace")
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}\n{said[-2000:]}")
+    return said
+
+
+def make_pictures(povray, names):
+    """Renders the pictures of these names, all where there is none."""
+    unknown = set(names) - set(MADE)
+    if unknown:
+        sys.exit(f"no such picture: {', '.join(sorted(unknown))}. Known: {', '.join(MADE)}")
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        scenes(folder)
+        for picture in names or MADE:
+            scene, options, size = MADE[picture]
+            smooth = ["+A0.05"] if scene in ANTIALIASED else []
+            render(povray, folder, scene, [*options, *smooth], size, "picture.png")
+            subprocess.run(["oiiotool", str(folder / "picture.png"), "--compression", "jpeg:88", "-o",
+                            str(PICTURES / f"{picture}.jpg")], check=True)
+            print(picture, flush=True)
+
+
+def quality_table(povray):
+    """The table of qualities, measured: samples, noise that the program reports, time of one thread."""
+    rows = ["| `Declare=Step=` | samples per pixel: mean, 99%, most | `Standard error` | CPU time, relative |",
+            "| --- | --- | --- | --- |"]
+    first = 0.0
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        scenes(pathlib.Path(name))
+        for step in (1, 2, 3):
+            said = render(povray, name, "quality.pov", [f"Declare=Step={step}", "+WT1"], (640, 360), "picture.png")
+            samples = re.search(r"Samples per pixel\.+mean ([\d.]+), 99% (\d+), most (\d+)", said)
+            error = re.search(r"Standard error\.+([\d.]+)", said)
+            time = re.search(r"Trace Time:.*\n\s*using 1 thread\(s\) with ([\d.]+) CPU", said)
+            first = first or float(time[1])
+            rows.append(f"| {step} | {', '.join(samples.groups())} | {error[1]} | {float(time[1]) / first:.1f} |")
+    begin, end = "<!-- quality table: docs/figures/make.py quality -->\n", "<!-- end of the quality table -->"
+    text = MANUAL.read_text()
+    before, rest = text.split(begin)
+    MANUAL.write_text(before + begin + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1])
+    print("\n".join(rows))
+
+
+def make_drawings(names):
+    """Plots the drawings of these names, all where there is none."""
+    if shutil.which("gnuplot") is None:
+        sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
+    DRAWINGS.mkdir(parents=True, exist_ok=True)
+    for script in sorted(HERE.glob("*.gp")):
+        if script.stem == "common" or (names and script.stem not in names):
+            continue
+        subprocess.run(["gnuplot", "-e", f"output='{DRAWINGS / (script.stem + '.svg')}'", script.name], cwd=HERE, check=True)
+        print(script.stem)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("part", nargs="?", choices=["all", "pictures", "drawings", "quality"], default="all")
+    parser.add_argument("names", nargs="*", help="some pictures or drawings; without: all")
+    parser.add_argument("--povray", default=str(ROOT / "build" / "bin" / "povray"))
+    args = parser.parse_args()
+    povray = str(pathlib.Path(args.povray).resolve())
+    if args.part in ("all", "drawings"):
+        make_drawings(args.names)
+    if args.part in ("all", "pictures"):
+        make_pictures(povray, args.names)
+    if args.part in ("all", "quality"):
+        quality_table(povray)
+
+
+if __name__ == "__main__":
+    main()
