@@ -9,6 +9,7 @@
 include_guard()
 
 set(data_folder share/povray-3.7)
+string(REPLACE "share/" "" data_folder_from_share "${data_folder}")
 set(conf_folder etc/povray/3.7)
 set(scenes "${CMAKE_SOURCE_DIR}/scenes")
 
@@ -68,5 +69,18 @@ install(CODE "
     message(STATUS \"Installing: \${target}\")
     file(WRITE \"\${target}\" \"\${ini}\")")
 install(FILES "${POVRAY_SOURCE}/unix/povray.1" DESTINATION share/man/man1)
-install(FILES "${CMAKE_SOURCE_DIR}/LICENSE" DESTINATION share/doc/povray-tilt-lens)
-install(FILES "${CMAKE_SOURCE_DIR}/README.md" DESTINATION share/doc/povray-tilt-lens OPTIONAL)
+install(FILES "${CMAKE_SOURCE_DIR}/docs/man/povray-tilt-lens.7" DESTINATION share/man/man7)
+
+# The pages, laid out as in the repository so that their links hold; the scenes, which they name too, are linked.
+set(doc_folder share/doc/povray-tilt-lens)
+install(FILES "${CMAKE_SOURCE_DIR}/LICENSE" "${CMAKE_SOURCE_DIR}/README.md" DESTINATION ${doc_folder})
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs" "${CMAKE_SOURCE_DIR}/editors" DESTINATION ${doc_folder}
+    PATTERN figures EXCLUDE
+    PATTERN man EXCLUDE)
+install(CODE "
+    set(scenes \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${doc_folder}/scenes\")
+    file(MAKE_DIRECTORY \"\${scenes}\")
+    foreach(link IN ITEMS include=include gallery=scenes/gallery tutorial=scenes/tutorial)
+        string(REGEX MATCH \"^(.*)=(.*)\$\" whole \"\${link}\")
+        file(CREATE_LINK \"../../../${data_folder_from_share}/\${CMAKE_MATCH_2}\" \"\${scenes}/\${CMAKE_MATCH_1}\" SYMBOLIC)
+    endforeach()")
