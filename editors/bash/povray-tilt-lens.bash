@@ -1,0 +1,96 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# shellcheck shell=bash
+#
+# Completion for ./render, ./check and ./batch in Bash:   . editors/bash/povray-tilt-lens.bash
+
+_tilt_lens_home=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+
+# Scenes of the project whose name, written as seen from here, begins with $1.
+_tilt_lens_scenes()
+{
+    local scene
+    for scene in "$_tilt_lens_home"/scenes/{gallery,tutorial,paper}/*.pov; do
+        [ -e "$scene" ] || continue
+        [ "$_tilt_lens_home" != "$PWD" ] || scene=${scene#"$PWD/"}
+        case $scene in "$1"*) printf '%s\n' "$scene" ;; esac
+    done
+}
+
+# Folders, and files that end in one of the further words, whose name begins with $1.
+_tilt_lens_files()
+{
+    local word=$1 name ending
+    shift
+    while IFS= read -r name; do
+        if [ -d "$name" ]; then
+            printf '%s/\n' "$name"
+            continue
+        fi
+        for ending in "$@"; do
+            case $name in *"$ending") printf '%s\n' "$name" ;; esac
+        done
+    done < <(compgen -f -- "$word")
+}
+
+# Sets COMPREPLY to the lines of standard input, each once. What goes on is not followed by a blank.
+_tilt_lens_reply()
+{
+    mapfile -t COMPREPLY < <(sort -u -- "$1")
+    case ${COMPREPLY[0]-} in
+        */|*=|[-+][A-Z]) [ ${#COMPREPLY[@]} -ne 1 ] || compopt -o nospace 2>/dev/null ;;
+    esac
+}
+
+_tilt_lens_render()
+{
+    local word=${COMP_WORDS[COMP_CWORD]}
+    local options='+W +H +A0.1 +FN16 +FE +O +L +WT +SR +ER +SC +EC +C +UA -GA Declare= --help --version'
+    _tilt_lens_reply <(
+        compgen -W "$options" -- "$word"
+        case $word in
+            [-+]*) ;;
+            *)     _tilt_lens_scenes "$word"
+                   _tilt_lens_files "$word" .pov .ini ;;
+        esac)
+}
+
+_tilt_lens_check()
+{
+    local word=${COMP_WORDS[COMP_CWORD]} list
+    case ${COMP_WORDS[COMP_CWORD-1]} in
+        -L) # the labels are the folders of tests
+            _tilt_lens_reply <(
+                for list in "$_tilt_lens_home"/tests/*/CMakeLists.txt; do
+                    list=${list%/CMakeLists.txt}
+                    compgen -W "${list##*/}" -- "$word"
+                done) ;;
+        -R|-E|-j) COMPREPLY=() ;;
+        *)  _tilt_lens_reply <(compgen -W '-L -R -E -N -V -j --output-on-failure --rerun-failed --print-labels' -- "$word") ;;
+    esac
+}
+
+_tilt_lens_batch()
+{
+    local word=${COMP_WORDS[COMP_CWORD]} kinds='still film sweep'
+    local options='--bands --frames --set --on --workers --output --work --retries --anew --quiet --povray --sbatch --detach --help'
+    case ${COMP_WORDS[COMP_CWORD-1]} in
+        --on) _tilt_lens_reply <(compgen -W 'local slurm' -- "$word"); return ;;
+        --output|--work|--povray) _tilt_lens_reply <(_tilt_lens_files "$word" ''); return ;;
+        --bands|--frames|--set|--workers|--retries|--sbatch) COMPREPLY=(); return ;;
+    esac
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        _tilt_lens_reply <(compgen -W "$kinds --help" -- "$word")
+        return
+    fi
+    _tilt_lens_reply <(
+        case $word in
+            -*) compgen -W "$options" -- "$word" ;;
+            *)  _tilt_lens_scenes "$word"
+                _tilt_lens_files "$word" .pov ;;
+        esac)
+}
+
+complete -F _tilt_lens_render ./render render
+complete -F _tilt_lens_check ./check
+complete -F _tilt_lens_batch ./batch

@@ -1,0 +1,18 @@
+" povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+" SPDX-License-Identifier: AGPL-3.0-or-later
+"
+" Adds tilt_lens to Vim's own colours for POV-Ray. Its items are coloured inside its block only: outside they
+" are free for identifiers. The same for the macros of tilt_lens.inc.
+
+syn match   povTiltLens      "\<tilt_lens\>" nextgroup=povTiltLensBlock skipwhite skipempty
+syn region  povTiltLensBlock matchgroup=povTiltLensBrace start="{" end="}" contained contains=TOP
+syn region  povTiltLensPlane matchgroup=povTiltLensBrace start="{" end="}" contained contains=TOP
+      \ containedin=povTiltLensBlock
+syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
+      \ tilt swing focus_tilt focus_swing focal_plane focal_points
+      \ shift film_width focal_length scene_unit f_stop blades
+syn match   povTiltLensMacro "\<Tilt_Lens_\w\+\>"
+
+hi def link povTiltLens      Statement
+hi def link povTiltLensItem  Type
+hi def link povTiltLensMacro Function
