@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The items of the block are the same everywhere: parser, manual, manual page, editors. Completion completes; snippets
+render; Vim colours, where Vim with its syntax files is installed."""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EDITORS = ROOT / "editors"
+WORDS = ROOT / "povray-src" / "povray" / "source" / "backend" / "parser" / "tilt_lens_words.cpp"
+SETTINGS = argparse.Namespace(povray="povray")
+BATCH_KINDS = re.compile(r"(\w+(?:\|\w+)+)")
+
+
+def items():
+    """The words of the block, from the parser."""
+    table = re.search(r"kTiltLensItems\[.*?\] = \{(.*?)\};", WORDS.read_text(), re.DOTALL)[1]
+    return sorted(re.findall(r'\{"(\w+)"', table))
+
+
+def grammar():
+    """The injected grammar of Visual Studio Code."""
+    return json.loads((EDITORS / "vscode" / "syntaxes" / "tilt-lens.injection.json").read_text())
+
+
+def snippets():
+    """{name: text with its places filled in}."""
+    table = json.loads((EDITORS / "vscode" / "snippets" / "tilt-lens.json").read_text())
+    return {name: re.sub(r"\$\{\d+:([^}]*)\}", r"\1", "\n".join(entry["body"])) for name, entry in table.items()}
+
+
+class SameWords(unittest.TestCase):
+    """Who adds an item to the parser is told here where else it belongs."""
+
+    def check(self, place, found):
+        self.assertEqual(sorted(found), items(), f"{place} does not have the items of {WORDS.name}")
+
+    def test_there_are_items(self):
+        self.assertGreaterEqual(len(items()), 12)
+
+    def test_manual(self):
+        syntax = re.search(r"\nTILT_LENS_ITEM:\n(.*?)```", (ROOT / "docs" / "manual.md").read_text(), re.DOTALL)[1]
+        self.check("the syntax summary of docs/manual.md", set(re.findall(r"(?:^|\|)\s*([a-z_]{4,})\b", syntax, re.MULTILINE)))
+
+    def test_manual_page(self):
+        page = (ROOT / "docs" / "man" / "povray-tilt-lens.7").read_text()
+        listed = page.split(".SH ITEMS")[1].split(".SH QUALITY")[0]
+        self.check("docs/man/povray-tilt-lens.7", re.findall(r'^\.TP\n\.BI? "?([a-z_]+)', listed, re.MULTILINE))
+
+    def test_vim(self):
+        text = (EDITORS / "vim" / "after" / "syntax" / "pov.vim").read_text()
+        lines = re.search(r"^syn keyword povTiltLensItem .*\n((?: +\\ .*\n)+)", text, re.MULTILINE)[1]
+        self.check("the Vim file", lines.replace("\\", " ").split())
+
+    def test_vscode(self):
+        self.check("the grammar", re.search(r"\(([\w|]+)\)", grammar()["repository"]["item"]["match"])[1].split("|"))
+
+    def test_every_item_has_a_snippet(self):
+        text = "\n".join(snippets().values())
+        missing = [item for item in items() if not re.search(rf"\b{item}\b", text)]
+        # aids for looking at a set-up are switched on by hand, for one render
+        self.assertEqual([item for item in missing if item not in ("focus_peaking", "focus_map", "show_planes")], [])
+
+
+class Code(unittest.TestCase):
+    """The package of Visual Studio Code."""
+
+    def test_files(self):
+        package = json.loads((EDITORS / "vscode" / "package.json").read_text())
+        for entry in package["contributes"]["grammars"] + package["contributes"]["snippets"]:
+            self.assertTrue((EDITORS / "vscode" / entry["path"]).is_file(), entry["path"])
+        self.assertEqual(package["contributes"]["grammars"][0]["scopeName"], grammar()["scopeName"])
+
+    def test_patterns(self):
+        rules = grammar()["repository"]
+        self.assertRegex("camera { tilt_lens { tilt 3 } }", rules["block"]["begin"])
+        self.assertNotRegex("my_tilt_lens { }", rules["block"]["begin"])
+        self.assertRegex("focus_tilt 3", rules["item"]["match"])
+        self.assertNotRegex("tilted 3", rules["item"]["match"])
+        self.assertRegex("Tilt_Lens_Miniature(A, B, 1)", rules["macro"]["match"])
+
+    def test_snippets_render(self):
+        for name, text in snippets().items():
+            if "camera" not in text:
+                text = f"camera {{ right x*image_width/image_height location <0, 2, -6> look_at <0, 1, 0> {text} }}"
+            scene = f"#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n{text}\nsphere {{ 0, 1 }}\n"
+            with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
+                (pathlib.Path(folder) / "scene.pov").write_text(scene)
+                done = subprocess.run([SETTINGS.povray, "+Iscene.pov", "-F", "+W8", "+H6", "-D", f"+L{ROOT / 'scenes' / 'include'}"],
+                                      cwd=folder, capture_output=True, timeout=60, check=False)
+            said = done.stderr.decode(errors="replace")
+            self.assertEqual(done.returncode, 0, f"{name}\n{scene}\n{said[-1500:]}")
+            self.assertNotIn("Warning:", said, f"{name}\n{scene}")
+
+
+class Completion(unittest.TestCase):
+    """What Bash would offer."""
+
+    def offered(self, line, folder=ROOT):
+        words = line.split(" ")
+        script = (f". '{EDITORS / 'bash' / 'povray-tilt-lens.bash'}'\n"
+                  f"COMP_WORDS=({' '.join(repr(word) for word in words)}) COMP_CWORD={len(words) - 1}\n"
+                  f"function=$(complete -p {words[0]} | sed 's/.*-F \\([^ ]*\\).*/\\1/')\n"
+                  "$function; printf '%s\\n' \"${COMPREPLY[@]}\"")
+        done = subprocess.run(["bash", "-c", script], cwd=folder, capture_output=True, text=True, timeout=20, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), line)
+        return done.stdout.split()
+
+    def test_scenes(self):
+        self.assertEqual(self.offered("./render scenes/tutorial/ti"), ["scenes/tutorial/tilt.pov"])
+        tutorial = sorted(f"scenes/tutorial/{path.name}" for path in (ROOT / "scenes" / "tutorial").glob("*.pov"))
+        self.assertEqual([name for name in self.offered("./render ") if name.startswith("scenes/tutorial/")], tutorial)
+
+    def test_own_files(self):
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
+            for name in ("mine.pov", "mine.txt", "mine.ini"):
+                (pathlib.Path(folder) / name).write_text("")
+            (pathlib.Path(folder) / "more").mkdir()
+            self.assertEqual(self.offered("./render m", folder), ["mine.ini", "mine.pov", "more/"])
+            self.assertTrue(any(name.endswith("/scenes/tutorial/tilt.pov") for name in self.offered("./render /", folder)))
+
+    def test_options(self):
+        self.assertIn("+W", self.offered("./render a.pov +"))
+        self.assertEqual(self.offered("./render a.pov Decl"), ["Declare="])
+
+    def test_labels(self):
+        self.assertEqual(self.offered("./check -L doc"), ["docs"])
+        self.assertEqual(self.offered("./check --rerun"), ["--rerun-failed"])
+
+    def test_batch(self):
+        self.assertIn("still", self.offered("./batch "))
+        self.assertEqual(self.offered("./batch still --ban"), ["--bands"])
+        self.assertEqual(self.offered("./batch still scenes/tutorial/ti"), ["scenes/tutorial/tilt.pov"])
+        if not (ROOT / "batch").is_file():
+            return
+        text = subprocess.run([ROOT / "batch", "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+        kinds = sorted(BATCH_KINDS.search(text)[1].split("|"))
+        self.assertEqual(sorted(self.offered("./batch ")), sorted(["--help", *kinds]))
+        for kind in kinds:
+            text = subprocess.run([ROOT / "batch", kind, "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+            for option in self.offered(f"./batch {kind} --"):
+                every = option in text or any(option in (self.help_of(other)) for other in kinds)
+                self.assertTrue(every, f"./batch {kind} has no {option}")
+
+    def help_of(self, kind):
+        return subprocess.run([ROOT / "batch", kind, "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+
+
+@unittest.skipUnless(shutil.which("vim"), "Vim is not installed")
+class Vim(unittest.TestCase):
+    """The names of the colours that Vim gives to words of a scene."""
+
+    SCENE = "#declare tilt = 3;\ncamera { tilt_lens { tilt tilt focal_plane { y, 0 } swing 2 } angle 40 }\nTilt_Lens_Real(1)\n"
+
+    def test_colours(self):
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            folder = pathlib.Path(name)
+            (folder / "scene.pov").write_text(self.SCENE)
+            places = [(1, 10), (2, 10), (2, 22), (2, 32), (2, 53), (2, 63), (3, 1)]
+            ask = " ".join(f"call add(g:n, synIDattr(synID({row}, {column}, 1), 'name')) |" for row, column in places)
+            script = (f"set runtimepath^={EDITORS / 'vim'} runtimepath+={EDITORS / 'vim' / 'after'}\nsyntax on\nedit scene.pov\n"
+                      f"let g:n = []\n{ask} call writefile(g:n, 'names')\nquit!\n")
+            (folder / "ask.vim").write_text(script)
+            subprocess.run(["vim", "-u", "NONE", "-N", "-es", "-S", "ask.vim"], cwd=folder, env={**os.environ, "HOME": name},
+                           stdin=subprocess.DEVNULL, capture_output=True, timeout=30, check=False)
+            if not (folder / "names").exists():
+                self.skipTest("this Vim cannot run scripts")
+            found = (folder / "names").read_text().split("\n")[:-1]
+        if not any(found):
+            self.skipTest("Vim's own syntax files are not installed")
+        expected = ["povTiltLens", "povTiltLensItem", "povTiltLensItem", "povTiltLensItem"]
+        self.assertEqual(found[1:5] + found[6:], [*expected, "povTiltLensMacro"], dict(zip(places, found)))
+        for outside in (found[0], found[5]):
+            self.assertFalse(outside.startswith("povTiltLens"), dict(zip(places, found)))
+
+
+def main():
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--povray", type=os.path.abspath, required=True)
+    _, rest = parser.parse_known_args(namespace=SETTINGS)
+    unittest.main(argv=[sys.argv[0], *rest])
+
+
+if __name__ == "__main__":
+    main()
