@@ -68,6 +68,7 @@ struct Statement
     std::optional<double> fStop;               ///< focal length / diameter
     int blades = 0;                            ///< straight edges of the diaphragm; 0: round
     double bladesAngle = 0.0;                  ///< degrees, counter-clockwise as the camera sees it
+    bool denoise = true;                       ///< the picture is rebuilt from its pixels (reconstruction.h)
 
     Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; from `focal_point`, or `look_at` without one
     double aperture = 0.0;           ///< POV-Ray's number: twice the lens diameter, scene units; 0: none

@@ -174,6 +174,21 @@ Sample PixelSampler::operator()(std::uint32_t index) const
             ToUnit(point.value[3])};
 }
 
+Pair PixelSampler::Further(std::uint32_t index, std::uint32_t number) const
+{
+    const std::uint64_t seeds = StreamWord(key, (std::uint64_t{number} << 32) + 1);
+    // an order in which each block of 2^k samples stays one
+    index = ReverseBits(Scramble(ReverseBits(index), StreamHash(key, ~number)));
+    std::uint32_t u = 0, v = 0;
+    for (int place = 0; index != 0; ++place, index >>= 4)
+    {
+        u ^= digitTable.entry[place][index & 15u].value[0];
+        v ^= digitTable.entry[place][index & 15u].value[1];
+    }
+    return {ToUnit(ReverseBits(Scramble(u, std::uint32_t(seeds)))),
+            ToUnit(ReverseBits(Scramble(v, std::uint32_t(seeds >> 32))))};
+}
+
 std::uint32_t PixelSampler::Hash(std::uint32_t salt) const
 {
     return StreamHash(key, salt);

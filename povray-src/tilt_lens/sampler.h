@@ -56,6 +56,12 @@ struct Sample
     double pixelX, pixelY;  ///< position in the pixel's square
 };
 
+/// One point of (0, 1)^2.
+struct Pair
+{
+    double u, v;
+};
+
 /// The samples of one pixel. Cheap to make (a few hashes) and to copy.
 class PixelSampler
 {
@@ -65,6 +71,11 @@ class PixelSampler
     PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed);
 
     Sample operator()(std::uint32_t index) const;
+
+    /// Two more numbers for a sample, as well distributed over the pixel's samples as its lens points,
+    /// independent of them and of the pairs with other numbers: the sequence of the lens points in
+    /// another order of its own (Burley's shuffled padding).
+    Pair Further(std::uint32_t index, std::uint32_t number) const;
 
     /// A uniform hash for whatever else a sample needs, such as the seed of a random generator.
     /// Independent of the samples; equals PixelHash(x, y, seed, salt).

@@ -15,8 +15,6 @@
 namespace tilt_lens
 {
 
-constexpr std::uint32_t kCell = TileSampler::kCell;
-
 inline Radiance Grey(double value)
 {
     return {value, value, value, 0.0, 0.0};
@@ -58,10 +56,9 @@ struct Result
 };
 
 /// Of the tile's pixels, row by row.
-inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, std::uint32_t width,
-    std::uint32_t height, const TileSampler::Tracer& trace)
+inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, const Tracer& trace)
 {
-    sampler.Run(tile, width, height, trace);
+    sampler.Run(tile, trace);
     std::vector<Result> results;
     for (std::uint32_t y = tile.top; y < tile.Bottom(); y++)
         for (std::uint32_t x = tile.left; x < tile.Right(); x++)
@@ -69,12 +66,20 @@ inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, std
     return results;
 }
 
+/// Of a tile that is all that is rendered of a picture of `width` by `height`.
+inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width,
+    std::uint32_t height, const Tracer& trace)
+{
+    CellStore store(limits, width, height, tile);
+    TileSampler sampler(store);
+    return ResultsOf(sampler, tile, trace);
+}
+
 /// Of the cell at (left, top), anywhere in a large picture.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
-    std::uint32_t top, const TileSampler::Tracer& trace)
+    std::uint32_t top, const Tracer& trace)
 {
-    TileSampler sampler(limits);
-    return ResultsOf(sampler, {left, top, kCell, kCell}, 4096, 4096, trace);
+    return ResultsOf(limits, {left, top, kCell, kCell}, 4096, 4096, trace);
 }
 
 inline SamplingLimits Limits(

@@ -5,9 +5,14 @@
 
 #include "tilt_lens/tile_sampler.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -42,8 +47,8 @@ TEST(TileSamplerLimits, MinimumAndMaximumAreKept)
     const std::uint32_t cases[][2] = {
         {1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 100}, {7, 9}, {8, 1000}, {37, 37}, {100, 400}};
     for (const auto& c : cases)
-        for (const TileSampler::Tracer& trace : {TileSampler::Tracer(Constant),
-                 TileSampler::Tracer(WhiteNoise), TileSampler::Tracer(Edge)})
+        for (const Tracer& trace : {Tracer(Constant),
+                 Tracer(WhiteNoise), Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
                 for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), 8, 8, trace))
                 {
@@ -70,62 +75,146 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
                     same.pixelY == s.pixelY);
         Edge(id, s, light);
     };
-    TileSampler sampler(Limits(6, 300, 1e-4));
+    CellStore store(Limits(6, 300, 1e-4), 64, 64, tile);
+    TileSampler sampler(store);
     std::uint64_t counted = 0;
     double variance = 0.0;
-    for (const Result& r : ResultsOf(sampler, tile, 64, 64, trace))
+    for (const Result& r : ResultsOf(sampler, tile, trace))
     {
         counted += r.samples;
         variance += r.variance;
     }
     EXPECT_EQ(inside, counted);
     EXPECT_EQ(seen.size(), calls) << "a sample was traced twice";
-    EXPECT_EQ(calls - inside, 8u * (2 * 18 + 2 * 8))
-        << "first samples of the pixels around the tile";
+    EXPECT_EQ(calls - inside, 8u * (10 * kCell * kCell)) << "first samples of the cells around the tile";
     EXPECT_EQ(sampler.Account().Samples(), counted);
     EXPECT_EQ(sampler.Account().Pixels(), 16u * 8);
     EXPECT_EQ(sampler.Account().notFinite, 0u);
     EXPECT_DOUBLE_EQ(sampler.Account().variance, variance);
 }
 
-TEST(TileSamplerOrder, TilesDoNotDependOnWhatRanBefore)
+// a picture of 45 by 37 pixels: no multiple of a cell
+constexpr std::uint32_t kWidth = 45, kHeight = 37;
+
+/// Minima, kinds of light, with and without the reconstruction.
+struct Way
 {
-    const SamplingLimits limits = Limits(8, 512, 1e-4);
-    TileSampler used(limits);
-    for (const TileSampler::Tracer& trace :
-        {TileSampler::Tracer(Edge), TileSampler::Tracer(WhiteNoise)})
-        for (const std::uint32_t left : {48u, 0u, 16u, 48u})
-        {
-            ResultsOf(used, {9, 24, 3, 5}, 60, 29, Constant);
-            EXPECT_TRUE(ResultsOf(used, {left, 8, kCell, kCell}, 4096, 4096, trace) ==
-                        ResultsOf(limits, left, 8, trace))
-                << left;
-        }
+    std::uint32_t min;
+    Tracer trace;
+    bool denoise;
+
+    SamplingLimits Limited() const
+    {
+        SamplingLimits limits = Limits(min, 200, 1e-3);
+        limits.denoise = denoise;
+        return limits;
+    }
+    std::vector<Result> Whole() const
+    {
+        return ResultsOf(Limited(), {0, 0, kWidth, kHeight}, kWidth, kHeight, trace);
+    }
+};
+
+std::vector<Way> Ways()
+{
+    std::vector<Way> ways;
+    for (const std::uint32_t min : {1u, 6u})
+        for (const Tracer& trace : {Tracer(Edge), Tracer(WhiteNoise)})
+            for (const bool denoise : {false, true})
+                ways.push_back({min, trace, denoise});
+    return ways;
 }
 
-TEST(TileSamplerOrder, AnyTileAndSubImageGivesTheSamePixels)
+void ExpectPartOf(const std::vector<Result>& whole, const std::vector<Result>& part, const Area& tile)
 {
-    // a picture of 45 by 37 pixels: no multiple of a cell
-    const std::uint32_t width = 45, height = 37;
+    for (std::uint32_t y = 0; y < tile.height; y++)
+        for (std::uint32_t x = 0; x < tile.width; x++)
+            ASSERT_TRUE(part[y * tile.width + x] == whole[(tile.top + y) * kWidth + tile.left + x])
+                << "tile at " << tile.left << ", " << tile.top << ", pixel " << x << ", " << y;
+}
+
+TEST(TileSamplerOrder, AnySubImageGivesTheSamePixels)
+{
     const Area tiles[] = {{0, 0, 1, 1}, {44, 36, 1, 1}, {0, 0, 32, 32}, {32, 0, 13, 32},
         {0, 32, 32, 5}, {32, 32, 13, 5}, {7, 9, 3, 2}, {7, 7, 2, 2}, {15, 0, 18, 37}, {8, 8, 8, 8},
         {3, 20, 42, 1}};
-    for (const std::uint32_t min : {1u, 6u})
-        for (const TileSampler::Tracer& trace :
-            {TileSampler::Tracer(Edge), TileSampler::Tracer(WhiteNoise)})
+    for (const Way& way : Ways())
+        for (const Area& tile : tiles)
+            ExpectPartOf(way.Whole(), ResultsOf(way.Limited(), tile, kWidth, kHeight, way.trace), tile);
+}
+
+TEST(TileSamplerOrder, AnyTilesInAnyOrderGiveTheSamePixelsAndLeaveNothingBehind)
+{
+    for (const Way& way : Ways())
+    {
+        const auto whole = way.Whole();
+        for (const std::uint32_t side : {5u, 8u, 20u, 32u})
         {
-            TileSampler sampler(Limits(min, 200, 1e-3));
-            const auto whole = ResultsOf(sampler, {0, 0, width, height}, width, height, trace);
+            std::vector<Area> tiles;
+            for (std::uint32_t y = 0; y < kHeight; y += side)
+                for (std::uint32_t x = 0; x < kWidth; x += side)
+                    tiles.push_back({x, y, std::min(side, kWidth - x), std::min(side, kHeight - y)});
+            std::shuffle(tiles.begin(), tiles.end(), std::mt19937(side));
+            CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
             for (const Area& tile : tiles)
             {
-                const auto part = ResultsOf(sampler, tile, width, height, trace);
-                for (std::uint32_t y = 0; y < tile.height; y++)
-                    for (std::uint32_t x = 0; x < tile.width; x++)
-                        ASSERT_TRUE(part[y * tile.width + x] ==
-                                    whole[(tile.top + y) * width + tile.left + x])
-                            << "min " << min << ", tile at " << tile.left << ", " << tile.top
-                            << ", pixel " << x << ", " << y;
+                TileSampler sampler(store);
+                ExpectPartOf(whole, ResultsOf(sampler, tile, way.trace), tile);
             }
+            EXPECT_EQ(store.Size(), 0u) << "cells that nobody needs any more";
+        }
+    }
+}
+
+TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
+{
+    for (const Way& way : Ways())
+    {
+        const auto whole = way.Whole();
+        std::atomic<std::uint64_t> calls{0};
+        const Tracer counted = [&](const SampleId& id, const Sample& s, Traced& light)
+        {
+            calls++;
+            way.trace(id, s, light);
+        };
+        CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
+        std::atomic<std::uint32_t> row{0};
+        std::atomic<std::uint64_t> samples{0};
+        std::vector<std::thread> threads;
+        for (int i = 0; i < 4; i++)
+            threads.emplace_back([&]
+            {
+                for (std::uint32_t y = row++; y < kHeight; y = row++)
+                {
+                    TileSampler sampler(store);
+                    ExpectPartOf(whole, ResultsOf(sampler, {0, y, kWidth, 1}, counted), {0, y, kWidth, 1});
+                    samples += sampler.Account().Samples();
+                }
+            });
+        for (std::thread& thread : threads)
+            thread.join();
+        EXPECT_EQ(calls, samples) << "a sample was taken twice, or for nothing";
+        EXPECT_EQ(store.Size(), 0u);
+    }
+}
+
+TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
+{
+    for (const Way& way : Ways())
+        for (const int broken : {1, 100, 5000})
+        {
+            CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
+            int calls = 0;
+            const Tracer failing = [&](const SampleId& id, const Sample& s, Traced& light)
+            {
+                if (++calls == broken)
+                    throw std::runtime_error("cancelled");
+                way.trace(id, s, light);
+            };
+            TileSampler sampler(store);
+            const Area all{0, 0, kWidth, kHeight};
+            EXPECT_THROW(sampler.Run(all, failing), std::runtime_error);
+            ExpectPartOf(way.Whole(), ResultsOf(sampler, all, way.trace), all);
         }
 }
 
@@ -192,12 +281,13 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
             if (spoiled(id))
                 light = Radiance{};
         };
-        TileSampler sampler(Limits(8, 1024, 1e-4));
-        const auto results = ResultsOf(sampler, {16, 8, kCell, kCell}, 64, 64, broken);
-        const SamplingAccount account = sampler.Account();
-        EXPECT_TRUE(results == ResultsOf(sampler, {16, 8, kCell, kCell}, 64, 64, black)) << bad;
-        EXPECT_EQ(account.notFinite, results[3 * kCell + 2].samples / 8) << bad;
-        EXPECT_EQ(sampler.Account().notFinite, 0u);
+        const Area tile{16, 8, kCell, kCell};
+        CellStore brokenStore(Limits(8, 1024, 1e-4), 64, 64, tile), blackStore(Limits(8, 1024, 1e-4), 64, 64, tile);
+        TileSampler brokenTile(brokenStore), blackTile(blackStore);
+        const auto results = ResultsOf(brokenTile, tile, broken);
+        EXPECT_TRUE(results == ResultsOf(blackTile, tile, black)) << bad;
+        EXPECT_EQ(brokenTile.Account().notFinite, results[3 * kCell + 2].samples / 8) << bad;
+        EXPECT_EQ(blackTile.Account().notFinite, 0u);
     }
 }
 

@@ -22,7 +22,7 @@ namespace
 struct Picture
 {
     const char* name;
-    TileSampler::Tracer trace;
+    Tracer trace;
     double (*mean)(std::uint32_t x, std::uint32_t y);
 };
 

@@ -176,6 +176,8 @@ void TiltLensParser::ParseItem(const std::string& word, Statement& s)
         ParseShift(s);
     else if (word == "blades")
         ParseBlades(s);
+    else if (word == "denoise")
+        s.denoise = Number(word) != 0.0;  // `on` and `off` are numbers
     else if (word == "focal_plane")
         ParseFocalPlane(s);
     else

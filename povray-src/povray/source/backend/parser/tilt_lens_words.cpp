@@ -11,13 +11,14 @@
 namespace pov
 {
 
-const TiltLensItem kTiltLensItems[12] = {
+const TiltLensItem kTiltLensItems[13] = {
     {"film_width", NULL},
     {"focal_length", NULL},
     {"scene_unit", NULL},
     {"shift", NULL},
     {"f_stop", NULL},
     {"blades", NULL},
+    {"denoise", NULL},
     {"tilt", "tilt and swing"},
     {"swing", "tilt and swing"},
     {"focus_tilt", "focus_tilt and focus_swing"},

@@ -33,6 +33,21 @@ Colour ToColour(const Radiance& v)
     return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
 }
 
+/// The point of a row that x in (0, 1) chooses, in the proportions in which POV-Ray averages them: it
+/// halves a row of an area light again and again, and both halves have the middle point of an odd one.
+int PointOfRow(int points, double x)
+{
+    int first = 0, last = points - 1;
+    while (first < last)
+    {
+        const int sum = first + last;
+        const bool upper = x >= 0.5;
+        x = 2.0 * x - (upper ? 1.0 : 0.0);
+        (upper ? first : last) = upper ? (sum + 1) / 2 : sum / 2;
+    }
+    return first;
+}
+
 template<class Number>
 void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& generators, unsigned int seed)
 {
@@ -68,11 +83,27 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, D
 
     // whatever draws random numbers on the way draws this sample's own
     SeedRandomNumbers(tilt_lens::PixelHash(id.x, id.y, id.index, 0));
+    tiltLensSample = id;
+    areaLightsMet = 0;
     Colour colour;
     Trace::TraceTicket ticket(maxTraceLevel, adcBailout, sceneData->outputAlpha);
     const DBL distance = TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
     traced.light = {colour[pRED], colour[pGREEN], colour[pBLUE], colour[pFILTER], colour[pTRANSM]};
     traced.blur = tiltLens->BlurRadius(way.w, distance / length, width);
+}
+
+/// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
+/// of the whole grid at the cost of one shadow ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray
+/// Tracing", 1984). Radiosity keeps its samples for other pixels and gets the whole light.
+bool TracePixel::ChooseAreaLightPoint(const LightSource& light, const TraceTicket& ticket, int& u, int& v)
+{
+    if (!tiltLens || pretrace || ticket.radiosityRecursionDepth > 0)
+        return false;
+    const tilt_lens::Pair point =
+        tilt_lens::PixelSampler(tiltLensSample.x, tiltLensSample.y, 0).Further(tiltLensSample.index, areaLightsMet++);
+    u = PointOfRow(light.Area_Size1, point.u);
+    v = PointOfRow(light.Area_Size2, point.v);
+    return true;
 }
 
 /// The lens points of one picture lie in few objects or none: the view has found out which to ask.
@@ -126,14 +157,15 @@ void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colou
     colour /= samples;
 }
 
-/// A tile of the final picture.
-void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsigned int height,
+/// A tile of the final picture. Where a pixel depends on what else its tile traced, tiles share nothing.
+void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone,
                                    std::vector<Colour>& pixels)
 {
     const tilt_lens::Area tile{(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
                                (unsigned int)rect.GetHeight()};
-    tilt_lens::TileSampler sampler(tiltLens->limits);
-    sampler.Run(tile, width, height, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
+    tilt_lens::CellStore own(tiltLens->limits, width, height, tile);
+    tilt_lens::TileSampler sampler(alone ? own : *tiltLens->cells);
+    sampler.Run(tile, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
                 { TraceTiltLensSample(id, sample, width, height, traced); });
 
     pixels.clear();
@@ -156,7 +188,9 @@ void TraceTask::TiltLensSampling()
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {
         radiosity.BeforeTile(highReproducibility ? serial : 0);
-        trace.TraceTiltLensTile(rect, GetViewData()->GetWidth(), GetViewData()->GetHeight(), pixels);
+        // radiosity that is to be reproducible begins each tile anew
+        trace.TraceTiltLensTile(rect, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
+                                highReproducibility && GetSceneData()->radiositySettings.radiosityEnabled, pixels);
         radiosity.AfterTile();
 
         GetViewDataPtr()->AfterTile();

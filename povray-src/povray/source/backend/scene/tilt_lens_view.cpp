@@ -46,6 +46,12 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return tilt_lens::Aperture::Disc();
 }
 
+tilt_lens::Area AreaOf(const POVRect& rect)
+{
+    return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
+            (unsigned int)rect.GetHeight()};
+}
+
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 {
     tilt_lens::SamplingLimits limits;
@@ -53,6 +59,7 @@ tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
     limits.min = camera.Blur_Samples_Min;
     limits.variance = camera.Variance;
     limits.confidence = camera.Confidence;
+    limits.denoise = camera.TiltLens.statement.denoise;
     return limits;
 }
 
@@ -115,17 +122,18 @@ double Tidy(double degrees)
 
 } // namespace
 
-TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, shared_ptr<SceneData> scene) :
+TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, ViewData& view) :
     lens(solved),
-    aperture(ApertureOf(camera, scene)),
+    aperture(ApertureOf(camera, view.GetSceneData())),
     limits(LimitsOf(camera)),
-    aroundLens(ObjectsAroundLens(camera, solved, *scene)),
+    cells(new tilt_lens::CellStore(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
+    aroundLens(ObjectsAroundLens(camera, solved, *view.GetSceneData())),
     blurPerVergence(0.5 * solved.diameter / Length(solved.right))
 {
 }
 
 shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, const tilt_lens::Lens& lens,
-                                              shared_ptr<SceneData> scene)
+                                              ViewData& view)
 {
     camera.Direction[X] = lens.direction.x;
     camera.Direction[Y] = lens.direction.y;
@@ -133,7 +141,7 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, const tilt_lens::L
     camera.Aperture = 0.0;  // POV-Ray's own focal blur keeps out
     if (lens.diameter == 0.0)
         return shared_ptr<TiltLensView>();
-    return shared_ptr<TiltLensView>(new TiltLensView(camera, lens, scene));
+    return shared_ptr<TiltLensView>(new TiltLensView(camera, lens, view));
 }
 
 void TiltLensView::Add(const tilt_lens::SamplingAccount& tile)
@@ -201,7 +209,7 @@ void View::StartTiltLens(unsigned int& tracingmethod)
     try
     {
         const tilt_lens::Lens lens = TiltLensCamera::Solve(camera);
-        viewData.tiltLens = TiltLensView::Create(camera, lens, viewData.sceneData);
+        viewData.tiltLens = TiltLensView::Create(camera, lens, viewData);
 
         POVMS_Object report(kPOVObjectClass_RenderOptions);
         report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, lens, viewData.width).c_str());

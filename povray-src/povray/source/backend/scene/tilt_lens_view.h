@@ -23,7 +23,7 @@
 namespace pov
 {
 
-class SceneData;
+class ViewData;
 
 class TiltLensView
 {
@@ -36,11 +36,14 @@ class TiltLensView
     /// does all that is left to do.
     /// @throws std::invalid_argument  a bokeh picture without any light
     static shared_ptr<TiltLensView> Create(Camera& camera, const tilt_lens::Lens& lens,
-                                           shared_ptr<SceneData> scene);
+                                           ViewData& view);
 
     const tilt_lens::Lens lens;
     const tilt_lens::Aperture aperture;
     const tilt_lens::SamplingLimits limits;
+
+    /// The pixels that are being sampled.
+    const shared_ptr<tilt_lens::CellStore> cells;
 
     /// Objects that some lens point may lie in; rays from the lens ask no others.
     const std::vector<ObjectPtr> aroundLens;
@@ -61,7 +64,7 @@ class TiltLensView
   private:
     const double blurPerVergence;  ///< lens radius in widths of the frame, at parameter 1
 
-    TiltLensView(const Camera& camera, const tilt_lens::Lens& lens, shared_ptr<SceneData> scene);
+    TiltLensView(const Camera& camera, const tilt_lens::Lens& lens, ViewData& view);
 
     mutable boost::mutex accountMutex;
     tilt_lens::SamplingAccount account;

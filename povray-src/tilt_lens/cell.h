@@ -1,0 +1,139 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file cell.h
+/// How many rays a pixel gets. Pixels are judged in cells of 8 by 8 on a grid fixed to the whole
+/// picture; beyond its own cell a pixel is only compared with the first samples of its neighbours.
+/// Both depend on places in the picture alone, so that neither threads nor tiles nor sub-images
+/// change a value.
+///
+/// A pixel's samples are a prefix of one low-discrepancy sequence, taken in rounds that double it.
+/// After each round three things are known of the pixel, for each channel:
+///
+///     s^2 / n        variance of the mean if the n samples were independent (n - 1 in s^2);
+///     (A - B)^2 / 4  with A and B the means of the two halves of the prefix: one number, but it sees
+///                    what stratification gains. The halves of such a prefix fill each other's gaps,
+///                    so that their difference overstates the error of their mean, never the reverse;
+///     gain           the second over the first, pooled over the cell.
+///
+/// What decides is gain s^2 / n, with s^2 no smaller than its mean over the neighbouring pixels (a few
+/// equal samples beside an edge are no certainty) and over all that is blurred as far as the pixel (a
+/// small light far out of focus shows in few samples, but in some of every pixel that it covers). It
+/// is raised to the upper limit of the confidence interval that the number of samples leaves
+/// (chi-square), and lowered to what the reconstruction will leave of it where that is asked for.
+///
+/// A sample that is not finite counts as black and is counted apart.
+///
+/// Sources: M. E. Lee, R. A. Redner, S. P. Uselton, "Statistically optimized sampling for distributed
+/// ray tracing" (1985) for a stop by variance and confidence; A. B. Owen, "Monte Carlo theory, methods
+/// and examples", chapter 17, for estimating the error of randomised sequences.
+
+#ifndef TILT_LENS_CELL_H
+#define TILT_LENS_CELL_H
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "reconstruction.h"
+#include "sampling.h"
+
+namespace tilt_lens
+{
+
+/// A square of pixels, sampled in two steps: the first samples, which neighbours look at, and the
+/// rest. Steps may be asked for by any thread; each is done once.
+class Cell
+{
+  public:
+    /// A pixel after its first samples.
+    struct First
+    {
+        Radiance spread{};  ///< variance of one sample
+        double blur = 0.0;  ///< widest blur met, pixels
+    };
+
+    /// A pixel after its last sample.
+    struct Final
+    {
+        double variance = 0.0;  ///< of the mean, worst channel; relative to the square of what is above 1
+        Radiance mean{};
+        std::uint32_t samples = 0, notFinite = 0;
+    };
+
+    /// The cell and its eight neighbours, row by row; null outside the picture.
+    using Neighbours = std::array<const Cell*, 9>;
+
+    explicit Cell(const Area& area) : area(area) {}
+
+    const Area area;
+
+    void TakeFirst(const SamplingLimits& limits, const Tracer& trace);
+    /// The neighbours have taken their first samples.
+    void Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
+
+    /// @name Known after the first step. (x, y) is in the whole picture.
+    /// @{
+    const First& FirstOf(std::uint32_t x, std::uint32_t y) const { return first[Index(x, y)]; }
+    const Estimate& FirstEstimate(std::uint32_t x, std::uint32_t y) const { return firstEstimates[Index(x, y)]; }
+    /// @}
+
+    /// @name Known after the second.
+    /// @{
+    const Final& FinalOf(std::uint32_t x, std::uint32_t y) const { return final[Index(x, y)]; }
+    const Estimate& FinalEstimate(std::uint32_t x, std::uint32_t y) const { return finalEstimates[Index(x, y)]; }
+    /// @}
+
+  private:
+    struct Pixel
+    {
+        std::array<Radiance, 2> half{};  ///< sums of the samples before and after the middle
+        Radiance squares{};              ///< sum over both halves
+        Radiance blurredSpread{};        ///< as BlurredSpread() gives it
+        std::uint32_t samples = 0;
+        std::uint32_t middle = 0;        ///< samples in the first half
+        std::uint32_t notFinite = 0;
+        double blur = 0.0;               ///< widest of the first round
+        double gain = 1.0;               ///< of the last round
+        double variance = 0.0;           ///< as Final has it
+        bool open = true;                ///< wants more samples
+    };
+
+    /// An open pixel and the variance that decides about it.
+    struct Judged
+    {
+        Pixel* pixel;
+        Radiance variance;
+    };
+
+    std::mutex busy;
+    bool begun = false, done = false;
+    std::vector<Pixel> pixels;
+    std::vector<First> first;
+    std::vector<Estimate> firstEstimates, finalEstimates;
+    std::vector<Final> final;
+
+    std::size_t Index(std::uint32_t x, std::uint32_t y) const
+    {
+        return (y - area.top) * std::size_t(area.width) + (x - area.left);
+    }
+    void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
+    bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
+    double PooledGain() const;
+    std::vector<Estimate> Estimates() const;
+    void CreditReconstruction(const Neighbours& neighbours, double allowed, std::vector<Judged>& judged) const;
+    std::array<float, kCell * kCell> Remains(const Neighbours& neighbours, const std::vector<Estimate>& own) const;
+    Radiance NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
+    Radiance BlurredSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
+    static Radiance Spread(const Pixel& pixel);
+    static Radiance MeanOf(const Pixel& pixel);
+};
+
+/// The neighbour that holds a pixel beside the cell, or null outside the picture.
+const Cell* Holder(const Cell::Neighbours& neighbours, std::int64_t x, std::int64_t y);
+
+} // namespace tilt_lens
+
+#endif

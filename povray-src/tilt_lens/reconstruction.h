@@ -1,0 +1,88 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file reconstruction.h
+/// The picture from its pixels' means: pixels that see the same, as far as their noise lets one tell,
+/// are averaged. A non-local means filter whose distance between two pixels is that of their 3 by 3
+/// neighbourhoods, less what their estimated variances explain, and in units of these:
+///
+///     d(p, q) = mean over the neighbourhood and the channels of
+///               ((p - q)^2 - (var p + min(var p, var q))) / (k^2 (var p + var q))
+///     weight  = exp(-max(0, d)), times the share of samples that q has of p's, at most 1
+///
+/// It looks at nothing but colours and their variances: no depth, no normals. So a mirror image, a
+/// refraction, a medium or a far blurred light is treated as what it looks like. A pixel without noise
+/// stays what it is. The step is biased: what it makes equal may differ by less than the noise. It is
+/// one of the things that `denoise off` leaves out.
+///
+/// Source: F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering",
+/// ACM Trans. Graph. 31(6), 2012. Here: one buffer instead of two halves, since the halves of a
+/// low-discrepancy sequence are not independent; the error that is left is not estimated from a
+/// second filtering of the picture, but from a filtering of the halves' difference: that is noise and
+/// nothing else, so what is left of it tells what is left of the picture's noise.
+
+#ifndef TILT_LENS_RECONSTRUCTION_H
+#define TILT_LENS_RECONSTRUCTION_H
+
+#include <array>
+#include <cstdint>
+
+#include "sampling.h"
+
+namespace tilt_lens
+{
+
+/// What is known of a pixel.
+struct Estimate
+{
+    std::array<float, 5> mean{};      ///< as Radiance
+    std::array<float, 5> variance{};  ///< of the mean, estimated
+    std::array<float, 5> halves{};    ///< difference of the means of its samples' two halves
+    float samples = 0.0f;             ///< 0 outside the picture
+};
+
+/// However many pixels are averaged, this share of the variance is believed to remain besides what
+/// the filter leaves of the noise: what it takes for noise and was a difference, its bias. Read off
+/// pictures of textures, edges and lights, where it is between 0.1 and 0.2.
+constexpr float kLeastRemains = 0.15f;
+
+/// Side of the squares of pixels that are sampled and rebuilt together.
+constexpr std::uint32_t kCell = 8;
+
+/// A cell's pixels and what lies around them, as far as the filter looks.
+class Surroundings
+{
+  public:
+    static constexpr int kReach = 5;               ///< pixels from one to the farthest it is averaged with
+    static constexpr int kBorder = kReach + 1;     ///< and one more to compare neighbourhoods
+    static constexpr int kSide = int(kCell) + 2 * kBorder;
+
+    /// @param x, y  relative to the cell's first pixel, -kBorder <= x, y < kCell + kBorder
+    void Set(int x, int y, const Estimate& estimate);
+
+    /// Whether no pixel of the cell has any noise: then all stay as they are.
+    bool Noiseless() const;
+
+    const std::array<std::array<float, kSide * kSide>, 5>& Means() const { return mean; }
+    const std::array<std::array<float, kSide * kSide>, 5>& Variances() const { return variance; }
+    const std::array<std::array<float, kSide * kSide>, 5>& Halves() const { return halves; }
+    const std::array<float, kSide * kSide>& Samples() const { return samples; }
+
+  private:
+    std::array<std::array<float, kSide * kSide>, 5> mean{}, variance{}, halves{};
+    std::array<float, kSide * kSide> samples{};
+};
+
+/// A cell's pixels rebuilt, row by row.
+struct Rebuilt
+{
+    std::array<std::array<float, kCell * kCell>, 5> mean;
+    std::array<float, kCell * kCell> remains;  ///< of a pixel's variance: the share that averaging leaves, (0, 1]
+};
+
+/// @param means  whether the means are wanted too, or only what would remain of the variances
+Rebuilt Rebuild(const Surroundings& around, bool means);
+
+} // namespace tilt_lens
+
+#endif

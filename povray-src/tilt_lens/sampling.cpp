@@ -1,0 +1,59 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "sampling.h"
+
+#include <cmath>
+
+namespace tilt_lens
+{
+
+void SamplingAccount::Add(const SamplingAccount& other)
+{
+    for (const auto& entry : other.pixelsBySamples)
+        pixelsBySamples[entry.first] += entry.second;
+    variance += other.variance;
+    notFinite += other.notFinite;
+}
+
+std::uint64_t SamplingAccount::Pixels() const
+{
+    std::uint64_t pixels = 0;
+    for (const auto& entry : pixelsBySamples)
+        pixels += entry.second;
+    return pixels;
+}
+
+std::uint64_t SamplingAccount::Samples() const
+{
+    std::uint64_t samples = 0;
+    for (const auto& entry : pixelsBySamples)
+        samples += entry.first * entry.second;
+    return samples;
+}
+
+std::uint32_t SamplingAccount::Most() const
+{
+    return pixelsBySamples.empty() ? 0 : pixelsBySamples.rbegin()->first;
+}
+
+std::uint32_t SamplingAccount::Quantile(double share) const
+{
+    const double wanted = share * Pixels();
+    std::uint64_t below = 0;
+    for (const auto& entry : pixelsBySamples)
+    {
+        below += entry.second;
+        if (below >= wanted)
+            return entry.first;
+    }
+    return Most();
+}
+
+double SamplingAccount::StandardError() const
+{
+    const std::uint64_t pixels = Pixels();
+    return pixels == 0 ? 0.0 : std::sqrt(variance / pixels);
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,91 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file sampling.h
+/// What sampling a picture is asked for, what one sample brings, and what a set of pixels cost.
+
+#ifndef TILT_LENS_SAMPLING_H
+#define TILT_LENS_SAMPLING_H
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+
+#include "sampler.h"
+
+namespace tilt_lens
+{
+
+/// Red, green, blue, filter, transmit; linear.
+using Radiance = std::array<double, 5>;
+
+/// What one sample brings home.
+struct Traced
+{
+    Radiance light;
+    double blur = 0.0;  ///< radius in pixels over which the surface that was met is spread, at most
+
+    Traced& operator=(const Radiance& value)
+    {
+        light = value;
+        blur = 0.0;
+        return *this;
+    }
+};
+
+/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera.
+struct SamplingLimits
+{
+    std::uint32_t min = 8, max = 1024;  ///< samples per pixel, 1 <= min <= max
+    double variance = 1e-4;             ///< of a pixel's value, where its brightness is at most 1
+    double confidence = 0.9;            ///< that the variance is below, (0, 1)
+    bool denoise = false;               ///< average pixels that see the same (reconstruction.h)
+
+    /// `variance 0` asks for the plain mean of the most samples.
+    bool Denoises() const { return denoise && variance > 0.0; }
+};
+
+/// Identifies one sample of one pixel.
+struct SampleId
+{
+    std::uint32_t x, y;   ///< pixel in the whole picture
+    std::uint32_t index;  ///< 0, 1, ... in the order taken
+};
+
+/// Traces one sample; the position in the pixel is sample.pixelX, pixelY.
+using Tracer = std::function<void(const SampleId& id, const Sample& sample, Traced& result)>;
+
+/// Pixels of the whole picture; (0, 0) is its upper left corner.
+struct Area
+{
+    std::uint32_t left, top, width, height;
+
+    std::uint32_t Right() const { return left + width; }    ///< first column outside
+    std::uint32_t Bottom() const { return top + height; }   ///< first row outside
+    bool Has(std::uint32_t x, std::uint32_t y) const
+    {
+        return x >= left && x < Right() && y >= top && y < Bottom();
+    }
+};
+
+/// What a set of pixels cost and how good they are.
+struct SamplingAccount
+{
+    std::map<std::uint32_t, std::uint64_t> pixelsBySamples;  ///< samples of a pixel -> pixels
+    double variance = 0.0;                                   ///< sum over pixels, worst channel each
+    std::uint64_t notFinite = 0;                             ///< samples that were no light
+
+    void Add(const SamplingAccount& other);
+    std::uint64_t Pixels() const;
+    std::uint64_t Samples() const;
+    std::uint32_t Most() const;
+    /// Samples that `share` of the pixels did not exceed.
+    std::uint32_t Quantile(double share) const;
+    /// Root of the mean estimated variance.
+    double StandardError() const;
+};
+
+} // namespace tilt_lens
+
+#endif
