@@ -105,11 +105,13 @@ void TilePerSample(benchmark::State& state)
     limits.min = 8;
     limits.max = static_cast<std::uint32_t>(state.range(0));
     limits.variance = 1e-12;    // never reached: every pixel takes the most
+    limits.denoise = state.range(1) != 0;
     const std::uint32_t edge = 32;
     for (auto _ : state)
     {
-        TileSampler tile(limits);
-        tile.Run({0, 0, edge, edge}, edge, edge,
+        CellStore store(limits, edge, edge, {0, 0, edge, edge});
+        TileSampler tile(store);
+        tile.Run({0, 0, edge, edge},
                  [](const SampleId& id, const Sample& sample, Traced& traced)
                  {
                      const double light = sample.lensU > 0.5 ? 1.0 : 0.1 * (id.x & 3);
@@ -121,7 +123,7 @@ void TilePerSample(benchmark::State& state)
         benchmark::Counter(double(state.iterations()) * edge * edge * limits.max,
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(TilePerSample)->Arg(64)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(TilePerSample)->ArgNames({"samples", "denoise"})->Args({64, 0})->Args({64, 1})->Args({1024, 0})->Args({1024, 1})->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
