@@ -121,16 +121,18 @@ def quality_table(povray):
     print("\n".join(rows))
 
 
-def make_drawings(names):
-    """Plots the drawings of these names, all where there is none."""
+def make_drawings(names, folder=DRAWINGS):
+    """Plots the drawings of these names, all where there is none; returns their names."""
     if shutil.which("gnuplot") is None:
         sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
-    DRAWINGS.mkdir(parents=True, exist_ok=True)
-    for script in sorted(HERE.glob("*.gp")):
-        if script.stem == "common" or (names and script.stem not in names):
-            continue
-        subprocess.run(["gnuplot", "-e", f"output='{DRAWINGS / (script.stem + '.svg')}'", script.name], cwd=HERE, check=True)
-        print(script.stem)
+    scripts = {script.stem: script for script in sorted(HERE.glob("*.gp")) if script.stem != "common"}
+    unknown = set(names) - set(scripts)
+    if unknown:
+        sys.exit(f"no such drawing: {', '.join(sorted(unknown))}. Known: {', '.join(scripts)}")
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in names or scripts:
+        subprocess.run(["gnuplot", "-e", f"output='{folder / (name + '.svg')}'", scripts[name].name], cwd=HERE, check=True)
+    return list(names or scripts)
 
 
 def main():
@@ -141,7 +143,7 @@ def main():
     args = parser.parse_args()
     povray = str(pathlib.Path(args.povray).resolve())
     if args.part in ("all", "drawings"):
-        make_drawings(args.names)
+        print("\n".join(make_drawings(args.names)))
     if args.part in ("all", "pictures"):
         make_pictures(povray, args.names)
     if args.part in ("all", "quality"):
