@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A private Slurm cluster on loopback: munge, one controller, some nodes, all in one folder and all this user's.
+"""A private Slurm cluster on loopback: munge, one controller, some nodes, all in one folder and all this
+user's.
 
 Only processes that it started are ended, each by its number and only while the number is still theirs.
 """
@@ -56,7 +57,12 @@ PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 def started_at(pid):
     """When a process began, in ticks since the machine's start; None where it has ended."""
     try:
-        fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
+        fields = (
+            pathlib.Path(f"/proc/{pid}/stat")
+            .read_text(encoding="ascii", errors="replace")
+            .rpartition(")")[2]
+            .split()
+        )
     except OSError:
         return None
     return None if fields[0] == "Z" else fields[19]
@@ -73,7 +79,12 @@ def environment_of(pid):
 def parent_of(pid):
     """The number of a process's parent."""
     try:
-        return int(pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()[1])
+        return int(
+            pathlib.Path(f"/proc/{pid}/stat")
+            .read_text(encoding="ascii", errors="replace")
+            .rpartition(")")[2]
+            .split()[1]
+        )
     except OSError:
         return 0
 
@@ -98,8 +109,9 @@ class Cluster:
         self.folder = pathlib.Path(folder)
         self.nodes = [f"n{i + 1}" for i in range(nodes)]
         self.processes = {}  # name -> (Popen, start time)
-        self.env = dict(os.environ, SLURM_CONF=str(self.folder / "slurm.conf"),
-                        PATH="/usr/sbin:/usr/bin:/sbin:/bin")
+        self.env = dict(
+            os.environ, SLURM_CONF=str(self.folder / "slurm.conf"), PATH="/usr/sbin:/usr/bin:/sbin:/bin"
+        )
 
     def __enter__(self):
         try:
@@ -123,30 +135,54 @@ class Cluster:
         key.chmod(0o600)
         host, port = socket.gethostname().split(".")[0], free_ports(1 + len(self.nodes))
         user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True).stdout.strip()
-        lines = [f"NodeName={node} NodeHostname={host} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 RealMemory=1000 State=UNKNOWN\n"
-                 for i, node in enumerate(self.nodes)]
-        head, partition = CONFIGURATION.format(host=host, port=port, user=user, folder=self.folder).split("PartitionName=")
-        (self.folder / "slurm.conf").write_text(head + "".join(lines) + "PartitionName=" + partition, encoding="ascii")
+        lines = [
+            f"NodeName={node} NodeHostname={host} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 RealMemory=1000 State=UNKNOWN\n"
+            for i, node in enumerate(self.nodes)
+        ]
+        head, partition = CONFIGURATION.format(host=host, port=port, user=user, folder=self.folder).split(
+            "PartitionName="
+        )
+        (self.folder / "slurm.conf").write_text(
+            head + "".join(lines) + "PartitionName=" + partition, encoding="ascii"
+        )
 
     def daemon(self, name, *command):
         """Starts a daemon in the foreground of its own session."""
         with open(self.folder / "log" / f"{name}.out", "ab") as log:
-            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=self.env,
-                                       start_new_session=True)
+            process = subprocess.Popen(
+                command,
+                stdin=subprocess.DEVNULL,
+                stdout=log,
+                stderr=log,
+                env=self.env,
+                start_new_session=True,
+            )
         self.processes[name] = (process, started_at(process.pid))
 
     def start(self):
         """Brings the cluster up; returns when every node is idle."""
         self.configure()
         munge = self.folder / "munge"
-        self.daemon("munged", "munged", "-F", f"--key-file={munge}/key", f"--socket={munge}/socket", f"--pid-file={munge}/pid",
-                    f"--log-file={munge}/log", f"--seed-file={munge}/seed")
+        self.daemon(
+            "munged",
+            "munged",
+            "-F",
+            f"--key-file={munge}/key",
+            f"--socket={munge}/socket",
+            f"--pid-file={munge}/pid",
+            f"--log-file={munge}/log",
+            f"--seed-file={munge}/seed",
+        )
         self.until("munge's socket", (munge / "socket").exists)
         self.daemon("slurmctld", "slurmctld", "-D")
         self.until("the controller", lambda: self.run("scontrol", "ping").returncode == 0)
         for node in self.nodes:
             self.start_node(node)
-        self.until("idle nodes", lambda: len(self.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == len(self.nodes))
+        self.until(
+            "idle nodes",
+            lambda: len(self.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split())
+            == len(self.nodes),
+        )
 
     def start_node(self, node):
         """Starts a node's daemon."""
@@ -155,24 +191,43 @@ class Cluster:
 
     def run(self, *command):
         """One of Slurm's commands."""
-        return subprocess.run(command, env=self.env, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, timeout=60)
+        return subprocess.run(
+            command,
+            env=self.env,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=60,
+        )
 
     def until(self, what, condition, seconds=30):
         """Waits for something to become so."""
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:
-                logs = "\n".join(f"{path.name}: {path.read_text(errors='replace')[-800:]}" for path in sorted((self.folder / "log").iterdir()))
+                logs = "\n".join(
+                    f"{path.name}: {path.read_text(errors='replace')[-800:]}"
+                    for path in sorted((self.folder / "log").iterdir())
+                )
                 raise AssertionError(f"waited {seconds} s in vain for {what}\n{logs}")
             time.sleep(0.1)
 
     def job_processes(self, node):
         """Numbers of the processes of jobs on a node, and of the step daemons that started them."""
         mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
-        jobs = [int(name) for name in os.listdir("/proc") if name.isdigit() and mine <= set(environment_of(name))]
+        jobs = [
+            int(name)
+            for name in os.listdir("/proc")
+            if name.isdigit() and mine <= set(environment_of(name))
+        ]
         parents = {parent_of(pid) for pid in jobs} - set(jobs) - {0, 1, os.getpid()}
         daemon = self.processes[node][0].pid
-        steps = [pid for pid in parents if pid != daemon and b"slurmstepd" in pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()]
+        steps = [
+            pid
+            for pid in parents
+            if pid != daemon and b"slurmstepd" in pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()
+        ]
         return steps + jobs
 
     def kill_node(self, node):
@@ -215,8 +270,12 @@ class Cluster:
 def main():
     """cluster.py NODES COMMAND...: runs a command with a cluster to use."""
     if len(sys.argv) < 3 or not sys.argv[1].isdigit():
-        sys.exit("usage: cluster.py NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes")
-    with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder, int(sys.argv[1])) as cluster:
+        sys.exit(
+            "usage: cluster.py NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes"
+        )
+    with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(
+        folder, int(sys.argv[1])
+    ) as cluster:
         return subprocess.run(sys.argv[2:], env=cluster.env, check=False).returncode
 
 

@@ -48,7 +48,11 @@ SLOW = ("+W192", "+H128", "Declare=Samples=400")
 
 def environment():
     """The tests' own: no ini file, no POVINI, of whoever runs them."""
-    env = {name: value for name, value in os.environ.items() if name not in ("POVINI", "POVINC", "DISPLAY", "PARALLEL")}
+    env = {
+        name: value
+        for name, value in os.environ.items()
+        if name not in ("POVINI", "POVINC", "DISPLAY", "PARALLEL")
+    }
     return env
 
 
@@ -62,7 +66,12 @@ def processes(text):
     found = []
     for name in filter(str.isdigit, os.listdir("/proc")):
         with contextlib.suppress(OSError):
-            words = pathlib.Path(f"/proc/{name}/cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            words = (
+                pathlib.Path(f"/proc/{name}/cmdline")
+                .read_bytes()
+                .replace(b"\0", b" ")
+                .decode(errors="replace")
+            )
             place = os.readlink(f"/proc/{name}/cwd")
             if (text in words or text in place) and words and int(name) != os.getpid():
                 found.append((int(name), words))
@@ -71,7 +80,13 @@ def processes(text):
 
 def picture(path):
     """Size, kind of values and hash of the decoded pixels."""
-    done = subprocess.run(["oiiotool", "--info", "--hash", str(path)], capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run(
+        ["oiiotool", "--info", "--hash", str(path)],
+        capture_output=True,
+        text=True,
+        errors="replace",
+        check=False,
+    )
     size = re.search(r": *(\d+) x *(\d+), (.*)", done.stdout)
     digest = re.search(r"SHA-1: ([0-9A-F]{40})", done.stdout)
     if done.returncode != 0 or not size or not digest:
@@ -103,8 +118,16 @@ class BatchTest(unittest.TestCase):
 
     def batch(self, *words, code=0, timeout=150, env=None, before=()):
         """Calls ./batch; returns what it said."""
-        done = subprocess.run([*before, *self.words(*words)], cwd=self.folder, env=env or self.env, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout, check=False)
+        done = subprocess.run(
+            [*before, *self.words(*words)],
+            cwd=self.folder,
+            env=env or self.env,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=timeout,
+            check=False,
+        )
         said = done.stdout.decode(errors="replace")
         self.assertEqual(done.returncode, code, f"{words}\n{said}\n{self.logs()}")
         return said
@@ -113,8 +136,15 @@ class BatchTest(unittest.TestCase):
         """Starts ./batch in a process group of its own, as a terminal does."""
         log = open(self.folder / "said", "wb")
         self.addCleanup(log.close)
-        process = subprocess.Popen(self.words(*words), cwd=self.folder, env=self.env, stdin=subprocess.DEVNULL, stdout=log,
-                                   stderr=subprocess.STDOUT, start_new_session=True)
+        process = subprocess.Popen(
+            self.words(*words),
+            cwd=self.folder,
+            env=self.env,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
         self.addCleanup(self.end, process)
         return process
 
@@ -153,7 +183,12 @@ class BatchTest(unittest.TestCase):
             with contextlib.suppress(OSError):
                 place = pathlib.Path(os.readlink(f"/proc/{pid}/cwd"))
                 states = list(place.glob("*.pov-state"))
-                if place.parent == work / "units" and "setpriv" not in words and states and states[0].stat().st_size > 30000:
+                if (
+                    place.parent == work / "units"
+                    and "setpriv" not in words
+                    and states
+                    and states[0].stat().st_size > 30000
+                ):
                     found.append(pid)
         return found
 
@@ -163,7 +198,9 @@ class BatchTest(unittest.TestCase):
         folder.mkdir(exist_ok=True)
         shutil.copy(scene, folder / "scene.pov")
         command = [SETTINGS.povray, "+Iscene.pov", f"+O{target.name}", "-D", *words]
-        done = subprocess.run(command, cwd=folder, env=self.env, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        done = subprocess.run(
+            command, cwd=folder, env=self.env, stdin=subprocess.DEVNULL, capture_output=True, check=False
+        )
         self.assertEqual(done.returncode, 0, done.stderr.decode(errors="replace")[-1500:])
         return folder / target.name
 
@@ -175,7 +212,9 @@ class BatchTest(unittest.TestCase):
     @staticmethod
     def spread(path):
         """Standard deviation of the values."""
-        done = subprocess.run(["oiiotool", str(path), "--printstats"], capture_output=True, text=True, check=True)
+        done = subprocess.run(
+            ["oiiotool", str(path), "--printstats"], capture_output=True, text=True, check=True
+        )
         return max(float(n) for n in re.search(r"Stats StdDev: ([0-9. ]+)", done.stdout).group(1).split())
 
     def records(self, work, state):

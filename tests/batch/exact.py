@@ -1,15 +1,17 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures put together from bands equal those of one render: kinds of files, numbers of bands, stock scenes; and
-what cannot be cut is not."""
+"""Pictures put together from bands equal those of one render: kinds of files, numbers of bands, stock
+scenes; and what cannot be cut is not."""
 
 import common
 from common import LENS, STOCK, BatchTest, picture
 
 SIZE = ("+W100", "+H75", "+WT1")
 
-JITTER = common.STOCK.replace("light_source { <-4, 9, -5>, rgb 1 }",
-                              "light_source { <-4, 9, -5>, rgb 1 area_light x, z, 3, 3 jitter }")
+JITTER = common.STOCK.replace(
+    "light_source { <-4, 9, -5>, rgb 1 }",
+    "light_source { <-4, 9, -5>, rgb 1 area_light x, z, 3, 3 jitter }",
+)
 RADIOSITY = common.STOCK.replace("assumed_gamma 1", "assumed_gamma 1 radiosity { count 20 }")
 
 

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faults on one machine: POV-Ray, a worker, GNU parallel or the whole batch is killed in mid-render; Ctrl-C; no room to
-write; a scene that fails. Afterwards the picture is that of one render."""
+"""Faults on one machine: POV-Ray, a worker, GNU parallel or the whole batch is killed in mid-render;
+Ctrl-C; no room to write; a scene that fails. Afterwards the picture is that of one render."""
 
 import os
 import resource
@@ -26,27 +26,41 @@ class Killed(BatchTest):
         self.assertEqual(process.wait(timeout=120), code, self.said() + self.logs())
 
     def compare(self):
-        self.assert_same(self.folder / "scene.png", self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW))
+        self.assert_same(
+            self.folder / "scene.png",
+            self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
+        )
 
     def continued(self):
-        return "continued from" in "".join(path.read_text(errors="replace") for path in (self.work / "log").glob("task-*"))
+        return "continued from" in "".join(
+            path.read_text(errors="replace") for path in (self.work / "log").glob("task-*")
+        )
 
     def test_povray_then_worker_killed(self):
         process, working = self.begin()
         os.kill(working[0], signal.SIGKILL)
         time.sleep(1)
         working = self.until("another band", lambda: self.working_povrays(self.work))
-        worker = next(pid for pid, words in processes(f"task {self.work}") if "setpriv" not in words and pid != process.pid)
+        worker = next(
+            pid
+            for pid, words in processes(f"task {self.work}")
+            if "setpriv" not in words and pid != process.pid
+        )
         os.kill(worker, signal.SIGKILL)
         self.finished(process)
         self.assertTrue(self.continued(), self.logs())
-        self.assertIn("was ended by signal 9", self.logs() + "".join(p.read_text() for p in (self.work / "log").glob("task*")))
+        self.assertIn(
+            "was ended by signal 9",
+            self.logs() + "".join(p.read_text() for p in (self.work / "log").glob("task*")),
+        )
         self.compare()
 
     def test_everything_stops_at_once_and_goes_on(self):
-        ways = [("Ctrl-C", lambda p: os.killpg(p.pid, signal.SIGINT), 130),
-                ("kill -9 of the command", lambda p: p.send_signal(signal.SIGKILL), -9),
-                ("SIGTERM", lambda p: p.send_signal(signal.SIGTERM), 143)]
+        ways = [
+            ("Ctrl-C", lambda p: os.killpg(p.pid, signal.SIGINT), 130),
+            ("kill -9 of the command", lambda p: p.send_signal(signal.SIGKILL), -9),
+            ("SIGTERM", lambda p: p.send_signal(signal.SIGTERM), 143),
+        ]
         for name, end, code in ways:
             with self.subTest(name):
                 process, _ = self.begin()
@@ -68,7 +82,9 @@ class Killed(BatchTest):
 
     def test_parallel_killed(self):
         process, _ = self.begin()
-        parallel = next(pid for pid, words in processes("perl /usr/bin/parallel") if f"{self.work}" in environ(pid))
+        parallel = next(
+            pid for pid, words in processes("perl /usr/bin/parallel") if f"{self.work}" in environ(pid)
+        )
         os.kill(parallel, signal.SIGKILL)
         self.finished(process)
         self.compare()
@@ -86,7 +102,13 @@ class Failing(BatchTest):
     def test_a_frame_with_an_error_is_named_and_the_others_are_made(self):
         scene = self.scene(LENS + '#if (frame_number = 2) #error "second frame is broken" #end\n')
         said = self.batch("film", scene, "--frames", 3, "+W48", "+H40", code=1)
-        for text in ("'scene0002.png'", "second frame is broken", "2 of 3 pictures", "NOT complete", "task-"):
+        for text in (
+            "'scene0002.png'",
+            "second frame is broken",
+            "2 of 3 pictures",
+            "NOT complete",
+            "task-",
+        ):
             self.assertIn(text, said)
         self.assertEqual(sorted(os.listdir(self.folder / "scene_film")), ["scene0001.png", "scene0003.png"])
 
@@ -95,13 +117,19 @@ class Failing(BatchTest):
         prefix = self.folder / "killed"
         (prefix / "bin").mkdir(parents=True)
         for folder in ("etc", "share"):
-            (prefix / folder).symlink_to(os.path.join(os.path.dirname(os.path.dirname(common.SETTINGS.povray)), folder))
+            (prefix / folder).symlink_to(
+                os.path.join(os.path.dirname(os.path.dirname(common.SETTINGS.povray)), folder)
+            )
         program = prefix / "bin" / "povray"
-        program.write_text(f"#!/bin/bash\ncase $PWD in */units/*) kill -9 $$ ;; esac\nexec '{common.SETTINGS.povray}' \"$@\"\n")
+        program.write_text(
+            f"#!/bin/bash\ncase $PWD in */units/*) kill -9 $$ ;; esac\nexec '{common.SETTINGS.povray}' \"$@\"\n"
+        )
         program.chmod(0o755)
         words = self.words("still", self.scene(LENS), "--bands", 1, "--retries", 2, "+W48", "+H40")
         words[words.index(common.SETTINGS.povray)] = str(program)
-        done = common.subprocess.run(words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False, timeout=100)
+        done = common.subprocess.run(
+            words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False, timeout=100
+        )
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("was ended by signal 9", done.stderr)
         log = (self.folder / "scene.png.batch" / "log" / "task-00000.log").read_text()
@@ -115,12 +143,24 @@ class Failing(BatchTest):
             # 40 KB a file: the records fit, the state file of a band does not
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000))
-        done = common.subprocess.run(words, cwd=self.folder, env=self.env, preexec_fn=little_room, stdout=common.subprocess.PIPE,
-                                     stderr=common.subprocess.STDOUT, text=True, check=False, timeout=100)
+
+        done = common.subprocess.run(
+            words,
+            cwd=self.folder,
+            env=self.env,
+            preexec_fn=little_room,
+            stdout=common.subprocess.PIPE,
+            stderr=common.subprocess.STDOUT,
+            text=True,
+            check=False,
+            timeout=100,
+        )
         self.assertEqual(done.returncode, 1, done.stdout)
         self.assertFalse((self.folder / "scene.png").exists())
         self.batch("still", scene, "--bands", 2, "+FN16", "+W160", "+H120")
-        self.assert_same(self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN16", "+W160", "+H120"))
+        self.assert_same(
+            self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN16", "+W160", "+H120")
+        )
 
 
 if __name__ == "__main__":

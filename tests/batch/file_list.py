@@ -8,13 +8,16 @@ import subprocess
 import common
 from common import SETTINGS, BatchTest
 
-SCENE = common.STOCK + """
+SCENE = (
+    common.STOCK
+    + """
 #declare Name = concat("cal", "culated.inc");
 #include Name
 text { ttf "timrom.ttf" "x" 0.1, 0 pigment { image_map { png "map.png" } } }
 #fopen Data "data.txt" read
 #if (file_exists("maybe.inc")) #end
 """
+)
 
 
 class FileList(BatchTest):
@@ -24,8 +27,14 @@ class FileList(BatchTest):
             (self.folder / name).write_text("// nothing\n")
         env = dict(self.env, TILT_LENS_FILE_LIST=list_name)
         subprocess.run(["oiiotool", "--create", "4x4", "3", "-o", "map.png"], cwd=self.folder, check=True)
-        done = subprocess.run([SETTINGS.povray, "+Iscene.pov", "+Oout.png", "-D", "+W8", "+H8"], cwd=self.folder, env=env,
-                              stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        done = subprocess.run(
+            [SETTINGS.povray, "+Iscene.pov", "+Oout.png", "-D", "+W8", "+H8"],
+            cwd=self.folder,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            check=False,
+        )
         self.assertEqual(done.returncode, code, done.stderr[-800:])
         return done.stderr.decode(errors="replace")
 
@@ -36,7 +45,9 @@ class FileList(BatchTest):
         for name in (b"scene.pov", b"calculated.inc", b"map.png", b"data.txt"):
             self.assertIn(b"+" + name, entries)
         self.assertTrue(any(e.startswith(b"+") and e.endswith(b"/povray.ini") for e in entries), entries)
-        self.assertTrue(any(e.startswith(b"+/") and e.endswith(b"include/timrom.ttf") for e in entries), entries)
+        self.assertTrue(
+            any(e.startswith(b"+/") and e.endswith(b"include/timrom.ttf") for e in entries), entries
+        )
         self.assertIn(b"-timrom.ttf", entries)
         self.assertIn(b"-maybe.inc", entries)
         self.assertEqual(len(entries), len(set(entries)), "each name once")

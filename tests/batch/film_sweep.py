@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Films and sweeps: each picture equals the one of a single call; the contact sheet; what the command line refuses."""
+"""Films and sweeps: each picture equals the one of a single call; the contact sheet; what the command
+line refuses."""
 
 import common
 from common import LENS, SETTINGS, BatchTest, picture
@@ -26,18 +27,29 @@ class Film(BatchTest):
         self.batch("film", scene, "--frames", 2, "--bands", 2, "--workers", 4, "+FE", *SIZE, "+KC")
         self.whole(scene, self.folder / "f.exr", "+FE", *SIZE, "+KFI1", "+KFF2", "+KC")
         for n in (1, 2):
-            self.assert_same(self.folder / "scene_film" / f"scene000{n}.exr", self.folder / "whole" / f"f{n}.exr")
+            self.assert_same(
+                self.folder / "scene_film" / f"scene000{n}.exr", self.folder / "whole" / f"f{n}.exr"
+            )
 
 
 class Sweep(BatchTest):
     def test_each_choice_and_the_sheet(self):
         scene = self.scene(LENS)
-        said = self.batch("sweep", scene, "--set", "Tilt=-6:6:6", "--set", "Samples=4,16", "--workers", 4, *SIZE)
+        said = self.batch(
+            "sweep", scene, "--set", "Tilt=-6:6:6", "--set", "Samples=4,16", "--workers", 4, *SIZE
+        )
         self.assertIn("scene_sheet.png", said)
         folder = self.folder / "scene_sweep"
         self.assertEqual(len(list(folder.iterdir())), 7)
         for tilt, samples in ((-6, 4), (0, 16)):
-            whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE, f"Declare=Tilt={tilt}", f"Declare=Samples={samples}")
+            whole = self.whole(
+                scene,
+                self.folder / "w.png",
+                "+FN",
+                *SIZE,
+                f"Declare=Tilt={tilt}",
+                f"Declare=Samples={samples}",
+            )
             self.assert_same(folder / f"scene_Tilt={tilt}_Samples={samples}.png", whole)
         # two columns of three, each with a strip for the label, six pixels between
         self.assertEqual(picture(folder / "scene_sheet.png")[:2], (2 * 64 + 6, 3 * (48 + 26) + 2 * 6))
@@ -55,17 +67,18 @@ class Refused(BatchTest):
         scene = self.scene(LENS)
         (self.folder / "cmd.ini").write_text("Post_Scene_Command=echo\n")
         for words, code, said in (
-                (("still", "none.pov"), 1, "no readable scene file"),
-                (("still", scene, "+SR1"), 1, "a batch sets '+SR1' itself"),
-                (("still", scene, "--output", "a.jpg"), 1, "a .png or an .exr"),
-                (("still", scene, "+FE", "--output", "a.png"), 1, "not of the kind"),
-                (("still", scene, "other.pov"), 1, "renders one scene"),
-                (("still", scene, "cmd.ini"), 1, "Post_Scene_Command"),
-                (("still", scene, "--bands", "0"), 2, "1 or more"),
-                (("still", scene, "--frames", "3"), 2, "unknown option --frames"),
-                (("film", scene), 2, "--frames"),
-                (("sweep", scene, "--set", "Tilt"), 1, "NAME=VALUES"),
-                (("still", self.scene("#error \"my own words\"", "bad.pov")), 1, "my own words")):
+            (("still", "none.pov"), 1, "no readable scene file"),
+            (("still", scene, "+SR1"), 1, "a batch sets '+SR1' itself"),
+            (("still", scene, "--output", "a.jpg"), 1, "a .png or an .exr"),
+            (("still", scene, "+FE", "--output", "a.png"), 1, "not of the kind"),
+            (("still", scene, "other.pov"), 1, "renders one scene"),
+            (("still", scene, "cmd.ini"), 1, "Post_Scene_Command"),
+            (("still", scene, "--bands", "0"), 2, "1 or more"),
+            (("still", scene, "--frames", "3"), 2, "unknown option --frames"),
+            (("film", scene), 2, "--frames"),
+            (("sweep", scene, "--set", "Tilt"), 1, "NAME=VALUES"),
+            (("still", self.scene('#error "my own words"', "bad.pov")), 1, "my own words"),
+        ):
             told = self.batch(*words, code=code)
             self.assertIn(said, told)
             self.assertNotIn("Traceback", told)
@@ -74,7 +87,9 @@ class Refused(BatchTest):
     def test_a_program_that_lists_no_files(self):
         words = self.words("still", self.scene(common.STOCK))
         words[words.index(SETTINGS.povray)] = "/usr/bin/povray"
-        done = common.subprocess.run(words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False)
+        done = common.subprocess.run(
+            words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False
+        )
         self.assertEqual(done.returncode, 1)
         self.assertIn("not this project's povray", done.stderr)
 

@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Names with anything in them, scenes that read files relative to themselves, folders that cannot be written."""
+"""Names with anything in them, scenes that read files relative to themselves, folders that cannot be
+written."""
 
 import os
 import subprocess
@@ -9,7 +10,9 @@ import common
 from common import LENS, SETTINGS, BatchTest, ordinary_user
 
 WEIRD = "a \"b' c\nd $(x) %a ;*"
-RELATIVE = LENS + """#include "own.inc"
+RELATIVE = (
+    LENS
+    + """#include "own.inc"
 #include "../beside/other.inc"
 box { -1, 1 pigment { image_map { png "textures/map.png" } } }
 #fopen Data "values.txt" read
@@ -18,17 +21,26 @@ sphere { <2, 0, 0>, Size pigment { rgb 1 } }
 #fopen Trace "trace.txt" write
 #write (Trace, "written by the scene")
 """
+)
 
 
 class Names(BatchTest):
     def lay_out(self, name):
         """A scene with its files in a folder of that name."""
         folder = self.folder / name / "scenes"
-        for path, text in (("own.inc", "#declare Own = 1;"), ("../beside/other.inc", "#declare Other = 1;"), ("values.txt", "0.7")):
+        for path, text in (
+            ("own.inc", "#declare Own = 1;"),
+            ("../beside/other.inc", "#declare Other = 1;"),
+            ("values.txt", "0.7"),
+        ):
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_text(text + "\n")
         (folder / "textures").mkdir()
-        subprocess.run(["oiiotool", "--pattern", "checker", "16x16", "3", "-o", "map.png"], cwd=folder / "textures", check=True)
+        subprocess.run(
+            ["oiiotool", "--pattern", "checker", "16x16", "3", "-o", "map.png"],
+            cwd=folder / "textures",
+            check=True,
+        )
         scene = folder / f"{name}.pov"
         scene.write_text(RELATIVE)
         return scene
@@ -37,8 +49,14 @@ class Names(BatchTest):
         """The witness, rendered where the scene lies."""
         copy = scene.with_name("copy.pov")
         copy.write_text(scene.read_text())
-        subprocess.run([SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "-D", "+FN", "+W64", "+H64"], cwd=scene.parent, check=True,
-                       env=self.env, stdin=subprocess.DEVNULL, capture_output=True)
+        subprocess.run(
+            [SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "-D", "+FN", "+W64", "+H64"],
+            cwd=scene.parent,
+            check=True,
+            env=self.env,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+        )
         copy.unlink()
         return scene.with_name("copy.png")
 
@@ -80,7 +98,9 @@ class Names(BatchTest):
             os.chmod(folder, 0o555)
         before = sorted(self.folder.joinpath("fixed").rglob("*"))
         self.env["HOME"] = str(out)
-        self.batch("still", scene, "--bands", 2, "--output", out / "a.png", "+W64", "+H64", before=ordinary_user())
+        self.batch(
+            "still", scene, "--bands", 2, "--output", out / "a.png", "+W64", "+H64", before=ordinary_user()
+        )
         self.assertEqual(sorted(self.folder.joinpath("fixed").rglob("*")), before)
         for folder, _, _ in os.walk(self.folder / "fixed"):
             os.chmod(folder, 0o755)

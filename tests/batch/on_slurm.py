@@ -1,13 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A batch on a private Slurm cluster of three nodes: a still, a film and a sweep, while a POV-Ray, a task's shell and a
-whole node are killed in mid-render. The pictures are those of single renders."""
+"""A batch on a private Slurm cluster of three nodes: a still, a film and a sweep, while a POV-Ray, a
+task's shell and a whole node are killed in mid-render. The pictures are those of single renders."""
 
-import contextlib
-import json
 import os
-import pathlib
-import shutil
 import signal
 import subprocess
 import sys
@@ -15,7 +11,7 @@ import tempfile
 
 import common
 from cluster import Cluster, environment_of
-from common import LENS, SETTINGS, SLOW, BatchTest, ordinary_user, processes
+from common import LENS, SLOW, BatchTest, ordinary_user, processes
 
 SMALL = ("+W48", "+H40", "+WT1")
 
@@ -36,18 +32,26 @@ class OnSlurm(BatchTest):
         for node in self.cluster.nodes:
             if node not in self.cluster.processes:
                 self.cluster.start_node(node)
-        self.cluster.until("all nodes", lambda: len(self.cluster.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == 3)
+        self.cluster.until(
+            "all nodes",
+            lambda: len(self.cluster.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == 3,
+        )
 
     def kinds(self):
         """Calls of all three kinds."""
-        return {"still": ("still", "scene.pov", "--bands", 2, *SMALL), "film": ("film", "scene.pov", "--frames", 4, *SMALL),
-                "sweep": ("sweep", "scene.pov", "--set", "Tilt=2,4", *SMALL)}
+        return {
+            "still": ("still", "scene.pov", "--bands", 2, *SMALL),
+            "film": ("film", "scene.pov", "--frames", 4, *SMALL),
+            "sweep": ("sweep", "scene.pov", "--set", "Tilt=2,4", *SMALL),
+        }
 
     def test_same_pictures_as_locally(self):
         scene = self.scene(LENS)
         for kind, words in self.kinds().items():
             with self.subTest(kind):
-                self.batch(*words, "--on", "slurm", "--partition", "main", "--time", "10", "--sbatch=--mem=100")
+                self.batch(
+                    *words, "--on", "slurm", "--partition", "main", "--time", "10", "--sbatch=--mem=100"
+                )
         self.assert_same(self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN", *SMALL))
         for tilt in (2, 4):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL, f"Declare=Tilt={tilt}")
@@ -55,7 +59,9 @@ class OnSlurm(BatchTest):
         self.assertTrue((self.folder / "scene_sweep" / "scene_sheet.png").exists())
         self.whole(scene, self.folder / "f.png", "+FN", *SMALL, "+KFI1", "+KFF4")
         for n in range(1, 5):
-            self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
+            self.assert_same(
+                self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png"
+            )
         # begun on Slurm, taken up with GNU parallel
         (self.folder / "scene_film" / "scene0003.png").unlink()
         self.batch(*self.kinds()["film"])
@@ -67,7 +73,10 @@ class OnSlurm(BatchTest):
         self.assertIn("Not waiting", self.batch(*words, "--on", "slurm", "--detach"))
         self.assertIn("of an earlier call are at work", self.batch(*words, code=1))
         self.assertIn("still at work: waiting", self.batch(*words, "--on", "slurm"))
-        self.assert_same(self.folder / "scene.png", self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW))
+        self.assert_same(
+            self.folder / "scene.png",
+            self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
+        )
 
     def test_faults(self):
         self.scene(LENS)
@@ -78,10 +87,15 @@ class OnSlurm(BatchTest):
         def all_at_work():
             place.update({node_of(pid): pid for pid in self.working_povrays(work)})
             return set(place) >= set(self.cluster.nodes)
+
         self.until("a half done band on each node", all_at_work)
         self.cluster.kill_node("n3")
         os.kill(place["n1"], signal.SIGKILL)
-        shells = [pid for pid, words in processes(f" task {work}") if node_of(pid) == "n2" and "setpriv" not in words]
+        shells = [
+            pid
+            for pid, words in processes(f" task {work}")
+            if node_of(pid) == "n2" and "setpriv" not in words
+        ]
         self.assertTrue(shells, "the task's shell, which has become the worker")
         os.kill(shells[0], signal.SIGKILL)
         # meanwhile the two nodes that are left do other batches
@@ -92,7 +106,10 @@ class OnSlurm(BatchTest):
         log = "".join(path.read_text(errors="replace") for path in (work / "log").glob("task-*"))
         self.assertIn("continued from", log)
         self.assertIn("was ended by signal 9", log)
-        self.assert_same(self.folder / "scene.png", self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW))
+        self.assert_same(
+            self.folder / "scene.png",
+            self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
+        )
         self.assertEqual(len(list((self.folder / "scene_film").iterdir())), 4)
 
 
@@ -108,11 +125,18 @@ def main():
     """As an ordinary user where that user can read the repository: a cluster must not need root."""
     words = ordinary_user()
     program = SETTINGS_FROM_COMMAND
-    if words and subprocess.run([*words, program, "--version"], capture_output=True, check=False).returncode == 0:
+    if (
+        words
+        and subprocess.run([*words, program, "--version"], capture_output=True, check=False).returncode == 0
+    ):
         with tempfile.TemporaryDirectory(prefix="home.") as home:
             os.chown(home, 65534, 65534)
             os.chmod(home, 0o755)  # munge wants its socket to be reachable for all
-            done = subprocess.run([*words, sys.executable, "-B", *sys.argv], check=False, env=dict(os.environ, HOME=home, TMPDIR=home))
+            done = subprocess.run(
+                [*words, sys.executable, "-B", *sys.argv],
+                check=False,
+                env=dict(os.environ, HOME=home, TMPDIR=home),
+            )
             sys.exit(done.returncode)
     common.main()
 

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The same command again: what is done stays, what is missing is made, what has changed is refused; POV-Ray's own
-pitfalls of continuing cannot be reached."""
+"""The same command again: what is done stays, what is missing is made, what has changed is refused;
+POV-Ray's own pitfalls of continuing cannot be reached."""
 
 import os
 import shutil
@@ -20,11 +20,15 @@ class Again(BatchTest):
         times = {path.name: path.stat().st_mtime_ns for path in film.iterdir()}
         first = common.picture(film / "scene0002.png")
         self.assertIn("4 of 4 pictures", self.batch("film", scene, "--frames", 4, *SIZE))
-        self.assertEqual(times, {path.name: path.stat().st_mtime_ns for path in film.iterdir()}, "nothing was made again")
+        self.assertEqual(
+            times, {path.name: path.stat().st_mtime_ns for path in film.iterdir()}, "nothing was made again"
+        )
         (film / "scene0002.png").unlink()
         self.batch("film", scene, "--frames", 4, *SIZE)
         self.assertEqual(common.picture(film / "scene0002.png"), first)
-        self.assertEqual({n for n, t in times.items() if (film / n).stat().st_mtime_ns != t}, {"scene0002.png"})
+        self.assertEqual(
+            {n for n, t in times.items() if (film / n).stat().st_mtime_ns != t}, {"scene0002.png"}
+        )
         self.assertIn("4 of 4 pictures", (work / "summary.txt").read_text())
 
     def test_left_overs_are_not_taken_for_results(self):
@@ -42,7 +46,9 @@ class Again(BatchTest):
         (work / "units" / "00000.0000" / "picture.png").write_bytes(b"\x89PNG".ljust(size, b"x"))
         (work / "done" / "00000.0001.json").unlink()
         (work / "units" / "00000.0001" / "picture.png").write_bytes(whole.read_bytes()[:200])
-        (work / "units" / "00000.0001" / "picture.pov-state").write_bytes(b"POV-Ray Render State File\0\0\x000001".ljust(700, b"\1"))
+        (work / "units" / "00000.0001" / "picture.pov-state").write_bytes(
+            b"POV-Ray Render State File\0\0\x000001".ljust(700, b"\1")
+        )
         self.batch("still", scene, "--bands", 2, *SIZE)
         self.assert_same(self.folder / "scene.png", whole)
 
@@ -62,7 +68,9 @@ class Changed(BatchTest):
             self.assertIn(text, told)
 
     def test_each_change_is_named(self):
-        scene = self.scene('#include "parts/own.inc"\n' + LENS + "box { -1, 1 pigment { image_map { png \"map.png\" } } }\n")
+        scene = self.scene(
+            '#include "parts/own.inc"\n' + LENS + 'box { -1, 1 pigment { image_map { png "map.png" } } }\n'
+        )
         own = self.scene("#declare Own = 1;\n", "parts/own.inc")
         create = ["oiiotool", "--create", "4x4", "3", "-o", "map.png"]
         common.subprocess.run(create, cwd=self.folder, check=True)
@@ -72,7 +80,8 @@ class Changed(BatchTest):
             path.write_bytes(kept + b"\n")
             self.refused(f"{path.name}", "has changed")
             path.unlink()
-            self.refused(path.name) if path != scene else None
+            if path != scene:
+                self.refused(path.name)
             path.write_bytes(kept)
         self.refused("options of POV-Ray", "+Q3", words=(*SIZE, "+Q3"))
         self.refused("bands", words=(*SIZE, "--bands", "3"))
@@ -87,10 +96,14 @@ class Changed(BatchTest):
         with open(prefix / "bin" / "povray", "ab") as program:
             program.write(b"\0")
         for folder in ("etc", "share"):
-            (prefix / folder).symlink_to(os.path.join(os.path.dirname(os.path.dirname(SETTINGS.povray)), folder))
+            (prefix / folder).symlink_to(
+                os.path.join(os.path.dirname(os.path.dirname(SETTINGS.povray)), folder)
+            )
         words = self.words("still", scene, "--bands", 1, *SIZE)
         words[words.index(SETTINGS.povray)] = str(prefix / "bin" / "povray")
-        done = common.subprocess.run(words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False)
+        done = common.subprocess.run(
+            words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False
+        )
         self.assertEqual(done.returncode, 1)
         self.assertIn("program povray", done.stderr)
 

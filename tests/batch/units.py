@@ -4,12 +4,16 @@
 
 import os
 import pathlib
+import re
+import shlex
 import struct
+import subprocess
 import tempfile
 import unittest
 
 import common
 
+import batch
 import key
 import plan
 import povray
@@ -46,8 +50,16 @@ class Values(unittest.TestCase):
         self.assertEqual(plan.values("1e2,1e-3"), ["100", "0.001"])
 
     def test_what_is_wrong_is_named(self):
-        for text, said in (("a", "not a number"), ("1:2", "FROM:TO:STEP"), ("1:2:0", "not zero"), ("1:2:-1", "0 values"),
-                           ("1,1.0", "twice"), ("nan", "FROM:TO:STEP"), ("", "not a number"), ("0:1:1e-9", "values")):
+        for text, said in (
+            ("a", "not a number"),
+            ("1:2", "FROM:TO:STEP"),
+            ("1:2:0", "not zero"),
+            ("1:2:-1", "0 values"),
+            ("1,1.0", "twice"),
+            ("nan", "FROM:TO:STEP"),
+            ("", "not a number"),
+            ("0:1:1e-9", "values"),
+        ):
             with self.assertRaisesRegex(store.BatchError, said, msg=text):
                 plan.values(text)
 
@@ -60,18 +72,58 @@ class Values(unittest.TestCase):
 
 class Options(unittest.TestCase):
     def test_what_the_batch_sets_is_refused(self):
-        for word in ("+Iother.pov", "+Oa.png", "+C", "-C", "+SR1", "+ER0.5", "+SC3", "+EC4", "+SF1", "+EF2", "+KFI1", "+KFF9", "+UF",
-                     "+TH", "Output_File_Name=x", "Continue_Trace=on", "Start_Row=1", "Final_Frame=9", "+FJ", "+FT",
-                     "Post_Frame_Command=rm", "+WT0", "picture.pov", "Output_File_Type=J", "+HIx.inc", "+RFsaved"):
+        for word in (
+            "+Iother.pov",
+            "+Oa.png",
+            "+C",
+            "-C",
+            "+SR1",
+            "+ER0.5",
+            "+SC3",
+            "+EC4",
+            "+SF1",
+            "+EF2",
+            "+KFI1",
+            "+KFF9",
+            "+UF",
+            "+TH",
+            "Output_File_Name=x",
+            "Continue_Trace=on",
+            "Start_Row=1",
+            "Final_Frame=9",
+            "+FJ",
+            "+FT",
+            "Post_Frame_Command=rm",
+            "+WT0",
+            "picture.pov",
+            "Output_File_Type=J",
+            "+HIx.inc",
+            "+RFsaved",
+        ):
             with self.assertRaises(store.BatchError, msg=word):
                 pov_options.PovOptions([word])
 
     def test_the_others_pass(self):
-        words = ["+W64", "-A", "+AM2", "+UA", "Declare=A=1", "Width=3", "+KC", "-TH", "+K0.5", "+Q9", "+CC", "Dither=off"]
+        words = [
+            "+W64",
+            "-A",
+            "+AM2",
+            "+UA",
+            "Declare=A=1",
+            "Width=3",
+            "+KC",
+            "-TH",
+            "+K0.5",
+            "+Q9",
+            "+CC",
+            "Dither=off",
+        ]
         self.assertEqual(pov_options.PovOptions(words).words, words)
 
     def test_files_threads_and_kind(self):
-        options = pov_options.PovOptions(['+L"my files"', "Library_Path=b", "+WT2", "+FN16", "quick.ini[draft]"])
+        options = pov_options.PovOptions(
+            ['+L"my files"', "Library_Path=b", "+WT2", "+FN16", "quick.ini[draft]"]
+        )
         self.assertEqual(list(options.named_files("/x")), ["/x/my files", "/x/b", "/x/quick.ini"])
         self.assertEqual((options.threads, options.kind, options.words), (2, "png", ["+FN16"]))
 
@@ -139,6 +191,37 @@ class Lists(unittest.TestCase):
 
     def test_array_ranges(self):
         self.assertEqual(slurm.ranges([0, 1, 2, 5, 7, 8]), "0-2,5,7-8")
+
+
+class Documents(unittest.TestCase):
+    def commands(self):
+        """The calls of ./batch in the pages, each with the page's name."""
+        for page in ("README.md", "docs/batch.md"):
+            for line in (common.REPOSITORY / page).read_text().splitlines():
+                found = re.match(r"    (?:tests/batch/cluster.py 3 )?\./batch (.*)", line)
+                if found and "SCENE" not in line:
+                    yield page, shlex.split(found.group(1))
+
+    def test_each_command_is_understood_and_its_scene_is_there(self):
+        commands = list(self.commands())
+        self.assertGreater(len(commands), 6)
+        for page, words in commands:
+            settings, rest = batch.parser().parse_known_args(words)
+            pov_options.PovOptions(rest)
+            if settings.scene != "scene.pov":
+                self.assertTrue((common.REPOSITORY / settings.scene).is_file(), f"{page}: {words}")
+
+    def test_every_option_is_in_the_page(self):
+        page = (common.REPOSITORY / "docs/batch.md").read_text()
+        for kind in ("still", "film", "sweep"):
+            done = subprocess.run(
+                [str(common.REPOSITORY / "batch"), kind, "--help"],
+                capture_output=True,
+                text=True,
+                check=True,
+            )
+            for option in set(re.findall(r"--[a-z]+", done.stdout)) - {"--help", "--mem"}:
+                self.assertIn(f"`{option}", page)
 
 
 class Records(unittest.TestCase):

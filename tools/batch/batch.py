@@ -38,38 +38,90 @@ def whole(text):
     return int(text)
 
 
-def common_options(parser):
+def common_options(kind):
     """What all kinds of batches take."""
-    parser.add_argument("scene", help="the scene file")
-    parser.add_argument("--bands", type=positive, metavar="N", help="cut each picture into N bands of rows (default: from an estimate)")
-    parser.add_argument("--on", choices=sorted(ENGINES), default="local", help="where to render (default: local)")
-    parser.add_argument("--workers", type=positive, metavar="N", help="POV-Rays at once (default: one a core; Slurm: no limit)")
-    parser.add_argument("--output", metavar="NAME", help="the picture; of a film or a sweep, the folder")
-    parser.add_argument("--work", metavar="FOLDER", help="folder for parts and logs (default: the output's name with .batch)")
-    parser.add_argument("--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)")
-    parser.add_argument("--anew", action="store_true", help="throw away what an earlier call has left, and begin again")
-    parser.add_argument("--quiet", action="store_true", help="no progress, only the summary")
-    parser.add_argument("--povray", default=os.environ.get("BATCH_POVRAY"), metavar="PROGRAM", help="this project's povray, built elsewhere")
-    site = parser.add_argument_group("Slurm")
+    kind.add_argument("scene", help="the scene file")
+    kind.add_argument(
+        "--bands",
+        type=positive,
+        metavar="N",
+        help="cut each picture into N bands of rows (default: from an estimate)",
+    )
+    kind.add_argument(
+        "--on", choices=sorted(ENGINES), default="local", help="where to render (default: local)"
+    )
+    kind.add_argument(
+        "--workers",
+        type=positive,
+        metavar="N",
+        help="POV-Rays at once (default: one a core; Slurm: no limit)",
+    )
+    kind.add_argument("--output", metavar="NAME", help="the picture; of a film or a sweep, the folder")
+    kind.add_argument(
+        "--work",
+        metavar="FOLDER",
+        help="folder for parts and logs (default: the output's name with .batch)",
+    )
+    kind.add_argument(
+        "--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)"
+    )
+    kind.add_argument(
+        "--anew", action="store_true", help="throw away what an earlier call has left, and begin again"
+    )
+    kind.add_argument("--quiet", action="store_true", help="no progress, only the summary")
+    kind.add_argument(
+        "--povray",
+        default=os.environ.get("BATCH_POVRAY"),
+        metavar="PROGRAM",
+        help="this project's povray, built elsewhere",
+    )
+    site_options(kind)
+
+
+def site_options(kind):
+    """What is for Slurm only."""
+    site = kind.add_argument_group("Slurm")
     for name in ("partition", "time", "account"):
         site.add_argument(f"--{name}", metavar=name.upper(), help=f"as for sbatch --{name}")
-    site.add_argument("--sbatch", action="append", default=[], metavar="OPTION", help="further option for sbatch, as in --sbatch=--mem=4G")
+    site.add_argument(
+        "--sbatch",
+        action="append",
+        default=[],
+        metavar="OPTION",
+        help="further option for sbatch, as in --sbatch=--mem=4G",
+    )
     site.add_argument("--detach", action="store_true", help="submit, and do not wait")
 
 
 def parser():
     """The command line."""
-    top = argparse.ArgumentParser(prog="batch", allow_abbrev=False, epilog=HELP, description=__doc__.split("\n", maxsplit=1)[0])
+    top = argparse.ArgumentParser(
+        prog="batch", allow_abbrev=False, epilog=HELP, description=__doc__.split("\n", maxsplit=1)[0]
+    )
     kinds = top.add_subparsers(dest="kind", required=True, metavar="still|film|sweep")
-    for name, text in (("still", "one picture, its rows in bands"), ("film", "the frames of an animation"),
-                       ("sweep", "one picture for each choice of values, and a contact sheet")):
+    for name, text in (
+        ("still", "one picture, its rows in bands"),
+        ("film", "the frames of an animation"),
+        ("sweep", "one picture for each choice of values, and a contact sheet"),
+    ):
         kind = kinds.add_parser(name, help=text, description=text, allow_abbrev=False, epilog=HELP)
         common_options(kind)
         if name == "film":
-            kind.add_argument("--frames", type=positive, required=True, metavar="N", help="how many frames; clock goes from 0 to 1")
+            kind.add_argument(
+                "--frames",
+                type=positive,
+                required=True,
+                metavar="N",
+                help="how many frames; clock goes from 0 to 1",
+            )
         if name == "sweep":
-            kind.add_argument("--set", action="append", required=True, metavar="NAME=VALUES",
-                              help="declare NAME with each value: -8:8:2 (from, to, step) or 0.1,0.2; repeat for more names")
+            kind.add_argument(
+                "--set",
+                action="append",
+                required=True,
+                metavar="NAME=VALUES",
+                help="declare NAME with each value: -8:8:2 (from, to, step) or 0.1,0.2; repeat for more names",
+            )
     return top
 
 
@@ -87,7 +139,7 @@ def finish(work, description):
                     merge.merge_picture(work, description, picture)
             except (BatchError, OSError) as error:
                 complaints.append(str(error))
-    complaints += sorted(set(describe.changed_by_units(work, description)))
+    complaints += sorted(set(describe.changed_by_units(work)))
     state = progress.State(work, description)
     if not complaints and state.merged == state.pictures and description["key"]["kind"] == "sweep":
         complaints += make_sheet(work, description)
@@ -100,7 +152,13 @@ def make_sheet(work, description):
     try:
         with locked(work.folder / "sheet.lock"):
             told = read_json(record)
-            if told and os.path.exists(told["file"]) and os.stat(told["file"]).st_mtime_ns == told["time"]:
+            target = os.path.join(description["output"], description["sheet"])
+            if (
+                told
+                and told["file"] == target
+                and os.path.exists(target)
+                and os.stat(target).st_mtime_ns == told["time"]
+            ):
                 return []
             target = sheet.make(work, description)
             write_json(record, {"file": str(target), "time": target.stat().st_mtime_ns})
@@ -117,6 +175,7 @@ def work_through(work, description, settings, engine):
         missing = progress.State(work, description).missing()
         if missing:
             description["tasks"] = tasks_of(description, missing, settings, engine)
+            description["begun"] = time.time()
             write_json(work.description, description)
             engine.run(work, description, list(range(len(description["tasks"]))), settings, line)
             if settings.detach and settings.on == "slurm":
@@ -136,18 +195,25 @@ def tasks_of(description, missing, settings, engine):
     chunk = max(1, min(int(plan.SECONDS_A_TASK / seconds), -(-len(missing) // (4 * parallel))))
     if engine is slurm:
         chunk = max(chunk, -(-len(missing) // slurm.largest_array()))
-    return [missing[i:i + chunk] for i in range(0, len(missing), chunk)]
+    return [missing[i : i + chunk] for i in range(0, len(missing), chunk)]
 
 
 def report(work, description, complaints, elapsed):
     """Summary and failures, on the screen and in the work folder; the exit code."""
     state = progress.State(work, description)
-    lines = [*complaints, *progress.failures(work, description), *progress.summary(work, description, elapsed)]
+    lines = [
+        *complaints,
+        *progress.failures(work, description),
+        *progress.unfinished(work, description),
+        *progress.summary(work, description, elapsed),
+    ]
     complete = state.merged == state.pictures and not complaints
     if not complete:
         lines.append(f"NOT complete. The same command again goes on; logs: {str(work.logs)!r}")
     elif state.pictures == 1:
-        lines.append("Picture: " + os.path.join(description["output"], description["key"]["pictures"][0]["name"]))
+        lines.append(
+            "Picture: " + os.path.join(description["output"], description["key"]["pictures"][0]["name"])
+        )
     elif description["key"]["kind"] == "sweep":
         lines.append("Contact sheet: " + os.path.join(description["output"], description["sheet"]))
     print("\n".join(lines), file=sys.stderr)
@@ -172,7 +238,9 @@ def batch(settings, words):
             raise BatchError(f"another call of batch is at work in {str(work.folder)!r}.")
         jobs = slurm.active_jobs(work)
         if jobs and settings.on != "slurm":
-            raise BatchError(f"the jobs {' '.join(jobs)} of an earlier call are at work on this: wait, or scancel them.")
+            raise BatchError(
+                f"the jobs {' '.join(jobs)} of an earlier call are at work on this: wait, or scancel them."
+            )
         if jobs:
             watch(work, jobs, settings)
         description = describe.open_batch(work, request, engine)
@@ -192,7 +260,7 @@ def last_step(folder):
     """The job that depends on the array."""
     work = Work(folder)
     description = read_json(work.description)
-    return report(work, description, finish(work, description), 0.0)
+    return report(work, description, finish(work, description), time.time() - description["begun"])
 
 
 def main(words):

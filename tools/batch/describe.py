@@ -11,6 +11,7 @@ import key as keys
 import merge
 import plan
 import povray
+import progress
 from probe import Probe
 from store import BatchError, read_json, sha256, write_json
 
@@ -50,56 +51,99 @@ class Request:
             if named not in ("png", "exr"):
                 raise BatchError(f"--output {self.settings.output!r}: a still is a .png or an .exr file.")
         if asked and named and asked != named:
-            raise BatchError(f"--output {self.settings.output!r} is not of the kind that the option +F asks for ({asked}).")
+            raise BatchError(
+                f"--output {self.settings.output!r} is not of the kind that the option +F asks for ({asked})."
+            )
         return asked or named or "png"
 
     def place(self, folder, stem):
         """Output folder, stem of the pictures' names, work folder."""
-        default = {"still": f"{stem}.{self.extension}", "film": f"{stem}_film", "sweep": f"{stem}_sweep"}[self.kind]
-        output = os.path.join(folder, self.settings.output or default)
+        default = {"still": f"{stem}.{self.extension}", "film": f"{stem}_film", "sweep": f"{stem}_sweep"}[
+            self.kind
+        ]
+        output = os.path.abspath(os.path.join(folder, self.settings.output or default))
         self.stem = stem
         if self.kind == "still":
             self.stem = os.path.splitext(os.path.basename(output))[0]
             self.output = os.path.dirname(output)
         else:
             self.output = output
-        self.work = os.path.join(folder, self.settings.work or output.rstrip("/") + ".batch")
+        self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
         """The part of the key that is known before the scene was looked at."""
-        return {"format": 1, "kind": self.kind, "scene": self.inputs.scene, "folder": self.inputs.folder,
-                "options": self.inputs.words, "libraries": self.inputs.libraries, "extension": self.extension,
-                "version": povray.version(self.program), "program": sha256(self.program), "pictures": self.pictures}
+        return {
+            "format": 1,
+            "kind": self.kind,
+            "scene": self.inputs.scene,
+            "folder": self.inputs.folder,
+            "options": self.inputs.words,
+            "libraries": self.inputs.libraries,
+            "extension": self.extension,
+            "version": povray.version(self.program),
+            "program": sha256(self.program),
+            "pictures": self.pictures,
+        }
 
     def changeable(self):
         """What may be another in each call without another pixel."""
-        return {"threads": self.threads, "retries": self.settings.retries, "program": self.program,
-                "output": self.output, "tasks": [], "on": self.settings.on}
+        return {
+            "threads": self.threads,
+            "retries": self.settings.retries,
+            "program": self.program,
+            "output": self.output,
+            "tasks": [],
+            "on": self.settings.on,
+        }
 
     def description(self):
         """The description as far as it is known."""
-        return {"key": self.key(), "input": keys.Links.UP + self.inputs.file, "searched": self.inputs.searched,
-                "kind_option": "" if self.inputs.options.kind else {"png": "+FN", "exr": "+FE"}[self.extension],
-                "frames": self.frames, "links": self.inputs.links.targets, "sets": self.sets,
-                "sheet": f"{self.stem}_sheet.png", **self.changeable()}
+        return {
+            "key": self.key(),
+            "input": keys.Links.UP + self.inputs.file,
+            "searched": self.inputs.searched,
+            "kind_option": "" if self.inputs.options.kind else {"png": "+FN", "exr": "+FE"}[self.extension],
+            "frames": self.frames,
+            "links": self.inputs.links.targets,
+            "sets": self.sets,
+            "sheet": f"{self.stem}_sheet.png",
+            **self.changeable(),
+        }
 
 
 def take_up(work, request, stored):
     """The stored description, where everything in its key is as it was."""
     old, new = stored["key"], request.key()
-    new["bands"] = old["bands"] if not request.settings.bands else plan.cut_bands(old["size"][1], request.settings.bands)
-    changes = [*keys.changed_settings(old, new), *keys.changed_files(old["files"], old["missing"]), *changed_by_units(work, stored)]
+    if stored["hash"] != keys.key_hash(old):
+        raise BatchError(f"{str(work.description)!r} is damaged. Start over with --anew.")
+    new["bands"] = (
+        old["bands"]
+        if not request.settings.bands
+        else plan.cut_bands(old["size"][1], request.settings.bands)
+    )
+    changes = [
+        *keys.changed_settings(old, new),
+        *keys.changed_files(old["files"], old["missing"]),
+        *changed_by_units(work),
+    ]
     if changes:
         more = [f"... and {len(changes) - MESSAGE_LINES} more"] if len(changes) > MESSAGE_LINES else []
-        raise BatchError("\n  ".join([
-            f"the work folder {str(work.folder)!r} belongs to a batch that was another:", *changes[:MESSAGE_LINES], *more])
-            + "\nUndo the change, give another --output or --work, or start over with --anew.")
+        raise BatchError(
+            "\n  ".join(
+                [
+                    f"the work folder {str(work.folder)!r} belongs to a batch that was another:",
+                    *changes[:MESSAGE_LINES],
+                    *more,
+                ]
+            )
+            + "\nUndo the change, give another --output or --work, or start over with --anew."
+        )
     stored.update(request.changeable())
     stored["stamps"] = {path: keys.file_stamp(path) for path in old["files"]}
     return stored
 
 
-def changed_by_units(work, stored):
+def changed_by_units(work):
     """Changes in files that only some units read, such as an include file of one frame."""
     known = {}
     for name in sorted(work.names("done")):
@@ -115,6 +159,7 @@ def begin(work, request, engine):
     description = request.description()
     key = description["key"]
     work.make()
+    output_can_be_written(request.output)
     request.inputs.write(work)
     probe = Probe(work, description, key["pictures"][0])
     key["size"] = probe.picture_size()
@@ -129,8 +174,19 @@ def begin(work, request, engine):
     return description
 
 
+def output_can_be_written(folder):
+    """Asked before hours of rendering rather than after."""
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise BatchError(f"the output folder {folder!r} cannot be made: {error.strerror}.") from None
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise BatchError(f"the output folder {folder!r} cannot be written; give another with --output.")
+
+
 def choose_bands(request, probe, size, engine):
-    """Bands of each picture: as asked, or as many as keep the workers busy while each is worth its start."""
+    """Bands of each picture: as asked, or as many as keep the workers busy while each is worth its
+    start."""
     asked, count = request.settings.bands, len(request.pictures)
     if asked == 1:
         return {"picture": 0.0, "start": 0.6}, 1
@@ -139,13 +195,21 @@ def choose_bands(request, probe, size, engine):
     worth = max(plan.SECONDS_A_TASK, 10 * estimate["start"])
     parallel = engine.workers(request.settings, request.threads)
     bands = asked or max(1, min(math.ceil(4 * parallel / count), int(estimate["picture"] / worth), blocks))
-    say(f"about {estimate['picture'] * count / request.threads / 60:.1f} minutes of one core in all, "
-        f"{estimate['start']:.1f} s for each start of POV-Ray; {bands} band{'s' if bands > 1 else ''} a picture")
+    say(
+        f"about {progress.span(estimate['picture'] * count * request.threads)} of one core in all, and "
+        f"{estimate['start']:.1f} s for each start of POV-Ray; {bands} band{'s' if bands > 1 else ''} a picture"
+    )
     if bands > 1 and (probe.radiosity() or probe.seam(size, bands <= blocks)):
-        why = "radiosity" if probe.radiosity() else "the rows that are rendered with them (jitter of an area light, for example)"
+        why = (
+            "radiosity"
+            if probe.radiosity()
+            else "the rows that are rendered with them (jitter of an area light, for example)"
+        )
         if asked:
-            raise BatchError(f"the pixels of this scene depend on {why}, so bands would not fit together. Use --bands 1; "
-                             "films and sweeps still go side by side, picture by picture.")
+            raise BatchError(
+                f"the pixels of this scene depend on {why}, so bands would not fit together. Use --bands 1; "
+                "films and sweeps still go side by side, picture by picture."
+            )
         say(f"The pixels of this scene depend on {why}: the picture is not cut into bands.")
         bands = 1
     return estimate, bands
@@ -156,8 +220,10 @@ def refuse_foreign(work):
     if work.folder.exists():
         foreign = sorted(set(os.listdir(work.folder)) - work.names_in_it())
         if foreign:
-            raise BatchError(f"{str(work.folder)!r} is not the work folder of a batch (it holds {foreign[0]!r}); give another "
-                             "with --work.")
+            raise BatchError(
+                f"{str(work.folder)!r} is not the work folder of a batch (it holds {foreign[0]!r}); give another "
+                "with --work."
+            )
 
 
 def open_batch(work, request, engine):
@@ -196,5 +262,7 @@ def unit_is_there(work, name):
     record = read_json(work.record("done", name))
     if record is None:
         return False
-    paths = [(pathlib.Path(work.unit(name)) / told["file"], told["bytes"]) for told in record["files"].values()]
+    paths = [
+        (pathlib.Path(work.unit(name)) / told["file"], told["bytes"]) for told in record["files"].values()
+    ]
     return all(path.is_file() and path.stat().st_size == size for path, size in paths)

@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The key of a batch: all that its pixels depend on, and what has changed when it does not fit.
 
-POV-Ray lists every file that it reads and every one that it looks for in vain (TILT_LENS_FILE_LIST). The key holds
-those of the first render with a hash of each; each unit's record holds those that it needed besides, such as an
-include file of one frame. So a part is used again only where every file is as it was, and none has appeared where
-POV-Ray looked first.
-"""
+POV-Ray lists every file that it reads and every one that it looks for in vain (TILT_LENS_FILE_LIST). The
+key holds those of the first render with a hash of each; each unit's record holds those that it needed
+besides, such as an include file of one frame. So a part is used again only where every file is as it was,
+and none has appeared where POV-Ray looked first. """
 
 import hashlib
 import json
@@ -34,10 +33,11 @@ class Links:
             link.symlink_to(target)
 
     def real(self, name):
-        """The user's path of a name that POV-Ray used; None for a file in the unit's own folder. Symbolic links of
-        the user's stay as they are: where one is turned to another file, the path's contents change."""
+        """The user's path of a name that POV-Ray used; None for a file in the unit's own folder. Symbolic
+        links of the user's stay as they are: where one is turned to another file, the path's contents
+        change."""
         if name.startswith(self.UP):
-            link, _, rest = name[len(self.UP):].partition("/")
+            link, _, rest = name[len(self.UP) :].partition("/")
             if link in self.targets:
                 return self.targets[link] + ("/" + rest if rest else "")
             return None
@@ -49,8 +49,10 @@ def listed_files(path, links):
     try:
         entries = path.read_bytes().split(b"\0")
     except FileNotFoundError:
-        raise BatchError("the program does not list the files that it reads (TILT_LENS_FILE_LIST): it is not this "
-                         "project's povray.") from None
+        raise BatchError(
+            "the program does not list the files that it reads (TILT_LENS_FILE_LIST): it is not this "
+            "project's povray."
+        ) from None
     read, missing = set(), set()
     for entry in filter(None, entries):
         name = links.real(os.fsdecode(entry[1:]))
@@ -91,9 +93,15 @@ def changed_files(files, missing):
 
 
 TEXTS = {
-    "kind": "kind of batch", "scene": "scene", "folder": "current folder", "options": "options of POV-Ray",
-    "version": "version of povray", "program": "program povray (its bytes; was it built anew?)",
-    "pictures": "pictures (frames, or values of --set)", "bands": "bands", "extension": "kind of picture",
+    "kind": "kind of batch",
+    "scene": "scene",
+    "folder": "current folder",
+    "options": "options of POV-Ray",
+    "version": "version of povray",
+    "program": "program povray (its bytes; was it built anew?)",
+    "pictures": "pictures (frames, or values of --set)",
+    "bands": "bands",
+    "extension": "kind of picture",
     "libraries": "folders of include files",
 }
 
@@ -104,11 +112,19 @@ def short(value):
     return text if len(text) <= 120 else f"{text[:100]}... ({len(text)} characters)"
 
 
+def first_difference(these, those):
+    """How many there are, and the first that is not in the other list."""
+    other = [item for item in these if item not in those]
+    first = other[0] if other else None
+    told = f", among them {first['name'] if isinstance(first, dict) else first}" if first else ""
+    return f"{len(these)}{told}"
+
+
 def changed_settings(old, new):
     """The same for all of the key but the files."""
     for name, text in TEXTS.items():
         if old.get(name) != new.get(name):
             was, now = old.get(name), new.get(name)
             if name in ("pictures", "bands"):
-                was, now = f"{len(was)} ({short(was)})", f"{len(now)} ({short(now)})"
+                was, now = first_difference(was, now), first_difference(now, was)
             yield f"{text}: was {short(was)}, is {short(now)}"

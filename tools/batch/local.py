@@ -24,21 +24,49 @@ def check():
         raise BatchError("GNU parallel is missing (Debian package parallel).")
 
 
-def run(work, description, tasks, settings, progress):
-    """Does the tasks; returns when all have ended. Every process ends with its parent, down to POV-Ray: a Ctrl-C, or
-    even the death of this process, leaves nothing running."""
+def invocation(work, description, settings):
+    """The call of parallel, and its environment."""
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "batch.py")
     count = workers(settings, description["threads"])
     # parallel's shell gives way to the worker, whose parent is then parallel itself. Names that hold anything
     # reach it through the environment.
-    command = ["parallel", "--will-cite", "--no-notice", f"-j{count}", "--retries", str(1 + settings.retries), "--halt", "never",
-               'exec setpriv --pdeathsig KILL "$BATCH_PYTHON" -B "$BATCH_SCRIPT" task "$BATCH_WORK" {}']
-    env = dict(os.environ, BATCH_PYTHON=sys.executable, BATCH_SCRIPT=script, BATCH_WORK=str(work.folder),
-               PARALLEL_SHELL="/bin/sh", SHELL="/bin/sh")
+    command = [
+        "parallel",
+        "--plain",  # whatever ~/.parallel/config says
+        "--will-cite",
+        "--no-notice",
+        f"-j{count}",
+        "--retries",
+        str(1 + settings.retries),
+        "--halt",
+        "never",
+        'exec setpriv --pdeathsig KILL "$BATCH_PYTHON" -B "$BATCH_SCRIPT" task "$BATCH_WORK" {}',
+    ]
+    env = dict(
+        os.environ,
+        BATCH_PYTHON=sys.executable,
+        BATCH_SCRIPT=script,
+        BATCH_WORK=str(work.folder),
+        PARALLEL_SHELL="/bin/sh",
+        SHELL="/bin/sh",
+    )
     env.pop("PARALLEL", None)
+    return command, env
+
+
+def run(work, description, tasks, settings, progress):
+    """Does the tasks; returns when all have ended. Every process ends with its parent, down to POV-Ray: a
+    Ctrl-C, or even the death of this process, leaves nothing running."""
+    command, env = invocation(work, description, settings)
     with open(work.logs / "parallel.log", "ab") as log:
-        process = subprocess.Popen(povray.ending_with_parent(command), stdin=subprocess.PIPE, stdout=log, stderr=log,
-                                   env=env, start_new_session=True)
+        process = subprocess.Popen(
+            povray.ending_with_parent(command),
+            stdin=subprocess.PIPE,
+            stdout=log,
+            stderr=log,
+            env=env,
+            start_new_session=True,
+        )
         try:
             process.stdin.write("".join(f"{task}\n" for task in tasks).encode())
             process.stdin.close()

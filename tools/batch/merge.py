@@ -15,14 +15,17 @@ from store import BatchError, read_json, sha256, sync_file, sync_folder, write_j
 
 def oiiotool(folder, arguments):
     """Runs oiiotool; what it complains of is an error."""
-    done = subprocess.run(["oiiotool", *arguments], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    done = subprocess.run(
+        ["oiiotool", *arguments], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False
+    )
     if done.returncode != 0:
         said = (done.stderr + done.stdout).decode(errors="replace").strip()
         raise BatchError(f"oiiotool failed in {str(folder)!r}: {said[-300:]}")
 
 
 def band_records(work, key, picture):
-    """The records of a picture's bands; a band whose files are not what was recorded is forgotten, to be done again."""
+    """The records of a picture's bands; a band whose files are not what was recorded is forgotten, to be
+    done again."""
     records = []
     for band in range(len(key["bands"])):
         name = unit_name(picture * len(key["bands"]) + band, len(key["bands"]))
@@ -39,7 +42,8 @@ def band_records(work, key, picture):
 
 
 def join(folder, bands, width, target):
-    """Joins files: the rows of each are cut out of its full frame and pasted, all channels, values untouched."""
+    """Joins files: the rows of each are cut out of its full frame and pasted, all channels, values
+    untouched."""
     words = ["--no-autopremult", "--nosoftwareattrib"]
     for path, (first, last) in bands:
         words += [path, "--crop", f"{width}x{last - first + 1}+0+{first - 1}"]
@@ -53,9 +57,14 @@ def paste(work, key, records, rest, target):
     join(work.units, list(zip(paths, key["bands"])), width, target)
     found = povray.image_info(target)
     wanted = records[0][1]["files"][rest]
-    if found["size"] != [width, height] or (found["channels"], found["form"]) != (wanted["channels"], wanted["form"]):
-        raise BatchError(f"the merged {target.name} is {found}, expected {width} x {height}, {wanted['channels']} channels, "
-                         f"{wanted['form']}.")
+    if found["size"] != [width, height] or (found["channels"], found["form"]) != (
+        wanted["channels"],
+        wanted["form"],
+    ):
+        raise BatchError(
+            f"the merged {target.name} is {found}, expected {width} x {height}, {wanted['channels']} channels, "
+            f"{wanted['form']}."
+        )
     return found["pixels"]
 
 
@@ -82,7 +91,9 @@ def merged_files(work, key, picture):
     rests = set(records[0][1]["files"])
     for name, record in records:
         if set(record["files"]) != rests:
-            raise BatchError(f"unit {name} has the files {sorted(record['files'])}, the first band {sorted(rests)}.")
+            raise BatchError(
+                f"unit {name} has the files {sorted(record['files'])}, the first band {sorted(rests)}."
+            )
     found = {}
     for rest in sorted(rests):
         if len(records) == 1:
@@ -103,9 +114,14 @@ def merge_picture(work, description, picture):
     stem = pathlib.Path(description["output"]) / key["pictures"][picture]["name"]
     told = {}
     for rest, (path, pixels) in merged_files(work, key, picture).items():
-        target = stem.with_name(stem.name[:-len(key["extension"]) - 1] + rest)
+        target = stem.with_name(stem.name[: -len(key["extension"]) - 1] + rest)
         deliver(path, target)
-        told[rest] = {"file": str(target), "bytes": target.stat().st_size, "sha256": sha256(target), "pixels": pixels}
+        told[rest] = {
+            "file": str(target),
+            "bytes": target.stat().st_size,
+            "sha256": sha256(target),
+            "pixels": pixels,
+        }
     write_json(work.record("merged", f"{picture:05d}"), told)
     free_space(work, key, picture)
 
@@ -113,20 +129,25 @@ def merge_picture(work, description, picture):
 def free_space(work, key, picture):
     """Removes the parts of a picture that is in its place."""
     for band in range(len(key["bands"])):
-        shutil.rmtree(work.unit(unit_name(picture * len(key["bands"]) + band, len(key["bands"]))), ignore_errors=True)
+        shutil.rmtree(
+            work.unit(unit_name(picture * len(key["bands"]) + band, len(key["bands"]))), ignore_errors=True
+        )
     for path in work.units.glob(f"{picture:05d}.*"):
         if path.is_file() and path.suffix != ".lock":
             path.unlink()
 
 
-def is_merged(work, description, picture, thorough=False):
+def is_merged(work, description, picture):
     """Whether the picture is in its place, as it was put there."""
     told = read_json(work.record("merged", f"{picture:05d}"))
     if not told:
         return False
     for entry in told.values():
         try:
-            if os.stat(entry["file"]).st_size != entry["bytes"] or (thorough and sha256(entry["file"]) != entry["sha256"]):
+            if (
+                os.path.dirname(entry["file"]) != description["output"]
+                or os.stat(entry["file"]).st_size != entry["bytes"]
+            ):
                 return False
         except OSError:
             return False

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """From a command line to the description of a batch: scene, inputs, pictures, bands, units, tasks.
 
-A picture is one output file; a band is some of its rows; a unit is one band of one picture, the least that is
-rendered, kept and repeated. A task is one or more units in a row, which a worker does one after the other.
-"""
+A picture is one output file; a band is some of its rows; a unit is one band of one picture, the least
+that is rendered, kept and repeated. A task is one or more units in a row, which a worker does one after
+the other. """
 
 import decimal
 import itertools
@@ -17,7 +17,12 @@ from store import BatchError, sha256
 
 BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on where they begin
 SECONDS_A_TASK = 5.0  # what a task should be worth at least, ten times what starting POV-Ray costs
-DEFAULT_INI = ("./povray.ini", "~/.povray/3.7/povray.ini", "{prefix}/etc/povray/3.7/povray.ini", "~/.povrayrc")
+DEFAULT_INI = (
+    "./povray.ini",
+    "~/.povray/3.7/povray.ini",
+    "{prefix}/etc/povray/3.7/povray.ini",
+    "~/.povrayrc",
+)
 
 
 def safe_name(path, fallback):
@@ -33,17 +38,23 @@ def values(text):
         try:
             numbers = [decimal.Decimal(piece) for piece in part.split(":")]
         except decimal.InvalidOperation:
-            raise BatchError(f"--set: {part!r} is not a number; expected VALUE, FROM:TO:STEP, or several with commas "
-                             "between.") from None
+            raise BatchError(
+                f"--set: {part!r} is not a number; expected VALUE, FROM:TO:STEP, or several with commas "
+                "between."
+            ) from None
         if len(numbers) == 1 and numbers[0].is_finite():
             found.append(numbers[0])
             continue
         if len(numbers) != 3 or not all(n.is_finite() for n in numbers) or numbers[2] == 0:
-            raise BatchError(f"--set: {part!r}: expected VALUE or FROM:TO:STEP with a step that is not zero.")
+            raise BatchError(
+                f"--set: {part!r}: expected VALUE or FROM:TO:STEP with a step that is not zero."
+            )
         first, last, step = numbers
         count = int((last - first) / step) + 1 if (last - first) / step >= 0 else 0
         if not 0 < count <= 100000:
-            raise BatchError(f"--set: {part!r} has {count} values; with this step, TO must lie on the other side of FROM.")
+            raise BatchError(
+                f"--set: {part!r} has {count} values; with this step, TO must lie on the other side of FROM."
+            )
         found += [first + step * i for i in range(count)]
     if len(set(found)) != len(found):
         raise BatchError(f"--set: {text!r} has a value twice.")
@@ -56,9 +67,13 @@ def parse_sets(words):
     for word in words:
         match = re.fullmatch(r"([A-Za-z_][A-Za-z0-9_]*)=(.+)", word)
         if not match:
-            raise BatchError(f"--set {word!r}: expected NAME=VALUES, for example Tilt=-8:8:2 or Aperture=0.1,0.2.")
+            raise BatchError(
+                f"--set {word!r}: expected NAME=VALUES, for example Tilt=-8:8:2 or Aperture=0.1,0.2."
+            )
         if match.group(1) in (name for name, _ in sets):
-            raise BatchError(f"--set: {match.group(1)} is given twice; put all of its values behind one, with commas.")
+            raise BatchError(
+                f"--set: {match.group(1)} is given twice; put all of its values behind one, with commas."
+            )
         sets.append((match.group(1), values(match.group(2))))
     return sets
 
@@ -67,21 +82,30 @@ def pictures(kind, stem, extension, frames=1, sets=()):
     """All pictures of the batch: file name, POV-Ray's options for it, frame number, label."""
     if kind == "film":
         digits = max(4, len(str(frames)))
-        return [{"name": f"{stem}{n:0{digits}d}.{extension}", "options": [], "frame": n, "label": f"frame {n}"}
-                for n in range(1, frames + 1)]
+        return [
+            {"name": f"{stem}{n:0{digits}d}.{extension}", "options": [], "frame": n, "label": f"frame {n}"}
+            for n in range(1, frames + 1)
+        ]
     if kind == "sweep":
         made = []
         for choice in itertools.product(*(found for _, found in sets)):
             pairs = [f"{name}={value}" for (name, _), value in zip(sets, choice)]
-            made.append({"name": f"{stem}_{'_'.join(pairs)}.{extension}", "frame": 1,
-                         "options": [f"Declare={pair}" for pair in pairs], "label": ", ".join(pairs)})
+            made.append(
+                {
+                    "name": f"{stem}_{'_'.join(pairs)}.{extension}",
+                    "frame": 1,
+                    "options": [f"Declare={pair}" for pair in pairs],
+                    "label": ", ".join(pairs),
+                }
+            )
         return made
     return [{"name": f"{stem}.{extension}", "options": [], "frame": 1, "label": stem}]
 
 
 def cut_bands(height, count):
-    """Rows of each band, 1-based, both included. Up to one band a block they are cut between POV-Ray's blocks;
-    more of them anywhere, but the first has two rows, since +SR1 +ER1 means all rows to POV-Ray."""
+    """Rows of each band, 1-based, both included. Up to one band a block they are cut between POV-Ray's
+    blocks; more of them anywhere, but the first has two rows, since +SR1 +ER1 means all rows to
+    POV-Ray."""
     step = BLOCK if count <= -(-height // BLOCK) else 1
     blocks = -(-height // step)
     count = max(1, min(count, blocks if step > 1 else height - 1))
@@ -101,15 +125,20 @@ def read_ini(path):
     """An ini file's text; commands in it are refused, for they would run once a band."""
     with open(path, encoding="utf-8", errors="surrogateescape") as stream:
         text = stream.read()
-    command = re.search(r"^\s*(\w+_(?:Scene|Frame)_Command|\w+_Command)\s*=", text, re.IGNORECASE | re.MULTILINE)
+    command = re.search(
+        r"^\s*(\w+_(?:Scene|Frame)_Command|\w+_Command)\s*=", text, re.IGNORECASE | re.MULTILINE
+    )
     if command:
-        raise BatchError(f"{path!r} sets {command.group(1)}: it would run once for each band. Take it out, and run the "
-                         "command after the batch.")
+        raise BatchError(
+            f"{path!r} sets {command.group(1)}: it would run once for each band. Take it out, and run the "
+            "command after the batch."
+        )
     return text
 
 
 def main_ini(program, folder):
-    """POV-Ray's own choice of its ini file, made here once for all machines: the file, and those it looked for before."""
+    """POV-Ray's own choice of its ini file, made here once for all machines: the file, and those it
+    looked for before."""
     prefix = os.path.dirname(os.path.dirname(os.path.realpath(program)))
     named = os.environ.get("POVINI")
     candidates = [named] if named else []
@@ -122,8 +151,8 @@ def main_ini(program, folder):
 
 
 class Inputs:
-    """Where a scene's files are looked for, as ./render does it: the current folder, those of the ini file, the
-    project's include folder, the scene's folder, those of +L."""
+    """Where a scene's files are looked for, as ./render does it: the current folder, those of the ini
+    file, the project's include folder, the scene's folder, those of +L."""
 
     def __init__(self, scene, folder, words, program, repository):
         self.scene = os.path.join(folder, scene)
@@ -132,16 +161,21 @@ class Inputs:
         self.folder, self.options = folder, PovOptions(words)
         self.file = safe_name(self.scene, "scene.pov")
         include = os.path.join(repository, "scenes", "include")
-        targets = {"here": folder, "include": include, "scene": os.path.dirname(self.scene), self.file: self.scene}
+        targets = {
+            "here": folder,
+            "include": include,
+            "scene": os.path.dirname(self.scene),
+            self.file: self.scene,
+        }
         self.searched = ["include", "scene"]
         named = list(self.options.named_files(folder))
-        self.libraries = named[:len(self.options.libraries)]
+        self.libraries = named[: len(self.options.libraries)]
         for i, library in enumerate(self.libraries):
             targets[f"library{i}"] = library
             self.searched.append(f"library{i}")
         self.words = list(self.options.words)
         self.files, self.missing = {}, []
-        for i, ini in enumerate(named[len(self.libraries):]):
+        for i, ini in enumerate(named[len(self.libraries) :]):
             self.add_ini(i, ini, targets)
         self.ini, self.missing = main_ini(program, folder)
         self.links = Links(targets)
@@ -156,12 +190,17 @@ class Inputs:
         self.words.append(f"{Links.UP}options{i}.ini{section}")
 
     def write(self, work):
-        """Makes links, and the ini file that POV-Ray reads first: the user's, after the user's current folder."""
+        """Makes links, and the ini file that POV-Ray reads first: the user's, after the user's current
+        folder."""
         self.links.make(work.inputs)
         text = f'Library_Path="{Links.UP}here"\n'
         if self.ini:
-            text += re.sub(r'^(\s*Library_Path\s*=\s*"?)(?!["/])', rf"\g<1>{Links.UP}here/", read_ini(self.ini),
-                           flags=re.IGNORECASE | re.MULTILINE)
+            text += re.sub(
+                r'^(\s*Library_Path\s*=\s*"?)(?!["/])',
+                rf"\g<1>{Links.UP}here/",
+                read_ini(self.ini),
+                flags=re.IGNORECASE | re.MULTILINE,
+            )
         path = work.inputs / "povray.ini"
         path.write_text(text, encoding="utf-8", errors="surrogateescape")
 

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""POV-Ray's own options as a user gives them to a batch: those that the batch sets itself are refused, names of
-files are made independent of the current folder, and the kind of picture is read."""
+"""POV-Ray's own options as a user gives them to a batch: those that the batch sets itself are refused,
+names of files are made independent of the current folder, and the kind of picture is read."""
 
 import os
 import re
@@ -13,19 +13,37 @@ REFUSED_SWITCHES = {
     "I": "give the scene as the first argument",
     "O": "use --output",
     "C": "the batch continues by itself: run the same command again",
-    "SR": "a batch renders whole pictures", "ER": "a batch renders whole pictures",
-    "SC": "a batch renders whole pictures", "EC": "a batch renders whole pictures",
-    "SF": "use batch film --frames", "EF": "use batch film --frames",
-    "KFI": "use batch film --frames", "KFF": "use batch film --frames",
+    "SR": "a batch renders whole pictures",
+    "ER": "a batch renders whole pictures",
+    "SC": "a batch renders whole pictures",
+    "EC": "a batch renders whole pictures",
+    "SF": "use batch film --frames",
+    "EF": "use batch film --frames",
+    "KFI": "use batch film --frames",
+    "KFF": "use batch film --frames",
     "HI": "include the file in the scene",
     "RF": "saved passes of radiosity are not supported",
-    "UF": "fields are not supported", "TH": "a dithered pixel depends on the rows above it, which bands do not have",
+    "UF": "fields are not supported",
+    "TH": "a dithered pixel depends on the rows above it, which bands do not have",
 }
 REFUSED_NAMES = {
-    "input_file_name": "I", "output_file_name": "O", "continue_trace": "C", "start_row": "SR", "end_row": "ER",
-    "start_column": "SC", "end_column": "EC", "subset_start_frame": "SF", "subset_end_frame": "EF",
-    "initial_frame": "KFI", "final_frame": "KFF", "field_render": "UF", "dither": "TH",
-    "include_header": "HI", "radiosity_file_name": "RF", "radiosity_from_file": "RF", "radiosity_to_file": "RF",
+    "input_file_name": "I",
+    "output_file_name": "O",
+    "continue_trace": "C",
+    "start_row": "SR",
+    "end_row": "ER",
+    "start_column": "SC",
+    "end_column": "EC",
+    "subset_start_frame": "SF",
+    "subset_end_frame": "EF",
+    "initial_frame": "KFI",
+    "final_frame": "KFF",
+    "field_render": "UF",
+    "dither": "TH",
+    "include_header": "HI",
+    "radiosity_file_name": "RF",
+    "radiosity_from_file": "RF",
+    "radiosity_to_file": "RF",
 }
 FORMATS = {"N": "png", "E": "exr"}
 
@@ -56,8 +74,10 @@ class PovOptions:
         elif re.search(r"\.ini(\[[^\]]*\])?$", word, re.IGNORECASE):
             self.inis.append(word)
         else:
-            raise BatchError(f"{word!r} is neither an option of batch nor one of POV-Ray (+W640, Width=640, NAME.ini). "
-                             "A batch renders one scene, the first argument.")
+            raise BatchError(
+                f"{word!r} is neither an option of batch nor one of POV-Ray (+W640, Width=640, NAME.ini). "
+                "A batch renders one scene, the first argument."
+            )
 
     def add_switch(self, word):
         """An option such as +W640."""
@@ -65,7 +85,9 @@ class PovOptions:
         upper = body.upper()
         for switch, instead in REFUSED_SWITCHES.items():
             exact = switch in ("C", "UF") and upper == switch
-            with_value = switch not in ("C", "UF") and re.fullmatch(re.escape(switch) + r".*", upper, re.DOTALL)
+            with_value = switch not in ("C", "UF") and re.fullmatch(
+                re.escape(switch) + r".*", upper, re.DOTALL
+            )
             if exact or (with_value and not (word[0] == "-" and switch == "TH")):
                 raise BatchError(f"a batch sets {word!r} itself: {instead}.")
         if upper.startswith("F"):
@@ -79,10 +101,14 @@ class PovOptions:
 
     def add_named(self, word, name, value):
         """An option such as Width=640."""
-        if name in REFUSED_NAMES and not (name == "dither" and value.lower() in ("off", "false", "no", "0")):
+        if name in REFUSED_NAMES and not (
+            name == "dither" and value.lower() in ("off", "false", "no", "0")
+        ):
             raise BatchError(f"a batch sets {word!r} itself: {REFUSED_SWITCHES[REFUSED_NAMES[name]]}.")
         if name.endswith("_command"):
-            raise BatchError(f"{word!r} would run once for each band; run the command after the batch instead.")
+            raise BatchError(
+                f"{word!r} would run once for each band; run the command after the batch instead."
+            )
         if name == "output_file_type":
             self.set_kind(word, value)
         elif name == "work_threads":
@@ -95,8 +121,10 @@ class PovOptions:
     def set_kind(self, word, value):
         """PNG or OpenEXR; the bits stay with POV-Ray."""
         if value[:1].upper() not in FORMATS:
-            raise BatchError(f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put "
-                             "together without a change.")
+            raise BatchError(
+                f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put "
+                "together without a change."
+            )
         self.kind = FORMATS[value[:1].upper()]
         self.words.append(f"+F{value.upper()}")
 

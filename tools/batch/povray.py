@@ -23,8 +23,14 @@ def ending_with_parent(command):
 def version(program):
     """What `povray --version` says in its first lines."""
     try:
-        done = subprocess.run([program, "--version"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, check=True, timeout=60)
+        done = subprocess.run(
+            [program, "--version"],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            check=True,
+            timeout=60,
+        )
     except (OSError, subprocess.SubprocessError) as error:
         raise BatchError(f"cannot run {program!r}: {error}") from None
     lines = [line.strip() for line in done.stdout.decode(errors="replace").splitlines()]
@@ -39,13 +45,20 @@ def arguments(description, picture, rows, size=None):
     words += [f"+I{description['input']}", *(f"+L../../inputs/{name}" for name in description["searched"])]
     if size:
         words += [f"+W{size[0]}", f"+H{size[1]}"]
-    words += [f"+SR{rows[0]}", f"+ER{rows[1]}", f"+O{PICTURE}.{key['extension']}", f"+WT{description['threads']}",
-              "-D", "-P", "Output_to_File=on"]
+    words += [
+        f"+SR{rows[0]}",
+        f"+ER{rows[1]}",
+        f"+O{PICTURE}.{key['extension']}",
+        f"+WT{description['threads']}",
+        "-D",
+        "-P",
+        "Output_to_File=on",
+    ]
     if description["kind_option"]:
         words.append(description["kind_option"])
     frame, last = picture["frame"], description["frames"]
     if last > 1:
-        words += [f"+KFI1 +KFF{last} +SF{frame} +EF{frame}".split(), ]
+        words += [f"+KFI1 +KFF{last} +SF{frame} +EF{frame}".split()]
         return [*words[:-1], *words[-1]]
     return [*words, "+KFI1", "+KFF1"]
 
@@ -63,18 +76,21 @@ def state_file(folder):
 
 
 def whole_messages(data, trusted):
-    """How many bytes of a state file are whole messages. Where the machine stopped since (not `trusted`), pages
-    that never reached the disk read as zeros: nothing behind the first such page is kept."""
+    """How many bytes of a state file are whole messages. Where the machine stopped since (not `trusted`),
+    pages that never reached the disk read as zeros: nothing behind the first such page is kept."""
     end = len(data)
     if not trusted:
-        pages = (at for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE)
-                 if not any(data[max(at, STATE_HEADER):at + PAGE]))
+        pages = (
+            at
+            for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE)
+            if not any(data[max(at, STATE_HEADER) : at + PAGE])
+        )
         end = next(pages, end)
     if end < STATE_HEADER or not data.startswith(b"POV-Ray Render State File"):
         return 0
     at = STATE_HEADER
-    while at + 20 <= end and data[at:at + 8] == b"POVRAYMS":
-        size = struct.unpack(">i", data[at + 12:at + 16])[0]
+    while at + 20 <= end and data[at : at + 8] == b"POVRAYMS":
+        size = struct.unpack(">i", data[at + 12 : at + 16])[0]
         if size <= 0 or at + 20 + size > end:
             break
         at += 20 + size
@@ -104,12 +120,19 @@ def clear_output(folder, also_state=False):
 
 
 def start(description, folder, words, log, lock=None):
-    """Starts POV-Ray in the folder. It inherits the unit's lock, so that no other try can begin beside it."""
+    """Starts POV-Ray in the folder. It inherits the unit's lock, so that no other try can begin beside
+    it."""
     write_json(folder / "boot.json", boot())
     with open(log, "ab") as stream:
-        return subprocess.Popen(ending_with_parent([description["program"], *words]), cwd=folder, env=environment(),
-                                stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
-                                pass_fds=[lock] if lock is not None else [])
+        return subprocess.Popen(
+            ending_with_parent([description["program"], *words]),
+            cwd=folder,
+            env=environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=stream,
+            stderr=stream,
+            pass_fds=[lock] if lock is not None else [],
+        )
 
 
 def outputs(folder):
@@ -123,16 +146,25 @@ def outputs(folder):
 
 def image_info(path):
     """Size, channels and hash of the decoded pixels, by reading all of the file."""
-    done = subprocess.run(["oiiotool", "--info", "--hash", path.name], cwd=path.parent, stdin=subprocess.DEVNULL,
-                          capture_output=True, check=False)
+    done = subprocess.run(
+        ["oiiotool", "--info", "--hash", path.name],
+        cwd=path.parent,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        check=False,
+    )
     text = done.stdout.decode(errors="replace")
     size = re.search(r":\s*(\d+) x\s*(\d+), (\d+) channel, (.*)", text)
     pixels = re.search(r"SHA-1: ([0-9A-F]{40})", text)
     if done.returncode != 0 or not size or not pixels or done.stderr.strip():
         said = (done.stderr.decode(errors="replace") + text).strip()
         raise BatchError(f"{path.name} cannot be decoded: {said[-300:]}")
-    return {"size": [int(size.group(1)), int(size.group(2))], "channels": int(size.group(3)),
-            "form": size.group(4).strip(), "pixels": pixels.group(1)}
+    return {
+        "size": [int(size.group(1)), int(size.group(2))],
+        "channels": int(size.group(3)),
+        "form": size.group(4).strip(),
+        "pixels": pixels.group(1),
+    }
 
 
 def needed_programs():

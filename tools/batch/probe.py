@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The first look at a scene: does it parse, which files does it read, how large is the picture, how long will it take,
-and do its pixels depend on the rows that are rendered with them?
+"""The first look at a scene: does it parse, which files does it read, how large is the picture, how long
+will it take, and do its pixels depend on the rows that are rendered with them?
 
-Only the last question needs more than one small render. Radiosity and stock's jittered area lights do depend on
-them; the samples of a tilt_lens picture never do.
-"""
+Only the last question needs more than one small render. Radiosity and stock's jittered area lights do
+depend on them; the samples of a tilt_lens picture never do. """
 
 import re
 import time
@@ -25,6 +24,7 @@ class Probe:
     def __init__(self, work, description, picture):
         self.work, self.description, self.picture = work, description, picture
         self.read, self.missing = set(), set()
+        self.small = None  # the last result of estimate()
 
     def render(self, name, rows, size=None):
         """Renders rows; returns the folder, the log's text and the seconds it took."""
@@ -43,15 +43,19 @@ class Probe:
         seconds = time.monotonic() - begun
         text = log.read_text(encoding="utf-8", errors="replace")
         if status != 0:
-            raise BatchError(f"POV-Ray cannot render the scene (exit code {status}); nothing was started. It said:\n"
-                             + told(text) + f"\n(all of it: {log})")
+            raise BatchError(
+                f"POV-Ray cannot render the scene (exit code {status}); nothing was started. It said:\n"
+                + told(text)
+                + f"\n(all of it: {log})"
+            )
         read, missing = keys.listed_files(folder / "files", keys.Links(self.description["links"]))
         self.read |= read
         self.missing |= missing
         return folder, text, seconds
 
     def picture_size(self):
-        """Size of the whole picture, from two pixels of it; its parse reads the files that the key names."""
+        """Size of the whole picture, from two pixels of it; its parse reads the files that the key
+        names."""
         folder, _, _ = self.render("whole", (1, 2))
         return povray.image_info(self.output(folder))["size"]
 
@@ -65,13 +69,17 @@ class Probe:
         return [max(2, min(SMALL_COLUMNS, round(size[0] * rows / size[1]))), rows]
 
     def estimate(self, size):
-        """Seconds for one whole picture, and seconds that each start of POV-Ray costs besides (parsing, photons)."""
+        """Seconds for one whole picture, and seconds that each start of POV-Ray costs besides (parsing,
+        photons)."""
         small = self.small_size(size)
         self.small = self.render("small", (1, small[1]), small)
-        folder, text, seconds = self.small
-        traced = trace_seconds(text)
-        return {"picture": traced * size[0] * size[1] / (small[0] * small[1]),
-                "start": max(0.1, seconds - traced * self.description["threads"])}
+        _, text, seconds = self.small
+        wall, processor = trace_seconds(text)
+        pixels = size[0] * size[1] / (small[0] * small[1])
+        return {
+            "picture": processor * pixels / self.description["threads"],
+            "start": max(0.1, seconds - wall),
+        }
 
     def seam(self, size, aligned):
         """Whether the small picture changes when it is cut in two, as it would be in bands."""
@@ -80,11 +88,15 @@ class Probe:
         if small[1] <= cut or re.search(r"^Tilt Lens Sampling", self.small[1], re.MULTILINE):
             return False
         halves = [(1, cut), (cut + 1, small[1])]
-        paths = [str(self.output(self.render(name, rows, small)[0]).relative_to(self.work.probe))
-                 for name, rows in zip(("upper", "lower"), halves)]
+        paths = [
+            str(self.output(self.render(name, rows, small)[0]).relative_to(self.work.probe))
+            for name, rows in zip(("upper", "lower"), halves)
+        ]
         joined = self.work.probe / f"joined.{self.description['key']['extension']}"
         merge.join(self.work.probe, list(zip(paths, halves)), small[0], joined)
-        return povray.image_info(joined)["pixels"] != povray.image_info(self.output(self.small[0]))["pixels"]
+        return (
+            povray.image_info(joined)["pixels"] != povray.image_info(self.output(self.small[0]))["pixels"]
+        )
 
     def radiosity(self):
         """Whether the scene uses radiosity, as POV-Ray's statistics tell."""
@@ -92,9 +104,10 @@ class Probe:
 
 
 def trace_seconds(text):
-    """"Trace Time" of the statistics."""
-    found = re.findall(r"Trace Time:.*?\(([0-9.]+) seconds\)", text)
-    return float(found[-1]) if found else 0.0
+    """ "Trace Time" of the statistics: by the clock, and of the processor, which other programs do not
+    disturb."""
+    found = re.findall(r"Trace Time:.*?\(([0-9.]+) seconds\)\s+using.*?with ([0-9.]+) CPU-seconds", text)
+    return (float(found[-1][0]), float(found[-1][1])) if found else (0.0, 0.0)
 
 
 def told(text):

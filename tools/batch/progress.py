@@ -62,8 +62,10 @@ class Progress:
         state = State(self.work, self.description)
         what = "bands" if len(self.description["key"]["bands"]) > 1 else "pictures"
         left = self.time_left(state) if len(state.done) < len(state.units) else ""
-        return (f"{len(state.done)} of {len(state.units)} {what} done, {len(state.running)} running, "
-                f"{len(state.failed)} failed{left}")
+        return (
+            f"{len(state.done)} of {len(state.units)} {what} done, {len(state.running)} running, "
+            f"{len(state.failed)} failed{left}"
+        )
 
     def show(self, final=False):
         """Tells where the batch stands."""
@@ -74,7 +76,7 @@ class Progress:
         text = self.text()
         self.last_time = now
         if self.terminal:
-            columns = os.get_terminal_size(sys.stderr.fileno()).columns
+            columns = os.get_terminal_size(sys.stderr.fileno()).columns or 80
             sys.stderr.write(f"\r\033[K{text[:columns - 1]}" + ("\n" if final else ""))
         elif text != self.last_text:
             sys.stderr.write(text + "\n")
@@ -103,6 +105,20 @@ def failures(work, description):
         yield from ("  | " + line for line in log_end(record.get("log", "")))
 
 
+def unfinished(work, description):
+    """The ends of the logs of what started the workers, where some never told what became of them."""
+    state = State(work, description)
+    if state.missing():
+        logs = sorted(
+            path
+            for path in work.logs.iterdir()
+            if not path.name.startswith("task-") and path.stat().st_size
+        )
+        for path in logs[-2:]:
+            yield f"log {path}:"
+            yield from ("  | " + line for line in log_end(path))
+
+
 def times(work, description):
     """Seconds of POV-Ray and repeated tries in the records that are left."""
     seconds = tries = 0
@@ -119,8 +135,13 @@ def summary(work, description, elapsed):
     state = State(work, description)
     seconds, tries = times(work, description)
     missing = len(state.units) - len(state.done)
-    yield (f"{state.merged} of {state.pictures} pictures in {description['output']!r}"
-           if state.pictures > 1 else f"{state.merged} of 1 picture")
-    yield (f"{len(state.done)} of {len(state.units)} units done, {len(state.failed)} failed, "
-           f"{missing - len(state.failed)} not finished; {tries} tries repeated")
+    yield (
+        f"{state.merged} of {state.pictures} pictures in {description['output']!r}"
+        if state.pictures > 1
+        else f"{state.merged} of 1 picture"
+    )
+    yield (
+        f"{len(state.done)} of {len(state.units)} units done, {len(state.failed)} failed, "
+        f"{missing - len(state.failed)} not finished; {tries} tries repeated"
+    )
     yield f"time {span(elapsed)} in this run; {span(seconds)} of povray in all"

@@ -12,27 +12,35 @@ from store import sync_file
 
 THUMB = 320  # columns of a picture on the sheet
 STRIP = 26  # rows for the label
+AT_ONCE = 50  # pictures in one call: starting oiiotool costs more than a small picture
 
 
 def columns(sets, count):
-    """With two or more parameters a row for each value of the others, a column for each of the last; with one, a
-    sheet that is a little wider than tall."""
+    """With two or more parameters a row for each value of the others, a column for each of the last; with
+    one, a sheet that is a little wider than tall."""
     if len(sets) > 1:
         return len(sets[-1][1])
     return math.ceil(math.sqrt(count))
 
 
-def thumb(work, link, target, size, label):
-    """One small picture with its label. Pictures of linear values are shown as a screen needs them."""
+def thumb(link, target, size, label):
+    """Arguments that make one small picture with its label. Linear values are shown as a screen needs
+    them."""
     width, height = size
     words = [link, "--ch", "R,G,B"]
     if link.endswith(".exr"):
         words += ["--colorconvert", "linear", "sRGB", "--clamp:min=0:max=1"]
-    words += ["--resize", f"{width}x{height}", "--pattern", "constant:color=0.12,0.12,0.12", f"{width}x{height + STRIP}", "3",
-              "--paste", "+0+0",
-              f"--text:x=8:y={height + 18}:size=15:font=../inputs/font.ttf:color=0.9,0.9,0.9", label,
-              "-d", "uint8", "-o", target]
-    merge.oiiotool(work.folder / "sheet", words)
+    words += ["--resize", f"{width}x{height}"]
+    words += [
+        "--pattern",
+        "constant:color=0.12,0.12,0.12",
+        f"{width}x{height + STRIP}",
+        "3",
+        "--paste",
+        "+0+0",
+    ]
+    words += [f"--text:x=8:y={height + 18}:size=15:font=../inputs/font.ttf:color=0.9,0.9,0.9", label]
+    return [*words, "-d", "uint8", "-o", target, "--pop"]
 
 
 def font_file(program):
@@ -50,13 +58,15 @@ def make(work, description):
     font.symlink_to(font_file(description["program"]))
     width, height = description["key"]["size"]
     size = [min(THUMB, width), max(1, round(height * min(THUMB, width) / width))]
-    names = []
+    names, words = [], []
     for i, picture in enumerate(description["key"]["pictures"]):
         link = folder / f"in{i:05d}.{description['key']['extension']}"
         link.unlink(missing_ok=True)
         link.symlink_to(os.path.join(description["output"], picture["name"]))
         names.append(f"out{i:05d}.png")
-        thumb(work, link.name, names[-1], size, label_that_fits(picture["label"], size[0]))
+        words.append(thumb(link.name, names[-1], size, label_that_fits(picture["label"], size[0])))
+    for i in range(0, len(words), AT_ONCE):
+        merge.oiiotool(folder, sum(words[i : i + AT_ONCE], []))
     across = min(len(names), columns(description["sets"], len(names)))
     down = -(-len(names) // across)
     merge.oiiotool(folder, [*names, "--mosaic:pad=6", f"{across}x{down}", "-o", "sheet.png"])
@@ -70,4 +80,4 @@ def make(work, description):
 def label_that_fits(label, width):
     """A label too long for its picture loses its end rather than running into the next one."""
     most = max(4, (width - 16) // 8)
-    return label if len(label) <= most else label[:most - 3] + "..."
+    return label if len(label) <= most else label[: most - 3] + "..."

@@ -23,14 +23,18 @@ def check():
     """Says what is missing before anything is started."""
     for name in ("sbatch", "squeue", "scontrol", "sinfo"):
         if shutil.which(name) is None:
-            raise BatchError(f"{name} is missing: --on slurm needs Slurm's commands on this machine (Debian package "
-                             "slurm-client) and the site's slurm.conf.")
+            raise BatchError(
+                f"{name} is missing: --on slurm needs Slurm's commands on this machine (Debian package "
+                "slurm-client) and the site's slurm.conf."
+            )
 
 
 def command(*words):
     """Runs one of Slurm's commands; returns what it prints."""
     try:
-        done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False)
+        done = subprocess.run(
+            words, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False
+        )
     except subprocess.TimeoutExpired:
         raise BatchError(f"{words[0]} gave no answer for 120 s.") from None
     if done.returncode != 0:
@@ -48,14 +52,20 @@ def workers(settings, threads):
     """How many POV-Rays can run at once, as far as sinfo tells; what decides is the site's queue."""
     if settings.workers:
         return settings.workers
-    words = ["sinfo", "-h", "-o", "%C"] + ([f"--partition={settings.partition}"] if settings.partition else [])
+    words = ["sinfo", "-h", "-o", "%C"] + (
+        [f"--partition={settings.partition}"] if settings.partition else []
+    )
     totals = [int(line.split("/")[3]) for line in command(*words).splitlines() if line.count("/") == 3]
     return max(1, sum(totals) // threads)
 
 
 def site_options(settings):
     """The user's options for sbatch."""
-    words = [f"--{name}={getattr(settings, name)}" for name in ("partition", "time", "account") if getattr(settings, name)]
+    words = [
+        f"--{name}={getattr(settings, name)}"
+        for name in ("partition", "time", "account")
+        if getattr(settings, name)
+    ]
     return words + settings.sbatch
 
 
@@ -63,8 +73,16 @@ def write_script(work, verb, argument):
     """The batch script; the shell reads the names from it, so they may hold anything."""
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "batch.py")
     path = work.folder / f"{verb}.sh"
-    write_text(path, SCRIPT.format(python=shlex.quote(sys.executable), script=shlex.quote(script), verb=verb,
-                                   work=shlex.quote(str(work.folder)), argument=argument))
+    write_text(
+        path,
+        SCRIPT.format(
+            python=shlex.quote(sys.executable),
+            script=shlex.quote(script),
+            verb=verb,
+            work=shlex.quote(str(work.folder)),
+            argument=argument,
+        ),
+    )
     return path
 
 
@@ -81,15 +99,35 @@ def ranges(numbers):
 
 def submit(work, description, tasks, settings):
     """Submits array and last step; returns the numbers of the jobs."""
-    common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
+    common = [
+        "sbatch",
+        "--parsable",
+        "--open-mode=append",
+        f"--chdir={work.folder}",
+        *site_options(settings),
+    ]
     limit = f"%{settings.workers}" if settings.workers else ""
-    array = command(*common, "--requeue", "--ntasks=1", f"--cpus-per-task={description['threads']}",
-                    f"--array={ranges(tasks)}{limit}", "--job-name=batch", "--output=log/slurm-%a.out",
-                    str(write_script(work, "task", '"$SLURM_ARRAY_TASK_ID"'))).split(";")[0]
+    array = command(
+        *common,
+        "--requeue",
+        "--ntasks=1",
+        f"--cpus-per-task={description['threads']}",
+        f"--array={ranges(tasks)}{limit}",
+        "--job-name=batch",
+        "--output=log/slurm-%a.out",
+        str(write_script(work, "task", '"$SLURM_ARRAY_TASK_ID"')),
+    ).split(";")[0]
     # afterany: a failed task must not keep the last step, which tells what is missing, from running.
     try:
-        last = command(*common, "--ntasks=1", f"--dependency=afterany:{array}", "--job-name=batch-end",
-                       "--kill-on-invalid-dep=yes", "--output=log/slurm-end.out", str(write_script(work, "finish", ""))).split(";")[0]
+        last = command(
+            *common,
+            "--ntasks=1",
+            f"--dependency=afterany:{array}",
+            "--job-name=batch-end",
+            "--kill-on-invalid-dep=yes",
+            "--output=log/slurm-end.out",
+            str(write_script(work, "finish", "")),
+        ).split(";")[0]
     except BatchError:
         command("scancel", array)
         raise
@@ -121,8 +159,10 @@ def wait(jobs, progress):
         except BatchError as error:
             silent_since = silent_since or time.monotonic()
             if time.monotonic() - silent_since > PATIENCE:
-                raise BatchError(f"Slurm has not answered for {PATIENCE} s ({error}). The jobs {' '.join(jobs)} may still "
-                                 "run: call again later to go on.") from None
+                raise BatchError(
+                    f"Slurm has not answered for {PATIENCE} s ({error}). The jobs {' '.join(jobs)} may still "
+                    "run: call again later to go on."
+                ) from None
         progress.show()
         time.sleep(pause)
         pause = min(5.0, pause * 1.2)
@@ -133,8 +173,10 @@ def run(work, description, tasks, settings, progress):
     jobs = submit(work, description, tasks, settings)
     print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)
     if settings.detach:
-        print("Not waiting for them. Call again with the same arguments to watch, or to go on with what is missing.",
-              file=sys.stderr)
+        print(
+            "Not waiting for them. Call again with the same arguments to watch, or to go on with what is missing.",
+            file=sys.stderr,
+        )
         return
     try:
         wait(jobs, progress)

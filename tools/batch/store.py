@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files of a batch: where they lie in the work folder, and how they are written so that no crash can spoil them.
+"""Files of a batch: where they lie in the work folder, and how they are written so that no crash can
+spoil them.
 
 The work folder:
 
@@ -124,8 +125,22 @@ class Work:
 
     def names_in_it(self):
         """All names that a work folder may hold."""
-        return {"batch.json", "lock", "inputs", "units", "log", "probe", "summary.txt", "jobs.json", "task.sh", "finish.sh",
-                "sheet", "sheet.json", "sheet.lock", *self.STATES}
+        return {
+            "batch.json",
+            "lock",
+            "inputs",
+            "units",
+            "log",
+            "probe",
+            "summary.txt",
+            "jobs.json",
+            "task.sh",
+            "finish.sh",
+            "sheet",
+            "sheet.json",
+            "sheet.lock",
+            *self.STATES,
+        }
 
     def clear(self):
         """Empties the folder, but for the lock that this call holds."""

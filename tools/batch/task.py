@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Does one task: renders its units one after the other, checks each, and puts together each picture whose last band
-it has finished. Any number of these may run on the same work folder; a unit that is done or locked is never begun
-again. What ends a worker (a kill, a lost node) loses nothing but the tile in work: POV-Ray dies with it and its
-state file is continued."""
+"""Does one task: renders its units one after the other, checks each, and puts together each picture whose
+last band it has finished. Any number of these may run on the same work folder; a unit that is done or
+locked is never begun again. What ends a worker (a kill, a lost node) loses nothing but the tile in work:
+POV-Ray dies with it and its state file is continued."""
 
 import contextlib
 import fcntl
@@ -84,14 +84,23 @@ class Unit:
                 if final:
                     break
                 time.sleep(min(5.0, 0.5 * attempt))
-            write_json(self.work.record("failed", self.name), {"reason": reason, "picture": self.picture["name"],
-                                                               "rows": self.rows, "log": str(self.log)})
+            write_json(
+                self.work.record("failed", self.name),
+                {
+                    "reason": reason,
+                    "picture": self.picture["name"],
+                    "rows": self.rows,
+                    "log": str(self.log),
+                },
+            )
             return False
 
     def attempt(self, attempt, lock):
         """One run of POV-Ray: None, or why there is no picture and whether another try is in vain."""
         running = self.work.record("running", self.name)
-        write_json(running, {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()})
+        write_json(
+            running, {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()}
+        )
         try:
             return self.render(attempt, lock)
         except Changed as error:
@@ -109,9 +118,15 @@ class Unit:
             (self.folder / "files").unlink()
         goes_on = povray.prepare_state(self.folder)
         words = povray.arguments(self.description, self.picture, self.rows) + ["+C" if goes_on else "-C"]
-        state = f"continued from {povray.state_file(self.folder).stat().st_size} bytes" if goes_on else "from the start"
-        self.say(f"{self.picture['label']}, rows {self.rows[0]} to {self.rows[1]}, try {attempt}, {state}, on "
-                 f"{os.uname().nodename}")
+        state = (
+            f"continued from {povray.state_file(self.folder).stat().st_size} bytes"
+            if goes_on
+            else "from the start"
+        )
+        self.say(
+            f"{self.picture['label']}, rows {self.rows[0]} to {self.rows[1]}, try {attempt}, {state}, on "
+            f"{os.uname().nodename}"
+        )
         started = time.time()
         self.process = povray.start(self.description, self.folder, words, self.log, lock)
         status = self.process.wait()
@@ -136,25 +151,36 @@ class Unit:
         if "." + self.description["key"]["extension"] not in files:
             raise BatchError("povray ended well but wrote no picture")
         sync_folder(self.folder)
-        write_json(self.work.record("done", self.name), {
-            "files": files, "read": extra, "missing": missing, "seconds": seconds, "try": attempt,
-            "host": os.uname().nodename})
+        write_json(
+            self.work.record("done", self.name),
+            {
+                "files": files,
+                "read": extra,
+                "missing": missing,
+                "seconds": seconds,
+                "try": attempt,
+                "host": os.uname().nodename,
+            },
+        )
         self.say(f"done in {seconds:.1f} s")
 
 
 def end_when_asked(unit):
     """On SIGTERM or SIGINT POV-Ray is ended first: it keeps its state file."""
+
     def end(number, _):
         if unit.process:
             with contextlib.suppress(ProcessLookupError):
                 unit.process.send_signal(signal.SIGKILL)
         os._exit(128 + number)
+
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
         signal.signal(number, end)
 
 
 def run(folder, task):
-    """Does a task. The exit code is 0 where every unit has an outcome, good or bad: then no repetition helps."""
+    """Does a task. The exit code is 0 where every unit has an outcome, good or bad: then no repetition
+    helps."""
     work = Work(pathlib.Path(folder))
     description = read_json(work.description)
     if description is None:

@@ -1,0 +1,288 @@
+#!/usr/bin/env python3
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Measures how batches scale, and writes the figures into docs/batch.md (between its two marks).
+
+usage: scaling.py [--repeat N] [--write]     without --write the text is only printed
+
+Times are medians. Where a table says processor, it is the time that the processor worked, which other
+programs on the machine disturb little; by the clock they disturb it much, so the load before the run is
+told as well. """
+
+import argparse
+import os
+import pathlib
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(REPOSITORY / "tests" / "batch"))
+BEGIN, END = "<!-- written by tools/batch/scaling.py -->\n", "<!-- end -->\n"
+SCENE = REPOSITORY / "scenes" / "tutorial" / "film.pov"
+POVRAY = REPOSITORY / "build" / "bin" / "povray"
+TINY = ("+W16", "+H12", "Declare=Stop=22")
+FRAMES = 24  # of the tiny films
+STILL = ("+W320", "+H256", "Declare=Tilt=-8")  # eight bands of 32 rows
+EIGHT_K = (7680, 4320)
+FILM = 1440  # frames on paper: a minute at 24 a second
+NODES = 1000
+
+
+def measured(command, folder, env=None, code=0):
+    """Runs a command: seconds by the clock and of the processor, with all that it started, and the largest
+    memory of one process in MB."""
+    before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    done = subprocess.run(
+        [str(word) for word in command],
+        cwd=folder,
+        env=env,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        check=False,
+    )
+    clock, after = time.monotonic() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != code:
+        sys.exit(f"{command} failed:\n{done.stderr.decode(errors='replace')[-2000:]}")
+    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return clock, spent, after.ru_maxrss / 1024
+
+
+def median(runs, column):
+    """Median of one column of the runs."""
+    return statistics.median(run[column] for run in runs)
+
+
+class Measurements:
+    """All measurements, in a scratch folder."""
+
+    def __init__(self, repeat, folder):
+        self.repeat, self.folder = repeat, pathlib.Path(folder)
+        self.count = 0
+
+    def batch(self, *words, env=None):
+        """One call of ./batch with an output of its own."""
+        self.count += 1
+        output = self.folder / f"out{self.count}{'.png' if words[0] == 'still' else ''}"
+        return measured(
+            [REPOSITORY / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"],
+            self.folder,
+            env,
+        )
+
+    def start(self):
+        """POV-Ray alone on a tiny picture: what each start costs."""
+        command = [POVRAY, f"+I{SCENE}", f"+L{SCENE.parent}", "+Otiny.png", "-D", "+WT1", *TINY]
+        return [measured(command, self.folder) for _ in range(self.repeat)]
+
+    def unit(self, *more, env=None):
+        """What a unit costs: a film of tiny frames, less a film of one."""
+        runs = []
+        for _ in range(self.repeat):
+            many = self.batch(
+                "film", SCENE, "--frames", FRAMES, "--bands", 1, "--workers", 1, *TINY, *more, env=env
+            )
+            one = self.batch(
+                "film", SCENE, "--frames", 1, "--bands", 1, "--workers", 1, *TINY, *more, env=env
+            )
+            runs.append(tuple((a - b) / (FRAMES - 1) for a, b in zip(many, one)))
+        return runs
+
+    def speed(self):
+        """One still in eight bands with 1, 2 and 4 workers, interleaved, and one POV-Ray with its own
+        threads."""
+        runs = {}
+        whole = [POVRAY, f"+I{SCENE}", f"+L{SCENE.parent}", "+Owhole.png", "-D", *STILL]
+        for _ in range(self.repeat):
+            for threads in (1, 2):
+                runs.setdefault(f"povray +WT{threads}", []).append(
+                    measured([*whole, f"+WT{threads}"], self.folder)
+                )
+            for workers in (1, 2, 4):
+                run = self.batch("still", SCENE, "--bands", 8, "--workers", workers, *STILL)
+                runs.setdefault(
+                    f"batch, {workers} workers" if workers > 1 else "batch, 1 worker", []
+                ).append(run)
+        return runs
+
+    def large(self):
+        """An 8K picture: memory of POV-Ray for one band, checking the band, joining two bands."""
+        width, height = EIGHT_K
+        size = (f"+W{width}", f"+H{height}", "+FE", "Declare=Stop=22")
+        band = [
+            POVRAY,
+            f"+I{SCENE}",
+            f"+L{SCENE.parent}",
+            "+Oband.exr",
+            "-D",
+            "+WT1",
+            *size,
+            "+SR2145",
+            "+ER2176",
+        ]
+        memory = largest_memory(band, self.folder)
+        check = measured(["oiiotool", "--info", "--hash", "band.exr"], self.folder)
+        noise = [
+            "oiiotool",
+            "--pattern",
+            "noise",
+            f"{width}x{height}",
+            "3",
+            "-d",
+            "half",
+            "--compression",
+            "zip",
+        ]
+        for name in ("a", "b"):
+            measured([*noise, "-o", f"{name}.exr"], self.folder)
+        half = height // 2
+        cut = ["a.exr", "--crop", f"{width}x{half}+0+0", "b.exr", "--crop", f"{width}x{half}+0+{half}"]
+        join = measured(
+            ["oiiotool", *cut, "--paste:all=1:mergeroi=1", "+0+0", "-o", "joined.exr"], self.folder
+        )
+        return {
+            "memory": memory,
+            "check": check[1],
+            "join": join[1],
+            "bytes": (self.folder / "band.exr").stat().st_size,
+        }
+
+
+def largest_memory(command, folder):
+    """The largest memory in MB of one program alone."""
+    process = subprocess.Popen(
+        [str(word) for word in command],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = status
+    if status != 0:
+        sys.exit(f"{command} failed")
+    return usage.ru_maxrss / 1024
+
+
+def dispatch_rate(repeat):
+    """Tasks a second that the tests' cluster of three nodes starts and ends, of an array that does
+    nothing."""
+    from cluster import Cluster
+
+    rates = []
+    with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder) as cluster:
+        for _ in range(repeat):
+            begun = time.monotonic()
+            cluster.run("sbatch", "--array=0-59", "--output=/dev/null", "--wrap=true", f"--chdir={folder}")
+            cluster.until("the array's end", lambda: not cluster.run("squeue", "-h").stdout.strip(), 300)
+            rates.append(60 / (time.monotonic() - begun))
+    return statistics.median(rates)
+
+
+def on_paper(hours, bands, costs):
+    """A film on NODES one-core workers: waves of units, hours by the clock, how many times faster than
+    one core. The last worker starts when the controller has come to it; who finishes a frame's last band
+    joins the frame."""
+    units = FILM * bands
+    unit = hours * 3600 / bands + costs["unit"] + costs["check"]
+    join = bands * costs["check"] + costs["join"] if bands > 1 else 0.0
+    waves = -(-units // NODES)
+    clock = NODES / costs["rate"] + waves * unit + -(-FILM // NODES) * join
+    return waves, clock / 3600, FILM * hours * 3600 / clock
+
+
+def table(head, rows):
+    """A table in Markdown."""
+    lines = [f"| {' | '.join(head)} |", f"| {' | '.join('---' for _ in head)} |"]
+    return lines + [f"| {' | '.join(row)} |" for row in rows]
+
+
+def cost_rows(start, unit, large, rate):
+    """What things cost."""
+    return [
+        ("a start of POV-Ray, tiny picture", f"{median(start, 0):.2f}", f"{median(start, 1):.2f}"),
+        (
+            "a unit of a batch, tiny picture (start, check, record)",
+            f"{median(unit, 0):.2f}",
+            f"{median(unit, 1):.2f}",
+        ),
+        ("checking one 8K OpenEXR band", "", f"{large['check']:.1f}"),
+        ("joining an 8K OpenEXR picture of noise from two", "", f"{large['join']:.1f}"),
+        ("a task of Slurm, on the tests' cluster of three nodes", f"{1 / rate:.2f}", ""),
+    ]
+
+
+def speed_rows(runs):
+    """Speed-up against one POV-Ray of one thread."""
+    first = median(runs["povray +WT1"], 0)
+    return [
+        (name, f"{median(found, 0):.1f}", f"{median(found, 1):.1f}", f"{first / median(found, 0):.2f}")
+        for name, found in runs.items()
+    ]
+
+
+def paper_rows(costs, here):
+    """The film on paper, for frames of several costs."""
+    rows = []
+    for hours in (0.1, 1.0, 10.0, here):
+        for bands in (1, 4, 16):
+            waves, clock, faster = on_paper(hours, bands, costs)
+            rows.append((f"{hours:.1f}", str(bands), str(waves), f"{clock:.2f}", f"{faster:.0f}"))
+    return rows
+
+
+def text(repeat):
+    """The section for docs/batch.md."""
+    load = os.getloadavg()[0]
+    with tempfile.TemporaryDirectory(prefix="scaling.") as folder:
+        measure = Measurements(repeat, folder)
+        start, unit, runs, large = measure.start(), measure.unit(), measure.speed(), measure.large()
+    rate = dispatch_rate(repeat)
+    size = [int(word[2:]) for word in STILL[:2]]
+    here = median(runs["povray +WT1"], 1) / (size[0] * size[1]) * EIGHT_K[0] * EIGHT_K[1] / 3600
+    costs = {"unit": median(unit, 0), "check": large["check"], "join": large["join"], "rate": rate}
+    lines = [
+        f"Medians of {repeat}, on {os.cpu_count()} cores; load of the machine before the run: {load:.1f}.",
+        "",
+        *table(("what", "s by the clock", "s of processor"), cost_rows(start, unit, large, rate)),
+        "",
+        f"The tutorial's `film.pov` with tilt -8, {size[0]} by {size[1]} pixels in 8 bands:",
+        "",
+        *table(("how", "s by the clock", "s of processor", "speed-up"), speed_rows(runs)),
+        "",
+        f"One band of an 8K picture ({EIGHT_K[0]} by {EIGHT_K[1]}) takes {large['memory']:.0f} MB of memory, because POV-Ray",
+        f"holds the whole frame, and {large['bytes'] / 1000:.0f} KB of disk.",
+        "",
+        f"**On paper**: {FILM} frames of 8K on {NODES} nodes of one core each, from the costs above. The last rows' cost a",
+        "frame is that of the scene above.",
+        "",
+        *table(
+            ("core-hours a frame", "bands", "waves of units", "hours by the clock", "times one core"),
+            paper_rows(costs, here),
+        ),
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def main():
+    """Measures, prints, writes."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--write", action="store_true")
+    settings = parser.parse_args()
+    section = text(settings.repeat)
+    print(section)
+    if settings.write:
+        page = REPOSITORY / "docs" / "batch.md"
+        head, _, rest = page.read_text(encoding="utf-8").partition(BEGIN)
+        page.write_text(head + BEGIN + section + END + rest.partition(END)[2], encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
