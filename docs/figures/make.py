@@ -53,6 +53,7 @@ MADE = {
     **variants("unit", "scene_unit.pov", "Unit", same((5, 10, 100))),
     **variants("stop", "f_stop.pov", "Stop", same((0.7, 1.4, 5.6))),
     **variants("lights", "lights.pov", "Shape", same((0, 1, 2))),
+    **variants("denoise", "denoise.pov", "Denoise", same((0, 1))),
     "miniature": ("miniature.pov", [], WIDE),
     **variants("table", "table.pov", "Tilted", same((0, 1)), WIDE),
     "facade_turned": ("facade.pov", ["Declare=Shifted=0", "+A0.05"], WIDE),

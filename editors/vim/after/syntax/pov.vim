@@ -10,7 +10,7 @@ syn region  povTiltLensPlane matchgroup=povTiltLensBrace start="{" end="}" conta
       \ containedin=povTiltLensBlock
 syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
       \ tilt swing focus_tilt focus_swing focal_plane focal_points
-      \ shift film_width focal_length scene_unit f_stop blades
+      \ shift film_width focal_length scene_unit f_stop blades denoise
 syn match   povTiltLensMacro "\<Tilt_Lens_\w\+\>"
 
 hi def link povTiltLens      Statement
