@@ -109,7 +109,7 @@ def quality_table(povray):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         scenes(pathlib.Path(name))
         for step in (1, 2, 3):
-            said = render(povray, name, "quality.pov", [f"Declare=Step={step}", "+WT1"], (640, 360), "picture.png")
+            said = render(povray, name, "quality.pov", [f"Declare=Step={step}", "+WT1"], (320, 180), "picture.png")
             samples = re.search(r"Samples per pixel\.+mean ([\d.]+), 99% (\d+), most (\d+)", said)
             error = re.search(r"Standard error\.+([\d.]+)", said)
             time = re.search(r"Trace Time:.*\n\s*using 1 thread\(s\) with ([\d.]+) CPU", said)

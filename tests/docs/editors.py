@@ -52,6 +52,11 @@ class SameWords(unittest.TestCase):
         syntax = re.search(r"\nTILT_LENS_ITEM:\n(.*?)```", (ROOT / "docs" / "manual.md").read_text(), re.DOTALL)[1]
         self.check("the syntax summary of docs/manual.md", set(re.findall(r"(?:^|\|)\s*([a-z_]{4,})\b", syntax, re.MULTILINE)))
 
+    def test_readme(self):
+        table = (ROOT / "README.md").read_text().split("## The items of `tilt_lens`", 1)[1].split("\n## ", 1)[0]
+        rows = "\n".join(line.split("|")[1] for line in table.split("\n") if line.startswith("| `"))
+        self.check("the table of README.md", re.findall(r"`([a-z_]+)", rows))
+
     def test_manual_page(self):
         page = (ROOT / "docs" / "man" / "povray-tilt-lens.7").read_text()
         listed = page.split(".SH ITEMS")[1].split(".SH QUALITY")[0]
