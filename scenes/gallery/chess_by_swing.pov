@@ -10,8 +10,9 @@
 // Play: Declare=Turned_Lens=0 is the ordinary lens. f_stop 11 is what it would take to get near
 // without swing, and the background comes with it.
 //
-// One unit is a centimetre. The swing follows from the hinge rule: sin(swing) = focal length / J, where J is
-// how far beside the lens the plane of sharp focus passes it; here to the right, so the swing is negative.
+// One unit is a centimetre. The swing follows from the hinge rule: sin(swing) = focal length / J,
+// where J is how far beside the lens the plane of sharp focus passes it; here to the right, so the
+// swing is negative.
 
 #version 3.7;
 #ifndef (Samples) #declare Samples = 200; #end
@@ -62,7 +63,8 @@ object { Room rotate y*-64 translate <-150, 0, 60> no_shadow no_image }
 sky_sphere {
   pigment {
     gradient y
-    color_map { [0 rgb <0.018, 0.011, 0.008>] [0.5 rgb <0.035, 0.022, 0.016>] [0.58 rgb <0.09, 0.055, 0.035>] [1 rgb <0.14, 0.11, 0.09>] }
+    color_map { [0 rgb <0.018, 0.011, 0.008>] [0.5 rgb <0.035, 0.022, 0.016>]
+      [0.58 rgb <0.09, 0.055, 0.035>] [1 rgb <0.14, 0.11, 0.09>] }
     scale 2 translate -y
   }
 }
@@ -89,14 +91,16 @@ sky_sphere {
   texture {
     pigment {
       wood turbulence <0.06, 0.015, 0.06> octaves 4 omega 0.5
-      color_map { [0 srgb Light] [0.55 srgb Light*0.6+Dark*0.4] [0.85 srgb Dark] [1 srgb Light*0.9+Dark*0.1] }
+      color_map { [0 srgb Light] [0.55 srgb Light*0.6+Dark*0.4] [0.85 srgb Dark] [1 srgb Light*0.9+Dark*0.1]
+        }
       rotate x*91.5 rotate z*1.2 scale <Size, Size*9, Size> 
     }
     finish { F_Polish }
   }
   texture {
     pigment {
-      bozo turbulence 0.2 color_map { [0.5 srgbt <0, 0, 0, 1>] [0.62 srgbt <Dark.x*0.4, Dark.y*0.4, Dark.z*0.4, 0.55>] }
+      bozo turbulence 0.2 color_map { [0.5 srgbt <0, 0, 0, 1>]
+        [0.62 srgbt <Dark.x*0.4, Dark.y*0.4, Dark.z*0.4, 0.55>] }
       scale <0.035, 1.1, 0.035>*Size*1.6
     }
     finish { F_Polish }
@@ -122,11 +126,13 @@ sky_sphere {
 box { <-Half, -1.2, -Half>, <Half, -0.03, Half> pigment { srgb <0.1, 0.05, 0.03> } }
 #for (I, 0, 3)
   prism {
-      linear_spline -Half-2.6, Half+2.6, 6, <0, -0.9>, <0.0, 0.02>, <0.35, 0.02>, <2.3, -0.05>, <2.75, -0.9>, <0, -0.9>
+      linear_spline -Half-2.6, Half+2.6, 6, <0, -0.9>, <0.0, 0.02>, <0.35, 0.02>, <2.3, -0.05>,
+        <2.75, -0.9>, <0, -0.9>
       rotate x*-90
     texture { M_Walnut scale 1.2 rotate x*90 translate <I*5, 0, I*17> }
     rotate y*180
-    clipped_by { plane { vnormalize(<-1, 0, 1>), Half*0.7072 } plane { vnormalize(<-1, 0, -1>), Half*0.7072 } }
+    clipped_by { plane { vnormalize(<-1, 0, 1>), Half*0.7072 } plane { vnormalize(<-1, 0, -1>), Half*0.7072
+      } }
     rotate y*180
     translate x*Half
     rotate y*90*I
@@ -141,7 +147,8 @@ box { <-85, -9, -85>, <150, -1.0, 52> texture { M_Table rotate z*90 } }
   object {
     What
     #if (Is_White) texture { M_White translate <rand(S)*20, rand(S)*20, rand(S)*20> rotate y*360*rand(S) }
-    #else          texture { M_Black translate <rand(S)*20, rand(S)*20, rand(S)*20> rotate y*360*rand(S) } #end
+    #else          texture { M_Black translate <rand(S)*20, rand(S)*20, rand(S)*20> rotate y*360*rand(S) }
+      #end
     rotate y*Turn
     translate <(File-3.5)*Square+(rand(S)-0.5)*0.4, 0, (Rank-3.5)*Square+(rand(S)-0.5)*0.4>
   }

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Blue hour on the bridge. A 50 mm lens at f/1.4 turns the lamps of the far bank into octagons: the shape
-// of a diaphragm with eight blades. Swing lays the plane of sharp focus along the railing, so that the
+// Blue hour on the bridge. A 50 mm lens at f/1.4 turns the lamps of the far bank into hexagons: the shape
+// of a diaphragm with six blades. Swing lays the plane of sharp focus along the railing, so that the
 // locks are sharp from the near one to the far one.
 //
 //   ./render scenes/gallery/city_lights.pov +W1280 +H720
@@ -14,8 +14,8 @@
 // One unit is a centimetre (scene_unit 10). The camera is level; the swing follows from the hinge rule.
 
 #version 3.7;
-#ifndef (Samples) #declare Samples = 320; #end
-#ifndef (Blades) #declare Blades = 8; #end
+#ifndef (Samples) #declare Samples = 192; #end
+#ifndef (Blades) #declare Blades = 6; #end
 #ifndef (Swung) #declare Swung = yes; #end
 global_settings { assumed_gamma 1 max_trace_level 3 adc_bailout 0.02 }
 #include "turned.inc"
@@ -30,13 +30,13 @@ camera {
   location Eye
   look_at Subject
   focal_point Subject
-  blur_samples min(16, Samples), Samples  confidence 0.9  variance 1/2000
+  blur_samples min(16, Samples), Samples  confidence 0.9  variance 1/600
   tilt_lens {
     scene_unit 10
     focal_length 50
     f_stop 1.4
     shift <0, -2.6>
-    #if (Blades > 2) blades Blades, 8 #end
+    #if (Blades > 2) blades Blades, 12 #end
     swing (Swung ? -degrees(asin(5/Hinge)) : 0)
   }
 }
@@ -73,8 +73,8 @@ light_source { <-300, 500, 900>, rgb <0.35, 0.50, 1.00>*0.40 shadowless }
   pigment {
     cells
     color_map {
-      [0.0 rgb <0.010, 0.012, 0.022>] [0.66 rgb <0.012, 0.014, 0.026>] [0.66 rgb <0.75, 0.42, 0.15>]
-      [0.86 rgb <1.0, 0.62, 0.27>] [0.86 rgb <0.35, 0.48, 0.62>] [0.93 rgb <0.02, 0.03, 0.05>]
+      [0.0 rgb <0.010, 0.012, 0.022>] [0.66 rgb <0.012, 0.014, 0.026>] [0.66 rgb <0.42, 0.22, 0.075>]
+      [0.86 rgb <0.58, 0.34, 0.14>] [0.86 rgb <0.18, 0.25, 0.33>] [0.93 rgb <0.02, 0.03, 0.05>]
     }
     scale <190, 300, 200>
   }
@@ -92,22 +92,26 @@ light_source { <-300, 500, 900>, rgb <0.35, 0.50, 1.00>*0.40 shadowless }
 #end
 // A church's spires and dome, and hills, against the last light.
 #for (I, 0, 1)
-  cone { Far(-7.6+0.9*I, 1500, 27400), 260, Far(-7.6+0.9*I, 5200, 27400), 20 pigment { rgb <0.02, 0.022, 0.04> } finish { F_Glow } }
+  cone { Far(-7.6+0.9*I, 1500, 27400), 260, Far(-7.6+0.9*I, 5200, 27400), 20
+    pigment { rgb <0.02, 0.022, 0.04> } finish { F_Glow } }
 #end
-sphere { 0, 900 scale <1, 1.15, 1> translate Far(7.5, 2300, 27000) pigment { rgb <0.03, 0.05, 0.06> } finish { F_Glow } }
+sphere { 0, 900 scale <1, 1.15, 1> translate Far(7.5, 2300, 27000) pigment { rgb <0.03, 0.05, 0.06> }
+  finish { F_Glow } }
 cylinder { Far(7.5, -600, 27000), Far(7.5, 2500, 27000), 870 texture { Windows } }
 #for (I, 0, 11)
-  sphere { 0, 1 scale <9000, 1900+1700*rand(S), 4000> translate Far(-42+8*I, -600, 60000) pigment { rgb <0.035, 0.035, 0.075> } finish { F_Glow } }
+  sphere { 0, 1 scale <9000, 1900+1700*rand(S), 4000> translate Far(-42+8*I, -600, 60000)
+    pigment { rgb <0.035, 0.035, 0.075> } finish { F_Glow } }
 #end
-box { <-40000, -600, 0>, <40000, -180, 400> rotate y*degrees(atan2(To.x, To.z)) translate Far(0, 0, 26500) pigment { rgb <0.05, 0.04, 0.035> } finish { F_Glow } }
+box { <-40000, -600, 0>, <40000, -180, 400> rotate y*degrees(atan2(To.x, To.z)) translate Far(0, 0, 26500)
+  pigment { rgb <0.05, 0.04, 0.035> } finish { F_Glow } }
 
-// Lamps: a ball whose image with a pinhole is 17 pixels of 1280 wide.
+// Lamps: a ball whose image with a pinhole is 14 pixels of 1280 wide.
 #macro Lamp(Beside, Height, Distance, C)
-  sphere { Far(Beside, Height, Distance), Distance*0.0048 pigment { rgb C } finish { F_Glow } no_shadow }
+  sphere { Far(Beside, Height, Distance), Distance*0.0040 pigment { rgb C } finish { F_Glow } no_shadow }
 #end
-#declare Warm = <1.00, 0.50, 0.15>*10;
-#declare Gold = <1.00, 0.64, 0.28>*10;
-#declare Cold = <0.70, 0.86, 1.00>*8;
+#declare Warm = <1.00, 0.50, 0.15>*13;
+#declare Gold = <1.00, 0.64, 0.28>*13;
+#declare Cold = <0.70, 0.86, 1.00>*10;
 #for (I, 0, 9)
   Lamp(-24+3.3*I+0.5*rand(S), 200+90*rand(S), 24500, Warm*(0.7+0.5*rand(S)))
 #end
@@ -120,7 +124,9 @@ box { <-40000, -600, 0>, <40000, -180, 400> rotate y*degrees(atan2(To.x, To.z)) 
   Lamp(9+13.5*X, 150+1500*X*(1-X), 15000+9000*(1-X), Gold*0.7)
 #end
 #for (I, 0, 4) Lamp(-20+5.3*I+2*rand(S), -60, 24000, (mod(I, 2) ? <1.0, 0.09, 0.04>*7 : Cold*0.7)) #end
-#for (I, 0, 3) Lamp(-13.5+0.6*I, -520, 14000+300*I, <0.15, 1.0, 0.55>*(I = 1 ? 4 : 0)+Gold*(I = 1 ? 0 : 0.5)) #end   // a boat
+// a boat
+#for (I, 0, 3) Lamp(-13.5+0.6*I, -520, 14000+300*I,
+  <0.15, 1.0, 0.55>*(I = 1 ? 4 : 0)+Gold*(I = 1 ? 0 : 0.5)) #end
 
 plane {
   y, -600
@@ -131,9 +137,11 @@ plane {
 
 // ---- the railing: along x, at z = 0 ----
 
-#declare F_Wet = finish { ambient 0.015 diffuse 0.55 specular 0.9 roughness 0.012 reflection { 0.02, 0.35 falloff 3 } }
+#declare F_Wet = finish { ambient 0.015 diffuse 0.55 specular 0.9 roughness 0.012 reflection
+  { 0.02, 0.35 falloff 3 } }
 #declare M_Iron = texture {
-  pigment { granite color_map { [0.2 srgb <0.09, 0.16, 0.15>] [0.75 srgb <0.16, 0.25, 0.23>] [0.86 srgb <0.34, 0.20, 0.12>] } scale 3 }
+  pigment { granite color_map { [0.2 srgb <0.09, 0.16, 0.15>] [0.75 srgb <0.16, 0.25, 0.23>]
+    [0.86 srgb <0.34, 0.20, 0.12>] } scale 3 }
   normal { average normal_map { [1 bumps 0.22 scale 0.12] [1 wrinkles 0.3 scale 0.7] } }
   finish { F_Wet }
 }
@@ -147,9 +155,12 @@ union {
   texture { M_Iron }
 }
 #declare Baluster = mesh {
-  Turned_Pieces(array[22] { <1.0, 60, 0>, <1.5, 62, 0>, <1.5, 64, 0>, <0.8, 65, 0>, <0.75, 70, 0>, <1.2, 80, 0>, <1.55, 84, 0>,
-    <1.2, 86.5, 0>, <0.75, 87.3, 0>, <0.75, 87.3, 0>, <1.35, 87.7, 0>, <1.35, 88.7, 0>, <0.75, 89.1, 0>, <0.75, 89.1, 0>,
-    <0.72, 93, 0>, <0.75, 96, 0>, <0.75, 98.2, 0>, <0.75, 98.2, 0>, <1.3, 98.9, 0>, <1.35, 99.9, 0>, <0.9, 100.8, 0>, <0.9, 101.5, 0> }, 22, 4, 24)
+  Turned_Pieces(array[22] { <1.0, 60, 0>, <1.5, 62, 0>, <1.5, 64, 0>, <0.8, 65, 0>, <0.75, 70, 0>,
+    <1.2, 80, 0>, <1.55, 84, 0>,
+    <1.2, 86.5, 0>, <0.75, 87.3, 0>, <0.75, 87.3, 0>, <1.35, 87.7, 0>, <1.35, 88.7, 0>, <0.75, 89.1, 0>,
+      <0.75, 89.1, 0>,
+    <0.72, 93, 0>, <0.75, 96, 0>, <0.75, 98.2, 0>, <0.75, 98.2, 0>, <1.3, 98.9, 0>, <1.35, 99.9, 0>,
+      <0.9, 100.8, 0>, <0.9, 101.5, 0> }, 22, 4, 24)
 }
 #for (X, -380, 140, 13) object { Baluster texture { M_Iron } translate x*X } #end
 // scrolls between the balusters
@@ -169,15 +180,18 @@ union {
 #for (I, 1, 460)
   #local T = (rand(S)-0.5)*150;  #local X = -170+250*rand(S);
   #local R = 0.10+0.22*pow(rand(S), 2.5);
-  sphere { 0, R scale <1+0.5*rand(S), 0.62, 1> translate y*0.02 translate <X, 104.2+1.35*cos(radians(T)), 3.4*sin(radians(T))> texture { Drop } }
+  sphere { 0, R scale <1+0.5*rand(S), 0.62, 1> translate y*0.02 translate <X, 104.2+1.35*cos(radians(T)),
+    3.4*sin(radians(T))> texture { Drop } }
 #end
 #for (I, 1, 70)   // and hanging below it
-  sphere { 0, 0.2 scale <0.8, 1.3, 0.8> translate <-170+250*rand(S), 102.75-0.05*rand(S), -2.0+0.5*rand(S)> texture { Drop } }
+  sphere { 0, 0.2 scale <0.8, 1.3, 0.8> translate <-170+250*rand(S), 102.75-0.05*rand(S), -2.0+0.5*rand(S)>
+    texture { Drop } }
 #end
 
 // ---- love locks ----
 
-#declare M_Shackle = texture { pigment { rgb <0.66, 0.66, 0.68> } finish { ambient 0.01 diffuse 0.3 specular 0.9 roughness 0.01 metallic reflection 0.45 } }
+#declare M_Shackle = texture { pigment { rgb <0.66, 0.66, 0.68> } finish { ambient 0.01 diffuse 0.3 specular
+  0.9 roughness 0.01 metallic reflection 0.45 } }
 #macro Enamel(C)
   texture {
     pigment { granite color_map { [0.0 srgb C*0.82] [0.72 srgb C] [0.86 srgb C*0.55+0.12] } scale 1.4 }
@@ -186,28 +200,34 @@ union {
   }
 #end
 #declare M_Brass = texture {
-  pigment { granite color_map { [0.1 rgb <0.66, 0.42, 0.13>] [0.75 rgb <0.80, 0.54, 0.19>] [0.95 rgb <0.50, 0.31, 0.10>] } scale 2.2 }
+  pigment { granite color_map { [0.1 rgb <0.52, 0.30, 0.075>] [0.75 rgb <0.64, 0.39, 0.11>]
+    [0.95 rgb <0.36, 0.20, 0.055>] } scale 2.2 }
   normal { bumps 0.05 scale 0.7 }
-  finish { ambient 0.01 diffuse 0.45 specular 0.8 roughness 0.02 metallic reflection 0.25 }
+  finish { ambient 0.01 diffuse 0.45 specular 1.2 roughness 0.03 metallic reflection 0.3 }
 }
 #declare Shackle = mesh {
-  Tube_Pieces(array[9] { <-1.15, -1.2, 0>, <-1.15, 0.6, 0>, <-1.13, 1.6, 0>, <-0.85, 2.3, 0>, <0, 2.65, 0>, <0.85, 2.3, 0>,
+  Tube_Pieces(array[9] { <-1.15, -1.2, 0>, <-1.15, 0.6, 0>, <-1.13, 1.6, 0>, <-0.85, 2.3, 0>, <0, 2.65, 0>,
+    <0.85, 2.3, 0>,
                          <1.13, 1.6, 0>, <1.15, 0.6, 0>, <1.15, -1.2, 0> },
-              array[9] { 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y) }, 3, 16)
+              array[9] { 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y), 0.33*(x+y),
+                0.33*(x+y), 0.33*(x+y) }, 3, 16)
 }
-#declare Heart = union {
-  intersection {
-    union {
-      cylinder { <-1.0, 0.9, -0.7>, <-1.0, 0.9, 0.7>, 1.12 }
-      cylinder { <1.0, 0.9, -0.7>, <1.0, 0.9, 0.7>, 1.12 }
-      prism { linear_spline -0.7, 0.7, 6, <-1.83, 0.14>, <0, -2.1>, <1.83, 0.14>, <1.3, 1.1>, <-1.3, 1.1>, <-1.83, 0.14> rotate x*-90 }
+#declare Heart = intersection {
+  union {
+    cylinder { <-1.0, 0.9, -0.7>, <-1.0, 0.9, 0.7>, 1.12 }
+    cylinder { <1.0, 0.9, -0.7>, <1.0, 0.9, 0.7>, 1.12 }
+    prism {
+      linear_spline -0.7, 0.7, 6, <-1.83, 0.14>, <0, -2.1>, <1.83, 0.14>, <1.3, 1.1>, <-1.3, 1.1>,
+        <-1.83, 0.14>
+      rotate x*-90
     }
-    sphere { 0, 1 scale <2.5, 2.5, 0.95> }
   }
+  sphere { 0, 1 scale <2.5, 2.5, 0.95> }
   translate y*-0.6
 }
 #declare Names = array[8] { "A + M", "J & K", "EVA", "1909", "L + T", "NO & IDA", "PIA", "B + O" }
-#declare Paints = array[5] { <0.62, 0.035, 0.05>, <0.05, 0.16, 0.42>, <0.70, 0.72, 0.74>, <0.05, 0.30, 0.24>, <0.78, 0.22, 0.34> }
+#declare Paints = array[5] { <0.62, 0.035, 0.05>, <0.05, 0.16, 0.42>, <0.70, 0.72, 0.74>,
+  <0.05, 0.30, 0.24>, <0.78, 0.22, 0.34> }
 #macro Lock(Kind, Place)
   union {
     object { Shackle texture { M_Shackle } }
@@ -223,7 +243,8 @@ union {
       #local TX = text { internal 1, Names[Place], 0.1, 0 scale <0.82, 0.82, 1> };
       object {
         TX translate <-(max_extent(TX).x+min_extent(TX).x)/2, -1.75, -0.86>
-        #if (Kind = 0 | Kind > 4) pigment { rgb <0.10, 0.055, 0.02> } #else pigment { rgb <0.75, 0.70, 0.58> } #end
+        #if (Kind = 0 | Kind > 4) pigment { rgb <0.10, 0.055, 0.02> } #else
+          pigment { rgb <0.75, 0.70, 0.58> } #end
         finish { ambient 0.01 diffuse 0.6 specular 0.4 }
       }
     #end
@@ -235,8 +256,10 @@ union {
   }
 #end
 #local X = 62;
+#local N = 0;
 #while (X > -330)
   #local Kind = int(rand(S)*7.999);
-  object { Lock(Kind, int(rand(S)*7.999)) translate <X, 0, -0.9*rand(S)-0.3> }
+  object { Lock(Kind, mod(N, 8)) translate <X, 0, -0.9*rand(S)-0.3> }
   #local X = X-(3.4+5.6*rand(S)*(rand(S) < 0.75));
+  #local N = N+1;
 #end

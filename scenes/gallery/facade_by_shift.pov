@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A guildhall of brick, photographed from the street with a 4x5 inch camera. The camera is level and
-// looks at the door; a shift of 42 mm upward brings the gable into the frame. So the walls stay upright, which
-// they do not when a camera looks up.
+// A guildhall of brick, photographed from the street with a 4x5 inch camera. The camera is level
+// and looks at the door; a shift of 42 mm upward brings the gable into the frame. So the walls stay
+// upright, which they do not when a camera looks up.
 //
 //   ./render scenes/gallery/facade_by_shift.pov +W1280 +H1024
 //
@@ -18,9 +18,10 @@
 global_settings { assumed_gamma 1 max_trace_level 3 adc_bailout 0.02 }
 #include "tilt_lens.inc"
 #include "gothic_front.inc"
+#include "facade_materials.inc"
 #declare S = seed(1390);
 
-#declare Eye = <-3.5, 1.65, -29.5>;
+#declare Eye = <-3.5, 1.65, -31>;
 camera {
   perspective
   right x*image_width/image_height
@@ -53,81 +54,6 @@ sky_sphere {
   }
 }
 
-// ---- materials ----
-
-#macro Bricks(A, B, C, Mortar)
-  texture {
-    pigment {
-      brick
-      pigment { rgb Mortar },
-      pigment {
-        average
-        pigment_map {
-          [2 cells color_map { [0.0 srgb A] [0.3 srgb B] [0.6 srgb A*0.6+B*0.4] [0.85 srgb C] } scale <0.27, 0.085, 0.13>]
-          [1 granite color_map { [0.2 srgb A*0.7] [0.5 srgb B] [0.9 srgb C*0.9] } scale 4]
-        }
-      }
-      brick_size <0.27, 0.085, 0.13> mortar 0.012
-    }
-    finish { ambient 0 diffuse 0.85 }
-  }
-#end
-#declare M_Brick = Bricks(<0.62, 0.26, 0.17>, <0.54, 0.20, 0.14>, <0.40, 0.14, 0.11>, <0.42, 0.36, 0.29>)
-#declare M_Brick_2 = Bricks(<0.50, 0.23, 0.17>, <0.42, 0.17, 0.13>, <0.30, 0.12, 0.10>, <0.40, 0.36, 0.31>)
-#declare M_Glazed = texture {
-  pigment { bozo color_map { [0.3 srgb <0.10, 0.16, 0.12>] [0.7 srgb <0.16, 0.11, 0.08>] } scale <0.3, 0.09, 0.3> }
-  finish { ambient 0 diffuse 0.7 specular 0.6 roughness 0.02 }
-}
-#declare M_Sandstone = texture {
-  pigment { granite color_map { [0.2 srgb <0.66, 0.58, 0.46>] [0.6 srgb <0.78, 0.70, 0.57>] [0.9 srgb <0.56, 0.48, 0.38>] } scale 1.6 }
-  finish { ambient 0 diffuse 0.85 }
-}
-#declare M_Granite = texture {
-  pigment { granite turbulence 0.2 color_map { [0.2 srgb <0.36, 0.35, 0.34>] [0.6 srgb <0.50, 0.48, 0.46>] [0.9 srgb <0.28, 0.27, 0.27>] } scale 0.5 }
-  normal { granite 0.3 scale 0.4 } finish { ambient 0 diffuse 0.8 }
-}
-#declare M_Plaster = texture {
-  pigment { granite turbulence 0.3 color_map { [0.1 srgb <0.93, 0.90, 0.82>] [0.6 srgb <0.88, 0.84, 0.75>] [0.95 srgb <0.72, 0.66, 0.57>] } scale 3 }
-  finish { ambient 0 diffuse 0.85 }
-}
-#macro Stucco(C)
-  texture {
-    pigment {
-      gradient y
-      pigment_map {
-        [0.00 granite color_map { [0.2 srgb C*0.62] [0.8 srgb C*0.85] } scale 1/14]
-        [0.10 granite color_map { [0.2 srgb C*0.88] [0.6 srgb C] [0.9 srgb C*0.92] } scale 3/14]
-        [1.00 granite color_map { [0.2 srgb C*0.93] [0.6 srgb C] [0.9 srgb C*0.82] } scale 4/14]
-      }
-      scale 14
-    }
-    finish { ambient 0 diffuse 0.85 }
-  }
-#end
-#declare M_Ochre = Stucco(<0.90, 0.70, 0.40>)
-#declare M_White = texture { pigment { srgb <0.90, 0.88, 0.82> } finish { ambient 0 diffuse 0.85 } }
-#declare M_Door = texture {
-  pigment { gradient x color_map { [0.0 srgb <0.03, 0.05, 0.04>] [0.08 srgb <0.10, 0.20, 0.16>] [0.92 srgb <0.12, 0.23, 0.18>] [1 srgb <0.03, 0.05, 0.04>] } scale 0.24 }
-  finish { ambient 0 diffuse 0.8 specular 0.2 roughness 0.04 }
-}
-#declare M_Iron = texture { pigment { srgb <0.09, 0.09, 0.10> } finish { ambient 0 diffuse 0.8 specular 0.3 roughness 0.05 } }
-#declare M_Copper = texture { pigment { bozo color_map { [0.3 srgb <0.30, 0.50, 0.43>] [0.7 srgb <0.40, 0.60, 0.51>] } scale 0.4 } finish { ambient 0 diffuse 0.85 } }
-#declare M_Tiles = texture {
-  pigment { brick srgb <0.20, 0.09, 0.06>, srgb <0.52, 0.22, 0.14> brick_size <0.22, 0.34, 0.3> mortar 0.03 }
-  finish { ambient 0 diffuse 0.8 }
-}
-// leaded panes, each leaning its own way: it reflects another bit of the sky
-#declare M_Leaded = texture {
-  pigment { brick srgb 0.03, srgb <0.05, 0.07, 0.085> brick_size <0.17, 0.21, 1> mortar 0.016 }
-  normal { cells 0.9 scale <0.17, 0.21, 1> }
-  finish { ambient 0 diffuse 0.7 specular 0.2 roughness 0.01 reflection { 0.22, 0.6 falloff 2 } }
-}
-#declare M_Pane = texture {
-  pigment { srgb <0.045, 0.055, 0.065> }
-  normal { bumps 0.03 scale 0.7 }
-  finish { ambient 0 diffuse 0.6 specular 0.3 roughness 0.01 reflection { 0.20, 0.6 falloff 2 } }
-}
-
 // ---- the guildhall: 16 metres wide, its middle at x = 0 ----
 
 #declare Bay_W = 16/7;
@@ -149,7 +75,8 @@ mesh {
     GF_Box_T(<0.53*Side-0.34, 0.35+1.2*K, 0.76>, <0.53*Side+0.34, 1.35+1.1*K, 0.80>, M_Door)
     GF_Box_T(<0.53*Side-0.46, 0.62+1.5*K, 0.755>, <0.53*Side+0.46, 0.68+1.5*K, 0.80>, M_Iron)
   #end #end
-  GF_Roll(<-0.5, 2.95, 0>, 0.9, 0.35, 1, 0.84, 0.05, M_Sandstone) GF_Roll(<0.5, 2.95, 0>, 0.9, 0.35, 1, 0.84, 0.05, M_Sandstone)
+  GF_Roll(<-0.5, 2.95, 0>, 0.9, 0.35, 1, 0.84, 0.05, M_Sandstone) GF_Roll(<0.5, 2.95, 0>, 0.9, 0.35, 1,
+    0.84, 0.05, M_Sandstone)
   GF_Ring(<0, 4.25, 0>, 0.5, 0.11, 0.82, M_Sandstone)
   GF_Box_T(<-2.1, 0, -0.55>, <2.1, 0.12, 0.9>, M_Granite)
   GF_Box_T(<-2.5, -0.1, -0.95>, <2.5, 0.01, 0.3>, M_Granite)
@@ -171,7 +98,8 @@ mesh {
     GF_Box_T(<-8.1, Y+0.88, -0.2>, <8.1, Y+0.98, 0.06>, M_Sandstone)
     #for (I, 0, 23)
       GF_Ring(<-7.66+16/24*I, Y+0.465, 0>, 0.30, 0.07, 0.0, M_Brick)
-      #for (J, 0, 3) GF_Ring(<-7.66+16/24*I+0.11*cos(pi/2*J), Y+0.465+0.11*sin(pi/2*J), 0>, 0.11, 0.04, 0.02, M_Brick) #end
+      #for (J, 0, 3) GF_Ring(<-7.66+16/24*I+0.11*cos(pi/2*J), Y+0.465+0.11*sin(pi/2*J), 0>, 0.11, 0.04,
+        0.02, M_Brick) #end
     #end
   #end
   // first floor: five tall windows
@@ -202,8 +130,10 @@ mesh {
     triangle { <X-Bay_W/2, Top, 0>, <X+Bay_W/2, Top, 0>, <X, Top+1.25, 0> }
     GF_Ring(<X, Top+0.42, 0>, 0.27, 0.08, 0.0, M_Glazed)
     #for (Side, -1, 1, 2)
-      GF_Quad_T(<X+(Bay_W/2+0.1)*Side, Top-0.05, -0.14>, <X, Top+1.38, -0.14>, <X, Top+1.38, 0.6>, <X+(Bay_W/2+0.1)*Side, Top-0.05, 0.6>, M_Copper)
-      GF_Quad_T(<X+(Bay_W/2+0.1)*Side, Top-0.05, -0.14>, <X, Top+1.38, -0.14>, <X, Top+1.24, -0.14>, <X+(Bay_W/2+0.1)*Side, Top-0.19, -0.14>, M_Copper)
+      GF_Quad_T(<X+(Bay_W/2+0.1)*Side, Top-0.05, -0.14>, <X, Top+1.38, -0.14>, <X, Top+1.38, 0.6>,
+        <X+(Bay_W/2+0.1)*Side, Top-0.05, 0.6>, M_Copper)
+      GF_Quad_T(<X+(Bay_W/2+0.1)*Side, Top-0.05, -0.14>, <X, Top+1.38, -0.14>, <X, Top+1.24, -0.14>,
+        <X+(Bay_W/2+0.1)*Side, Top-0.19, -0.14>, M_Copper)
     #end
     Ball_Pieces(<X, Top+1.45, 0>, <0.12, 0.2, 0.12>, 0, 6, 10)
   #end
@@ -216,11 +146,13 @@ mesh {
   texture { M_Brick }
 }
 box { <-8, 0, 0.95>, <8, 13.2, 14> texture { M_Brick } }
-prism { linear_spline 0.6, 14, 4, <-8.2, 13>, <8.2, 13>, <0, 25.5>, <-8.2, 13> rotate x*-90 scale <1, 1, -1> texture { M_Tiles } }
+prism { linear_spline 0.6, 14, 4, <-8.2, 13>, <8.2, 13>, <0, 25.5>, <-8.2, 13> rotate x*-90
+  scale <1, 1, -1> texture { M_Tiles } }
 // a clock
 union {
   cylinder { <0, 18.3, -0.22>, <0, 18.3, 0>, 1.02 texture { M_Sandstone } }
-  cylinder { <0, 18.3, -0.24>, <0, 18.3, 0>, 0.86 pigment { srgb <0.08, 0.12, 0.22> } finish { diffuse 0.8 ambient 0 } }
+  cylinder { <0, 18.3, -0.24>, <0, 18.3, 0>, 0.86 pigment { srgb <0.08, 0.12, 0.22> }
+    finish { diffuse 0.8 ambient 0 } }
   #for (I, 0, 11) box { <-0.03, 0.62, -0.27>, <0.03, 0.80, 0> rotate z*30*I translate y*18.3 } #end
   box { <-0.035, -0.1, -0.29>, <0.035, 0.70, -0.26> rotate z*-132 translate y*18.3 }
   box { <-0.045, -0.1, -0.29>, <0.045, 0.45, -0.26> rotate z*-111 translate y*18.3 }
@@ -230,11 +162,14 @@ union {
 // lanterns beside the door
 #for (Side, -1, 1, 2)
   union {
-    cylinder { <0, 0, 0>, <0, 0, -0.6>, 0.025 } cylinder { <0, -0.5, 0>, <0, 0, -0.5>, 0.02 } torus { 0.17, 0.018 rotate z*90 translate <0, -0.17, -0.2> }
+    cylinder { <0, 0, 0>, <0, 0, -0.6>, 0.025 } cylinder { <0, -0.5, 0>, <0, 0, -0.5>, 0.02 } torus
+      { 0.17, 0.018 rotate z*90 translate <0, -0.17, -0.2> }
     cone { <0, 0.02, -0.6>, 0.02, <0, -0.18, -0.6>, 0.19 }
     cone { <0, -0.62, -0.6>, 0.09, <0, -0.66, -0.6>, 0.04 }
-    #for (I, 0, 5) cylinder { vrotate(<0.16, -0.18, 0>, y*60*I)-z*0.6, vrotate(<0.09, -0.62, 0>, y*60*I)-z*0.6, 0.012 } #end
-    cone { <0, -0.2, -0.6>, 0.14, <0, -0.6, -0.6>, 0.08 pigment { rgb <1, 0.86, 0.6> } finish { ambient 0 diffuse 0.5 emission 0.55 } }
+    #for (I, 0, 5) cylinder { vrotate(<0.16, -0.18, 0>, y*60*I)-z*0.6, vrotate(<0.09, -0.62, 0>,
+      y*60*I)-z*0.6, 0.012 } #end
+    cone { <0, -0.2, -0.6>, 0.14, <0, -0.6, -0.6>, 0.08 pigment { rgb <1, 0.86, 0.6> }
+      finish { ambient 0 diffuse 0.5 emission 0.55 } }
     texture { M_Iron } translate <2.32*Side, 3.9, 0>
   }
 #end
@@ -259,13 +194,15 @@ union {
         GF_Sash(<X, Y1-2.7, 0>, 1.15, 1.95, (F = 1 ? 0.75 : 0), 2, 4, M_White, M_White, M_Pane)
         GF_Roll(<X, Y1-2.7, 0>, 1.30, 2.02, (F = 1 ? 0.75 : 0), -0.01, 0.07, M_White)
         #if (mod(I+F, 3) = 0 & F > 0)
-          GF_Box_T(<X-1.15, Y1-2.7, -0.06>, <X-0.62, Y1-0.75, -0.01>, M_Door) GF_Box_T(<X+0.62, Y1-2.7, -0.06>, <X+1.15, Y1-0.75, -0.01>, M_Door)
+          GF_Box_T(<X-1.15, Y1-2.7, -0.06>, <X-0.62, Y1-0.75, -0.01>, M_Door)
+            GF_Box_T(<X+0.62, Y1-2.7, -0.06>, <X+1.15, Y1-0.75, -0.01>, M_Door)
         #end
         #if (F > 0 & mod(I*2+F, 3) = 1)   // geraniums
           GF_Box_T(<X-0.62, Y1-2.86, -0.34>, <X+0.62, Y1-2.62, -0.10>, M_Iron)
           #for (K, 1, 90)
             #local P = <X+1.3*(rand(S)-0.5), Y1-2.62+0.3*rand(S)-0.12*rand(S), -0.22+0.24*(rand(S)-0.5)>;
-            triangle { P, P+0.09*<rand(S)-0.5, rand(S), -rand(S)>*2, P+0.09*<rand(S)-0.5, rand(S)-0.5, -rand(S)>*2 texture { M_Flowers[int(rand(S)*1.99)] } }
+            triangle { P, P+0.09*<rand(S)-0.5, rand(S), -rand(S)>*2, P+0.09*<rand(S)-0.5, rand(S)-0.5,
+              -rand(S)>*2 texture { M_Flowers[int(rand(S)*1.99)] } }
           #end
         #end
       #end
@@ -278,7 +215,8 @@ union {
   }
   prism {
     linear_spline 0, 12, 5, <X0-0.2, 0>, <X0+W+0.2, 0>, <X0+W-0.2, 5.2>, <X0+0.2, 5.2>, <X0-0.2, 0>
-    rotate x*-90 scale <1, 1, -1> translate y*(0.9+3.5*Floors+0.25) matrix <1, 0, 0, 0, 1, 0.55, 0, 0, 1, 0, 0, -7> texture { M_Tiles }
+    rotate x*-90 scale <1, 1, -1> translate y*(0.9+3.5*Floors+0.25) matrix <1, 0, 0, 0, 1, 0.55, 0, 0, 1, 0,
+      0, -7> texture { M_Tiles }
   }
 #end
 Stucco_House(-20.2, 12.1, 3, 5, M_Ochre)
@@ -314,7 +252,8 @@ mesh {
   texture { M_Brick_2 }
 }
 cylinder { <13.3, 17.3, -1.15>, <13.3, 15.9, -1.15>, 0.02 texture { M_Iron } }
-prism { linear_spline 0.3, 12, 4, <8.4, 10.8>, <18.2, 10.8>, <13.3, 19>, <8.4, 10.8> rotate x*-90 scale <1, 1, -1> texture { M_Tiles } }
+prism { linear_spline 0.3, 12, 4, <8.4, 10.8>, <18.2, 10.8>, <13.3, 19>, <8.4, 10.8> rotate x*-90
+  scale <1, 1, -1> texture { M_Tiles } }
 box { <8.4, 0, 0.3>, <18.2, 10.9, 12> texture { M_Brick_2 } }
 box { <-30, 0, 0.3>, <-8.1, 7.9, 12> texture { M_Ochre } }
 Stucco_House(18.6, 9, 2, 4, Stucco(<0.84, 0.60, 0.50>))
@@ -323,7 +262,8 @@ Stucco_House(18.6, 9, 2, 4, Stucco(<0.84, 0.60, 0.50>))
 
 #declare Sett_Dry = texture {
   pigment {
-    brick pigment { srgb <0.20, 0.18, 0.16> }, pigment { cells color_map { [0 srgb <0.40, 0.37, 0.34>] [0.5 srgb <0.50, 0.46, 0.42>] [1 srgb <0.34, 0.33, 0.32>] } scale <0.19, 0.12, 0.12> }
+    brick pigment { srgb <0.20, 0.18, 0.16> }, pigment { cells color_map { [0 srgb <0.40, 0.37, 0.34>]
+      [0.5 srgb <0.50, 0.46, 0.42>] [1 srgb <0.34, 0.33, 0.32>] } scale <0.19, 0.12, 0.12> }
     brick_size <0.19, 0.12, 0.12> mortar 0.018 rotate x*90
   }
   normal { bumps 0.5 scale 0.09 }
@@ -331,7 +271,8 @@ Stucco_House(18.6, 9, 2, 4, Stucco(<0.84, 0.60, 0.50>))
 }
 #declare Sett_Wet = texture {
   pigment {
-    brick pigment { srgb <0.07, 0.06, 0.055> }, pigment { cells color_map { [0 srgb <0.20, 0.185, 0.17>] [1 srgb <0.27, 0.25, 0.23>] } scale <0.19, 0.12, 0.12> }
+    brick pigment { srgb <0.07, 0.06, 0.055> }, pigment { cells color_map { [0 srgb <0.20, 0.185, 0.17>]
+      [1 srgb <0.27, 0.25, 0.23>] } scale <0.19, 0.12, 0.12> }
     brick_size <0.19, 0.12, 0.12> mortar 0.018 rotate x*90
   }
   normal { bumps 0.012 scale 0.5 }
@@ -339,25 +280,33 @@ Stucco_House(18.6, 9, 2, 4, Stucco(<0.84, 0.60, 0.50>))
 }
 plane {
   y, 0
-  texture { bozo turbulence 0.35 texture_map { [0.50 Sett_Dry] [0.56 Sett_Wet] } scale <2.6, 1, 1.7> translate <1.3, 0, 0.4> }
+  texture { bozo turbulence 0.35 texture_map { [0.50 Sett_Dry] [0.56 Sett_Wet] }
+    scale <2.6, 1, 1.7> translate <1.3, 0, 0.4> }
 }
 // a kerb of granite and flags along the houses
-box { <-60, -1, -2.3>, <60, 0.10, 0.2> texture { pigment { brick srgb <0.36, 0.34, 0.31>, srgb <0.56, 0.53, 0.48> brick_size <1.3, 0.4, 0.75> mortar 0.02 } normal { granite 0.15 } finish { ambient 0 diffuse 0.8 } } }
+box { <-60, -1, -2.3>, <60, 0.10, 0.2> texture { pigment { brick srgb <0.36, 0.34, 0.31>,
+  srgb <0.56, 0.53, 0.48> brick_size <1.3, 0.4, 0.75> mortar 0.02 } normal { granite 0.15 }
+  finish { ambient 0 diffuse 0.8 } } }
 box { <-60, -1, -2.6>, <60, 0.13, -2.3> texture { M_Granite } }
 #for (X, -27, 24, 3)
   #if (abs(X) > 2.5)
-    mesh { Turned_Pieces(array[8] { <0.16, 0, 0>, <0.15, 0.1, 0>, <0.12, 0.16, 0>, <0.10, 0.75, 0>, <0.14, 0.82, 0>, <0.10, 0.90, 0>, <0.09, 0.97, 0>, <0, 1.03, 0> }, 8, 3, 16) texture { M_Iron } translate <X, 0.1, -2.1> }
+    mesh { Turned_Pieces(array[8] { <0.16, 0, 0>, <0.15, 0.1, 0>, <0.12, 0.16, 0>, <0.10, 0.75, 0>,
+      <0.14, 0.82, 0>, <0.10, 0.90, 0>, <0.09, 0.97, 0>, <0, 1.03, 0> }, 8, 3, 16) texture { M_Iron }
+      translate <X, 0.1, -2.1> }
   #end
 #end
 // box trees in tubs beside the door
 #for (Side, -1, 1, 2)
   union {
-    mesh { Turned_Pieces(array[5] { <0.28, 0, 0>, <0.30, 0.1, 0>, <0.36, 0.5, 0>, <0.36, 0.5, 0>, <0.30, 0.48, 0> }, 5, 3, 24) texture { M_Sandstone } }
+    mesh { Turned_Pieces(array[5] { <0.28, 0, 0>, <0.30, 0.1, 0>, <0.36, 0.5, 0>, <0.36, 0.5, 0>,
+      <0.30, 0.48, 0> }, 5, 3, 24) texture { M_Sandstone } }
     mesh {
       #for (I, 1, 1500)
-        #local A = 2*pi*rand(S);  #local Z = 2*rand(S)-1;  #local D = <cos(A)*sqrt(1-Z*Z), Z, sin(A)*sqrt(1-Z*Z)>;
+        #local A = 2*pi*rand(S);  #local Z = 2*rand(S)-1;  #local D = <cos(A)*sqrt(1-Z*Z), Z,
+          sin(A)*sqrt(1-Z*Z)>;
         #local P = D*0.46*(0.8+0.25*rand(S))+y*1.0;
-        triangle { P, P+0.07*<rand(S)-0.5, rand(S)-0.3, rand(S)-0.5>*2, P+0.07*<rand(S)-0.5, rand(S)-0.3, rand(S)-0.5>*2 }
+        triangle { P, P+0.07*<rand(S)-0.5, rand(S)-0.3, rand(S)-0.5>*2, P+0.07*<rand(S)-0.5, rand(S)-0.3,
+          rand(S)-0.5>*2 }
       #end
       pigment { srgb <0.16, 0.30, 0.09> } finish { ambient 0 diffuse 0.9 }
     }
@@ -370,12 +319,16 @@ box { <-60, -1, -2.6>, <60, 0.13, -2.3> texture { M_Granite } }
 #macro Rod(A, B, R) cylinder { A, B, R } #end
 union {
   #for (I, 0, 1)
-    torus { 0.33, 0.018 rotate x*90 translate <1.05*I, 0.34, 0> pigment { srgb 0.05 } finish { ambient 0 diffuse 0.7 } }
-    torus { 0.30, 0.010 rotate x*90 translate <1.05*I, 0.34, 0> pigment { srgb 0.7 } finish { ambient 0 diffuse 0.7 } }
+    torus { 0.33, 0.018 rotate x*90 translate <1.05*I, 0.34, 0> pigment { srgb 0.05 }
+      finish { ambient 0 diffuse 0.7 } }
+    torus { 0.30, 0.010 rotate x*90 translate <1.05*I, 0.34, 0> pigment { srgb 0.7 }
+      finish { ambient 0 diffuse 0.7 } }
     #for (K, 0, 11) Rod(<1.05*I, 0.34, 0>, <1.05*I, 0.34, 0>+0.3*<cos(pi*K/6), sin(pi*K/6), 0>, 0.003) #end
   #end
-  Rod(<0, 0.34, 0>, <0.42, 0.32, 0>, 0.014) Rod(<0, 0.34, 0>, <0.30, 0.82, 0>, 0.012) Rod(<0.42, 0.32, 0>, <0.27, 0.95, 0>, 0.017)
-  Rod(<0.42, 0.32, 0>, <0.90, 0.80, 0>, 0.018) Rod(<0.30, 0.82, 0>, <0.88, 0.88, 0>, 0.017) Rod(<1.05, 0.34, 0>, <0.86, 1.02, 0>, 0.017)
+  Rod(<0, 0.34, 0>, <0.42, 0.32, 0>, 0.014) Rod(<0, 0.34, 0>, <0.30, 0.82, 0>, 0.012)
+    Rod(<0.42, 0.32, 0>, <0.27, 0.95, 0>, 0.017)
+  Rod(<0.42, 0.32, 0>, <0.90, 0.80, 0>, 0.018) Rod(<0.30, 0.82, 0>, <0.88, 0.88, 0>, 0.017)
+    Rod(<1.05, 0.34, 0>, <0.86, 1.02, 0>, 0.017)
   Rod(<0.86, 1.02, -0.26>, <0.86, 1.02, 0.26>, 0.013) Rod(<0.80, 1.0, -0.26>, <0.86, 1.02, -0.26>, 0.016)
   sphere { 0, 1 scale <0.14, 0.04, 0.08> translate <0.25, 0.98, 0> pigment { srgb <0.25, 0.13, 0.06> } }
   torus { 0.09, 0.012 rotate x*90 translate <0.42, 0.32, 0> }

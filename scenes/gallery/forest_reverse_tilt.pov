@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// September, in the evening. The lens leans away from the scene (a negative tilt), so that the plane of sharp focus does not lie along
-// the ground but cuts through it: the toadstools are sharp, and the birch that stands beside them is not,
-// though it is just as far away; its foot is.
+// September, in the evening. The lens leans away from the scene (a negative tilt), so that the
+// plane of sharp focus does not lie along the ground but cuts through it: the toadstools are sharp,
+// and the birch that stands beside them is not, though it is just as far away; its foot is.
 //
 //   ./render scenes/gallery/forest_reverse_tilt.pov +W1280 +H720
 //
@@ -52,12 +52,14 @@ fog { fog_type 1 distance 2900 rgb <0.98, 0.80, 0.42> }
 // ---- the ground ----
 
 #declare F_Ground = function { pattern { bozo scale 90 } }
-#macro Ground_At(X, Z) (16*F_Ground(X, 0, Z)-8 + 5*F_Ground(3*X, 7, 3*Z)-2.5 + (Z > 0 ? Z*0.03 : 0) + 7*exp(-(X*X+Z*Z)/2000)) #end
+#macro Ground_At(X, Z) (16*F_Ground(X, 0, Z)-8 + 5*F_Ground(3*X, 7, 3*Z)-2.5 + (Z > 0 ? Z*0.03 : 0) +
+  7*exp(-(X*X+Z*Z)/2000)) #end
 #declare Moss = texture {
   pigment {
     granite turbulence 0.4
     color_map {
-      [0.20 srgb <0.13, 0.15, 0.05>] [0.45 srgb <0.27, 0.31, 0.08>] [0.62 srgb <0.40, 0.40, 0.12>] [0.75 srgb <0.42, 0.28, 0.13>] [0.9 srgb <0.30, 0.18, 0.09>]
+      [0.20 srgb <0.13, 0.15, 0.05>] [0.45 srgb <0.27, 0.31, 0.08>] [0.62 srgb <0.40, 0.40, 0.12>]
+        [0.75 srgb <0.42, 0.28, 0.13>] [0.9 srgb <0.30, 0.18, 0.09>]
     }
     scale 26
   }
@@ -80,7 +82,8 @@ fog { fog_type 1 distance 2900 rgb <0.98, 0.80, 0.42> }
   }
 #end
 Ground_Mesh(-180, -150, 420)
-difference { box { <-6000, -100, -400>, <6000, 6, 9000> } box { <-179, -200, -149>, <239, 100, 269> } texture { Moss } }
+difference { box { <-6000, -100, -400>, <6000, 6, 9000> } box { <-179, -200, -149>, <239, 100, 269> }
+  texture { Moss } }
 
 // moss cushions, fallen leaves, twigs near the camera
 mesh {
@@ -88,7 +91,8 @@ mesh {
     #local X = -110+240*rand(S);  #local Z = -95+230*rand(S);
     #local P = <X, Ground_At(X, Z)+0.4+0.5*rand(S), Z>;
     #local D = vnormalize(Any_Direction(S)*<1, 0.3, 1>);
-    Leaf_Pieces(P, D, vnormalize(vcross(D, vnormalize(y+0.5*Any_Direction(S)))), 2.2+2*rand(S), T_Leaf[int(rand(S)*2.99)])
+    Leaf_Pieces(P, D, vnormalize(vcross(D, vnormalize(y+0.5*Any_Direction(S)))), 2.2+2*rand(S),
+      T_Leaf[int(rand(S)*2.99)])
   #end
 }
 #declare Tufts = array[3]
@@ -100,7 +104,8 @@ mesh {
 #for (I, 1, 420)
   #local X = -150+330*rand(S);  #local Z = -85+330*rand(S);
   #if (abs(X-Subject.x-0.1*Z) > 15 | Z > 22)
-    object { Tufts[int(rand(S)*2.99)] scale 0.45+0.6*rand(S) rotate y*360*rand(S) translate <X, Ground_At(X, Z)-0.4, Z> }
+    object { Tufts[int(rand(S)*2.99)] scale 0.45+0.6*rand(S) rotate y*360*rand(S)
+      translate <X, Ground_At(X, Z)-0.4, Z> }
   #end
 #end
 
@@ -144,9 +149,11 @@ Birch(20, 260, 1, 1.0, yes)
 #end
 // ferns: in front, beside, and a sea of them behind
 #macro Fern_At(X, Z, Size)
-  object { Ferns[int(rand(S)*2.99)] scale Size rotate y*360*rand(S) translate <X, Ground_At(X, Z)*(abs(X) < 170 & Z < 250)+(Z >= 250)*6-1, Z> }
+  object { Ferns[int(rand(S)*2.99)] scale Size rotate y*360*rand(S)
+    translate <X, Ground_At(X, Z)*(abs(X) < 170 & Z < 250)+(Z >= 250)*6-1, Z> }
 #end
-Fern_At(42, 12, 0.85) Fern_At(34, 42, 1.0) Fern_At(-62, 34, 1.05) Fern_At(-50, -38, 0.7) Fern_At(66, -14, 0.8) Fern_At(-12, 62, 0.9)
+Fern_At(42, 12, 0.85) Fern_At(34, 42, 1.0) Fern_At(-62, 34, 1.05) Fern_At(-50, -38, 0.7)
+  Fern_At(66, -14, 0.8) Fern_At(-12, 62, 0.9)
 Fern_At(52, -62, 0.6) Fern_At(-84, 6, 0.9)
 #for (I, 1, 150)
   #local Z = 70+900*pow(rand(S), 1.5);
@@ -157,7 +164,8 @@ Fern_At(52, -62, 0.6) Fern_At(-84, 6, 0.9)
 #for (I, 1, 26)
   #local Z = 120+620*rand(S);
   #local X = (rand(S)-0.5)*1.7*(Z*0.6+60);
-  object { Crowns[int(rand(S)*3.99)] scale <0.30, 0.26, 0.30>*(0.8+0.5*rand(S)) rotate y*360*rand(S) translate <X, -70+40*rand(S), Z> }
+  object { Crowns[int(rand(S)*3.99)] scale <0.30, 0.26, 0.30>*(0.8+0.5*rand(S)) rotate y*360*rand(S)
+    translate <X, -70+40*rand(S), Z> }
 #end
 // young trees at the wood's edge
 #for (I, 1, 60)

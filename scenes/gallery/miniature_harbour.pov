@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A fishing harbour on a summer evening, as a model on a table. Tilt_Lens_Miniature writes the whole lens from one
-// number, the strength: how near, for its aperture, the model seems to be.
+// A fishing harbour on a summer evening, as a model on a table. Tilt_Lens_Miniature writes the
+// whole lens from one number, the strength: how near, for its aperture, the model seems to be.
 //
 //   ./render scenes/gallery/miniature_harbour.pov +W1280 +H720
 //
@@ -43,7 +43,8 @@ sky_sphere {
 }
 #declare Sea = texture {
   pigment { rgb <0.012, 0.075, 0.085> }
-  normal { average normal_map { [1 bumps 0.5 scale <2.6, 1, 1.4>] [1 bumps 0.35 scale <0.7, 1, 0.5> rotate y*30] } }
+  normal { average normal_map { [1 bumps 0.5 scale <2.6, 1, 1.4>]
+    [1 bumps 0.35 scale <0.7, 1, 0.5> rotate y*30] } }
   finish { ambient 0 diffuse 0.5 specular 0.7 roughness 0.01 reflection { 0.05, 0.65 falloff 3 } }
 }
 plane { y, -3 texture { Sea } }
@@ -82,16 +83,15 @@ mesh {
 #declare Planks[0] = T_Deck  #declare Planks[1] = T_Timber
 // a jetty of planks on piles, with fingers
 #macro Jetty(A, L, Turn)
-  union {
-    mesh {
-      #for (I, 0, int(L/0.5)-1)
-        Brick_T(<I*0.5, 0, -1.3-0.1*rand(S)>, <I*0.5+0.44, 0.12+0.03*rand(S), 1.3+0.1*rand(S)>, Planks[Pick(2)])
-      #end
-      #for (I, 0, int(L/6)) #for (Side, -1, 1, 2)
-        Stem_T(<I*6+0.3, 0, 1.45*Side>, 8, -4, 0.22, 1.1, 0.2, T_Beam)
-        Stem_T(<I*6+0.3, 0, 1.45*Side>, 8, 1.1, 0.23, 1.2, 0.1, T_Frame)
-      #end #end
-    }
+  mesh {
+    #for (I, 0, int(L/0.5)-1)
+      Brick_T(<I*0.5, 0, -1.3-0.1*rand(S)>, <I*0.5+0.44, 0.12+0.03*rand(S), 1.3+0.1*rand(S)>,
+        Planks[Pick(2)])
+    #end
+    #for (I, 0, int(L/6)) #for (Side, -1, 1, 2)
+      Stem_T(<I*6+0.3, 0, 1.45*Side>, 8, -4, 0.22, 1.1, 0.2, T_Beam)
+      Stem_T(<I*6+0.3, 0, 1.45*Side>, 8, 1.1, 0.23, 1.2, 0.1, T_Frame)
+    #end #end
     rotate y*Turn translate A
   }
 #end
@@ -106,18 +106,23 @@ Jetty(<27, -1.2, 29.8>, 36, 90)
 #for (I, 0, 3) #declare Yachts[I] = Yacht(8.5+1.5*I, Covers[mod(I, 3)]) #end
 #declare Hulls = array[6]
 #declare Hull_Colours = array[6] {
-  <0.95, 0.94, 0.90>, <0.10, 0.20, 0.38>, <0.93, 0.92, 0.88>, <0.55, 0.09, 0.08>, <0.10, 0.34, 0.32>, <0.96, 0.95, 0.93>
+  <0.95, 0.94, 0.90>, <0.10, 0.20, 0.38>, <0.93, 0.92, 0.88>, <0.55, 0.09, 0.08>, <0.10, 0.34, 0.32>,
+    <0.96, 0.95, 0.93>
 }
 #for (I, 0, 5)
-  #declare Hulls[I] = texture { pigment { srgb Hull_Colours[I] } finish { ambient 0.05 diffuse 0.8 specular 0.4 roughness 0.02 reflection 0.03 } }
+  #declare Hulls[I] = texture { pigment { srgb Hull_Colours[I] } finish { ambient 0.05 diffuse 0.8 specular
+    0.4 roughness 0.02 reflection 0.03 } }
 #end
 #for (I, 0, 6)
-  object { Yachts[Pick(4)] texture { Hulls[Pick(6)] } rotate y*(180+5*(rand(S)-0.5)) rotate x*2*(rand(S)-0.5) translate <13.8, -3, -11+5.2*I> }
+  object { Yachts[Pick(4)] texture { Hulls[Pick(6)] } rotate y*(180+5*(rand(S)-0.5))
+    rotate x*2*(rand(S)-0.5) translate <13.8, -3, -11+5.2*I> }
   #if (I != 2)
-    object { Yachts[Pick(4)] texture { Hulls[Pick(6)] } rotate y*4*(rand(S)-0.5) rotate x*2*(rand(S)-0.5) translate <20.4, -3, -4.5+5.2*I> }
+    object { Yachts[Pick(4)] texture { Hulls[Pick(6)] } rotate y*4*(rand(S)-0.5) rotate x*2*(rand(S)-0.5)
+      translate <20.4, -3, -4.5+5.2*I> }
   #end
   #if (I > 0)
-    object { Yachts[Pick(4)] texture { Hulls[Pick(6)] } rotate y*(180+4*(rand(S)-0.5)) translate <33.6, -3, -4+5.2*I> }
+    object { Yachts[Pick(4)] texture { Hulls[Pick(6)] } rotate y*(180+4*(rand(S)-0.5))
+      translate <33.6, -3, -4+5.2*I> }
   #end
 #end
 #declare Trawlers = array[3]
@@ -131,16 +136,19 @@ object { Trawlers[0] texture { Hulls[4] } rotate y*-90 translate <43.8, -3, -30>
 object { Trawlers[2] texture { Hulls[3] } rotate y*-14 translate <-30, -3, 9> }       // coming in
 #for (I, 1, 14)   // its wake
   #for (Side, -1, 1, 2)
-    sphere { 0, 1 scale <1.5+0.05*I, 0.05, 0.25+0.03*I> rotate y*(-14+16*Side) translate <-30, -2.99, 9>+vrotate(<5-1.25*I, 0, Side*(1.8+0.30*I)>, y*-14)
+    sphere { 0, 1 scale <1.5+0.05*I, 0.05, 0.25+0.03*I> rotate y*(-14+16*Side)
+      translate <-30, -2.99, 9>+vrotate(<5-1.25*I, 0, Side*(1.8+0.30*I)>, y*-14)
              pigment { rgbt <0.7, 0.82, 0.82, 0.55+0.03*I> } finish { ambient 0.05 diffuse 0.8 } }
   #end
 #end
 object { Trawlers[1] texture { Hulls[3] } rotate y*2 translate <-24, -3, -23.5> }
 #declare Rowing_Boat = Dinghy()
 #for (I, 0, 9)
-  object { Rowing_Boat texture { Paint_Textures[Pick(9)] } rotate y*(80+30*(rand(S)-0.5)) translate <-46+3.4*I, -3, 57.4+2*rand(S)> }
+  object { Rowing_Boat texture { Paint_Textures[Pick(9)] } rotate y*(80+30*(rand(S)-0.5))
+    translate <-46+3.4*I, -3, 57.4+2*rand(S)> }
 #end
-#for (I, 0, 3) object { Rowing_Boat texture { Paint_Textures[Pick(9)] } rotate y*360*rand(S) translate <-44+11*I+4*rand(S), -3, 34+12*rand(S)> } #end
+#for (I, 0, 3) object { Rowing_Boat texture { Paint_Textures[Pick(9)] } rotate y*360*rand(S)
+  translate <-44+11*I+4*rand(S), -3, 34+12*rand(S)> } #end
 object { Yachts[3] texture { Hulls[0] } rotate y*28 translate <-62, -3, 30> }
 object { Yachts[2] texture { Hulls[1] } rotate y*-20 translate <-84, -3, -14> }
 object { Yachts[1] texture { Hulls[3] } rotate y*-160 translate <-20, -3, -56> }
@@ -156,7 +164,8 @@ object { Quay_Crane(T_Yellow, 70, 34) translate <56, 0.1, -46> }
 #for (I, 0, 1) box { <52.7+6.8*I-0.1, 0, -60>, <52.7+6.8*I+0.1, 0.16, 28> texture { T_Rail } } #end
 #declare Stuff = array[4]
 #for (I, 0, 3) #declare Stuff[I] = Quay_Stuff(S) #end
-#for (I, 0, 10) object { Stuff[mod(I, 4)] rotate y*360*rand(S) translate <-17+6*I, 0.06, 33.4+1.6*rand(S)> } #end
+#for (I, 0, 10) object { Stuff[mod(I, 4)] rotate y*360*rand(S) translate <-17+6*I, 0.06, 33.4+1.6*rand(S)> }
+  #end
 #for (I, 0, 8) object { Stuff[mod(I, 4)] rotate y*360*rand(S) translate <50.8, 0.06, -56+9*I> } #end
 #for (I, 0, 5) object { Stuff[mod(I, 4)] rotate y*90*rand(S) translate <-44+9*I, 0.06, -30.2> } #end
 #for (I, 1, 70) Person_At(<-18+64*rand(S), 0.06, 32.5+7*rand(S)>) #end
@@ -175,7 +184,8 @@ object { Thing_Van texture { Paint_Textures[3] } rotate y*30 translate <20, 0.06
     rotate y*90 translate <X, 0.06, Z>
   }
 #end
-#for (I, 0, 6) Store(69, -48+11.5*I, 10.5, 15, (mod(I, 2) ? <0.52, 0.13, 0.10> : <0.60, 0.20, 0.14>)*(0.9+0.3*rand(S))) #end
+#for (I, 0, 6) Store(69, -48+11.5*I, 10.5, 15,
+  (mod(I, 2) ? <0.52, 0.13, 0.10> : <0.60, 0.20, 0.14>)*(0.9+0.3*rand(S))) #end
 #for (I, 0, 5) Store(90, -52+12.5*I, 11.5, 17, <0.70, 0.60, 0.46>*(0.8+0.3*rand(S))) #end
 #for (I, 0, 8)
   object { Parasol(T_Awning[mod(I, 5)]) translate <-15+3.3*I+rand(S), 0.06, 36.6+2*(rand(S))> }
@@ -197,8 +207,10 @@ Row_Of_Houses(-80, 120, 106)
 #for (I, 1, 40) Tree_At(<-100+230*rand(S), 0, 57+5*rand(S)+(rand(S) < 0.5 ? 20 : 0)>) #end
 box { <-400, -4, 122>, <500, 0.2, 900> texture { T_Meadow } }
 #for (I, 1, 11)
-  sphere { 0, 1 scale <60+50*rand(S), 12+14*rand(S), 40+20*rand(S)> translate <-160+40*I, -2, 170+60*rand(S)> texture { T_Meadow } }
+  sphere { 0, 1 scale <60+50*rand(S), 12+14*rand(S), 40+20*rand(S)> translate <-160+40*I, -2,
+    170+60*rand(S)> texture { T_Meadow } }
 #end
 #for (I, 1, 240)
-  #if (rand(S) < 0.5) Conifer_At(<-150+420*rand(S), 0.2, 122+70*rand(S)>) #else Tree_At(<-150+420*rand(S), 0.2, 122+60*rand(S)>) #end
+  #if (rand(S) < 0.5) Conifer_At(<-150+420*rand(S), 0.2, 122+70*rand(S)>) #else
+    Tree_At(<-150+420*rand(S), 0.2, 122+60*rand(S)>) #end
 #end

@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The express leaves. Three points name the plane of sharp focus: the engine's buffers, the last coach, and a
-// chimney's height above the track between them. So the plane stands upright along the train, and the
-// station on both sides of it turns into a model.
+// The express leaves. Three points name the plane of sharp focus: the engine's buffers, the last
+// coach, and a chimney's height above the track between them. So the plane stands upright along the
+// train, and the station on both sides of it turns into a model.
 //
 //   ./render scenes/gallery/miniature_railway.pov +W1280 +H720
 //
@@ -37,7 +37,8 @@ camera {
 light_source { <-130, 84, -30>*1000 rgb <1.00, 0.80, 0.54>*2.4 parallel point_at 0 }
 light_source { <60, 160, -90>*1000 rgb <0.52, 0.68, 1.00>*0.40 parallel point_at 0 shadowless }
 light_source { <-30, 50, -160>*1000 rgb <0.62, 0.74, 1.00>*0.20 parallel point_at 0 shadowless }
-sky_sphere { pigment { gradient y color_map { [0 srgb <0.92, 0.84, 0.70>] [0.4 srgb <0.50, 0.66, 0.84>] } } }
+sky_sphere { pigment { gradient y color_map { [0 srgb <0.92, 0.84, 0.70>] [0.4 srgb <0.50, 0.66, 0.84>] } }
+  }
 #declare S = seed(141);
 
 // ---- the ground ----
@@ -45,14 +46,16 @@ sky_sphere { pigment { gradient y color_map { [0 srgb <0.92, 0.84, 0.70>] [0.4 s
 #declare Heath = texture {
   pigment {
     granite turbulence 0.3
-    color_map { [0.15 srgb <0.24, 0.40, 0.11>] [0.5 srgb <0.40, 0.52, 0.17>] [0.75 srgb <0.58, 0.56, 0.27>] [0.95 srgb <0.50, 0.42, 0.26>] }
+    color_map { [0.15 srgb <0.24, 0.40, 0.11>] [0.5 srgb <0.40, 0.52, 0.17>] [0.75 srgb <0.58, 0.56, 0.27>]
+      [0.95 srgb <0.50, 0.42, 0.26>] }
     scale 22
   }
   finish { F_Matt }
 }
 box { <-600, -2, -300>, <600, -0.35, 700> texture { Heath } }
 #declare Stones = texture {
-  pigment { granite color_map { [0.2 srgb <0.34, 0.30, 0.27>] [0.5 srgb <0.50, 0.45, 0.40>] [0.8 srgb <0.64, 0.58, 0.51>] } scale 1.4 }
+  pigment { granite color_map { [0.2 srgb <0.34, 0.30, 0.27>] [0.5 srgb <0.50, 0.45, 0.40>]
+    [0.8 srgb <0.64, 0.58, 0.51>] } scale 1.4 }
   finish { F_Matt }
 }
 Ballast(131, 156.5, -75, 75, Stones)
@@ -71,9 +74,12 @@ Platform(157, 163.4, -30, 60, T_Pavement)
 #macro On_Track(What, R, A) object { What rotate y*A translate Rail_At(R, A) } #end
 #declare Metre = 180/pi/Main;                   // degrees of a metre on the main track
 #declare Livery = array[3]
-#declare Livery[0] = texture { pigment { srgb <0.46, 0.055, 0.075> } finish { ambient 0.05 diffuse 0.75 specular 0.5 roughness 0.02 reflection 0.03 } }
-#declare Livery[1] = texture { pigment { srgb <0.10, 0.17, 0.33> } finish { ambient 0.05 diffuse 0.75 specular 0.5 roughness 0.02 reflection 0.03 } }
-#declare Livery[2] = texture { pigment { srgb <0.20, 0.33, 0.22> } finish { ambient 0.05 diffuse 0.75 specular 0.5 roughness 0.02 reflection 0.03 } }
+#declare Livery[0] = texture { pigment { srgb <0.46, 0.055, 0.075> } finish { ambient 0.05 diffuse 0.75
+  specular 0.5 roughness 0.02 reflection 0.03 } }
+#declare Livery[1] = texture { pigment { srgb <0.10, 0.17, 0.33> } finish { ambient 0.05 diffuse 0.75
+  specular 0.5 roughness 0.02 reflection 0.03 } }
+#declare Livery[2] = texture { pigment { srgb <0.20, 0.33, 0.22> } finish { ambient 0.05 diffuse 0.75
+  specular 0.5 roughness 0.02 reflection 0.03 } }
 #declare Coach_A = Express_Coach(22, T_Stripe_A, T_Metal)
 #declare Coach_B = Express_Coach(22, T_Canvas, T_Concrete)
 On_Track(object { Thing_Engine rotate y*180 }, Main, Head)
@@ -86,7 +92,8 @@ On_Track(object { Thing_Engine rotate y*180 }, Main, Head)
 // goods
 #macro Goods(R, A, Kind, C)
   object {
-    #switch (Kind) #case (0) Wagon_Box #break #case (1) Wagon_Tank #break #case (2) Wagon_Coal #break #else Wagon_Logs #end
+    #switch (Kind) #case (0) Wagon_Box #break #case (1) Wagon_Tank #break #case (2) Wagon_Coal #break #else
+      Wagon_Logs #end
     texture { Town_Body[C] } rotate y*A translate Rail_At(R, A)
   }
 #end
@@ -111,7 +118,8 @@ On_Track(object { Thing_Engine rotate y*180 }, Main, Head)
         #for (J, 0, 6)
           #local B = A+J;
           Bar_T(Rail_At(R, B)+y*5.9, Rail_At(R, B+1)+y*5.9, 0.04, T_Wire)
-          Bar_T(Rail_At(R, B)+y*(6.9-0.55*sin(pi*J/7)), Rail_At(R, B+1)+y*(6.9-0.55*sin(pi*(J+1)/7)), 0.04, T_Wire)
+          Bar_T(Rail_At(R, B)+y*(6.9-0.55*sin(pi*J/7)), Rail_At(R, B+1)+y*(6.9-0.55*sin(pi*(J+1)/7)), 0.04,
+            T_Wire)
           Bar_T(Rail_At(R, B)+y*5.9, Rail_At(R, B)+y*(6.9-0.55*sin(pi*J/7)), 0.025, T_Wire)
         #end
       #end
@@ -126,15 +134,18 @@ object { Semaphore(7, 42) rotate y*10 translate Rail_At(141.6, 16) }
 // point levers and relay boxes
 #for (I, 0, 15)
   #local P = Rail_At((mod(I, 2) ? 141.2 : 135.5), -34+4.4*I);
-  mesh { Brick_T(P-<0.3, 0, 0.2>, P+<0.3, 0.9, 0.2>, T_Metal) Brick_T(P+<0.7, 0, -0.1>, P+<0.9, 1.3, 0.1>, T_Yellow) }
+  mesh { Brick_T(P-<0.3, 0, 0.2>, P+<0.3, 0.9, 0.2>, T_Metal) Brick_T(P+<0.7, 0, -0.1>, P+<0.9, 1.3, 0.1>,
+    T_Yellow) }
 #end
 // the signal box between the tracks and the road
 #declare Cabin_Mesh = mesh {
   Brick_T(<-4.5, -0.5, -1.9>, <4.5, 3.0, 1.9>, T_Chimney)
   Brick_T(<-4.8, 3.0, -2.2>, <4.8, 3.2, 2.2>, T_Frame)
   Brick_T(<-4.5, 3.2, -2.0>, <4.5, 6.0, 2.0>, T_Stripe_A)
-  #for (I, 0, 6) #for (Side, -1, 1, 2) Panel(<-4.3+1.25*I, 3.9, 2*Side>, x, z*Side, 1.05, 1.5, 0.04, T_Glass) #end #end
-  #for (I, 0, 2) Panel(<4.5, 3.9, -1.8+1.25*I>, z, x, 1.05, 1.5, 0.04, T_Glass) Panel(<-4.5, 3.9, -1.8+1.25*I>, z, -x, 1.05, 1.5, 0.04, T_Glass) #end
+  #for (I, 0, 6) #for (Side, -1, 1, 2) Panel(<-4.3+1.25*I, 3.9, 2*Side>, x, z*Side, 1.05, 1.5, 0.04,
+    T_Glass) #end #end
+  #for (I, 0, 2) Panel(<4.5, 3.9, -1.8+1.25*I>, z, x, 1.05, 1.5, 0.04, T_Glass)
+    Panel(<-4.5, 3.9, -1.8+1.25*I>, z, -x, 1.05, 1.5, 0.04, T_Glass) #end
   Slope(<-5.3, 5.9, -2.8>, <-3.5, 7.6, 0>, <3.5, 7.6, 0>, <5.3, 5.9, -2.8>, Roof_Textures[2])
   Slope(<-5.3, 5.9, 2.8>, <-3.5, 7.6, 0>, <3.5, 7.6, 0>, <5.3, 5.9, 2.8>, Roof_Textures[2])
   triangle { <-5.3, 5.9, -2.8>, <-5.3, 5.9, 2.8>, <-3.5, 7.6, 0> texture { Roof_Textures[2] } }
@@ -143,9 +154,11 @@ object { Semaphore(7, 42) rotate y*10 translate Rail_At(141.6, 16) }
 }
 object { Cabin_Mesh rotate y*-23 translate Rail_At(127.4, -19) }
 // a water tower
-union {
-  mesh { Stem_T(<0, 0, 0>, 16, 0, 2.6, 7, 2.2, T_Chimney) Stem_T(<0, 0, 0>, 16, 7, 2.4, 7.4, 3.2, T_Frame) Stem_T(<0, 0, 0>, 16, 7.4, 3.2, 10.6, 3.2, T_Concrete)
-         Stem_T(<0, 0, 0>, 16, 10.6, 3.5, 12.4, 0.2, T_Slate) }
+mesh {
+  Stem_T(<0, 0, 0>, 16, 0, 2.6, 7, 2.2, T_Chimney)
+  Stem_T(<0, 0, 0>, 16, 7, 2.4, 7.4, 3.2, T_Frame)
+  Stem_T(<0, 0, 0>, 16, 7.4, 3.2, 10.6, 3.2, T_Concrete)
+  Stem_T(<0, 0, 0>, 16, 10.6, 3.5, 12.4, 0.2, T_Slate)
   translate Rail_At(124.5, 9)
 }
 // platform: people, lamps, roof, benches
@@ -155,9 +168,12 @@ union {
 mesh {
   #for (I, 0, 19)
     #local A = -8+2*I;
-    Quad_T(Rail_At(157.4, A)+y*5.6, Rail_At(157.4, A+2)+y*5.6, Rail_At(160.2, A+2)+y*5.0, Rail_At(160.2, A)+y*5.0, T_Slate)
-    Quad_T(Rail_At(163.0, A)+y*5.6, Rail_At(163.0, A+2)+y*5.6, Rail_At(160.2, A+2)+y*5.0, Rail_At(160.2, A)+y*5.0, T_Slate)
-    Quad_T(Rail_At(157.4, A)+y*5.6, Rail_At(157.4, A+2)+y*5.6, Rail_At(157.4, A+2)+y*5.3, Rail_At(157.4, A)+y*5.3, T_Frame)
+    Quad_T(Rail_At(157.4, A)+y*5.6, Rail_At(157.4, A+2)+y*5.6, Rail_At(160.2, A+2)+y*5.0,
+      Rail_At(160.2, A)+y*5.0, T_Slate)
+    Quad_T(Rail_At(163.0, A)+y*5.6, Rail_At(163.0, A+2)+y*5.6, Rail_At(160.2, A+2)+y*5.0,
+      Rail_At(160.2, A)+y*5.0, T_Slate)
+    Quad_T(Rail_At(157.4, A)+y*5.6, Rail_At(157.4, A+2)+y*5.6, Rail_At(157.4, A+2)+y*5.3,
+      Rail_At(157.4, A)+y*5.3, T_Frame)
     #if (mod(I, 3) = 0) Bar_T(Rail_At(160.2, A)+y*1.1, Rail_At(160.2, A)+y*5.2, 0.24, T_Iron) #end
   #end
 }
@@ -166,14 +182,17 @@ object {
   House(36, 11, 3, HOUSE_HIP, no, Roof_Textures[1], S) Town_Plain(<0.80, 0.46, 0.30>)
   rotate y*180 rotate y*12 translate Rail_At(190, 16)
 }
-object { House(12, 13, 4, HOUSE_GABLE, no, Roof_Textures[1], S) Town_Plain(<0.82, 0.50, 0.33>) rotate y*12 translate Rail_At(177, 9) }
+object { House(12, 13, 4, HOUSE_GABLE, no, Roof_Textures[1], S) Town_Plain(<0.82, 0.50, 0.33>) rotate y*12
+  translate Rail_At(177, 9) }
 #for (I, 0, 4) #for (J, 0, 3)
   object {
-    House(11+2*rand(S), 10, 2+int(2.9*rand(S)), Pick(4), (rand(S) < 0.4), Roof_Textures[Pick(7)], S) Town_Plain(Wall_Colours[Pick(14)])
+    House(11+2*rand(S), 10, 2+int(2.9*rand(S)), Pick(4), (rand(S) < 0.4), Roof_Textures[Pick(7)], S)
+      Town_Plain(Wall_Colours[Pick(14)])
     rotate y*(-30+17*I) translate Rail_At(205+22*J, -28+15*I+4*rand(S))
   }
   object {
-    House(11+2*rand(S), 10, 2+int(2.9*rand(S)), Pick(4), (rand(S) < 0.4), Roof_Textures[Pick(7)], S) Town_Plain(Wall_Colours[Pick(14)])
+    House(11+2*rand(S), 10, 2+int(2.9*rand(S)), Pick(4), (rand(S) < 0.4), Roof_Textures[Pick(7)], S)
+      Town_Plain(Wall_Colours[Pick(14)])
     rotate y*(-24+17*I) translate Rail_At(205+22*J, -20+15*I+2*rand(S))
   }
 #end #end
@@ -183,12 +202,16 @@ object { House(12, 13, 4, HOUSE_GABLE, no, Roof_Textures[1], S) Town_Plain(<0.82
 Ballast(114.5, 121, -75, 75, T_Asphalt)
 #for (I, 0, 60)
   #local A = -45+1.5*I;
-  mesh { Quad_T(Rail_At(117.7, A)+y*0.13, Rail_At(117.9, A)+y*0.13, Rail_At(117.9, A+0.8)+y*0.13, Rail_At(117.7, A+0.8)+y*0.13, T_Frame) }
-  #if (rand(S) < 0.34) object { Thing_Car texture { Paint_Textures[Pick(9)] } rotate y*(A+180) translate Rail_At(116.2, A)+y*0.13 } #end
-  #if (rand(S) < 0.34) object { Thing_Car texture { Paint_Textures[Pick(9)] } rotate y*A translate Rail_At(119.4, A)+y*0.13 } #end
+  mesh { Quad_T(Rail_At(117.7, A)+y*0.13, Rail_At(117.9, A)+y*0.13, Rail_At(117.9, A+0.8)+y*0.13,
+    Rail_At(117.7, A+0.8)+y*0.13, T_Frame) }
+  #if (rand(S) < 0.34) object { Thing_Car texture { Paint_Textures[Pick(9)] } rotate y*(A+180)
+    translate Rail_At(116.2, A)+y*0.13 } #end
+  #if (rand(S) < 0.34) object { Thing_Car texture { Paint_Textures[Pick(9)] } rotate y*A
+    translate Rail_At(119.4, A)+y*0.13 } #end
 #end
 object { Thing_Bus texture { Paint_Textures[2] } rotate y*-8 translate Rail_At(119.4, -8)+y*0.13 }
-object { House(26, 9, 1, HOUSE_EAVES, no, Roof_Textures[3], S) Town_Plain(<0.56, 0.32, 0.24>) rotate y*14 translate Rail_At(122.5, 14) }
+object { House(26, 9, 1, HOUSE_EAVES, no, Roof_Textures[3], S) Town_Plain(<0.56, 0.32, 0.24>) rotate y*14
+  translate Rail_At(122.5, 14) }
 #for (I, 1, 130)
   #local A = -40+90*rand(S);
   Bush_At(Rail_At(122+8*pow(rand(S), 1.6), A)-y*0.3)

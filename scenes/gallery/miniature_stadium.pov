@@ -1,35 +1,35 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A penalty kick late on a Saturday, before twelve thousand on the stands. focus_tilt lays the plane of
-// sharp focus in a band across the pitch: the penalty area with its players is sharp, the stands around it are not.
+// A penalty kick late on a Saturday, before twelve thousand on the stands. focal_plane sets the
+// plane of sharp focus upright along the line that the ball will take: striker, keeper, goal and
+// the supporters behind it are sharp, the rest of the ground is a model.
 //
 //   ./render scenes/gallery/miniature_stadium.pov +W1280 +H720
 //
-// Play: focal_point on the far stand; focus_tilt 0 (an ordinary lens); Declare=Stop=8.
+// Play: Declare=Stop=1.4 for a smaller model, 8 for a larger; focal_plane { y, 0 } for the whole
+// pitch sharp and only the stands blurred.
 //
-// One unit is a metre; scene_unit 7 makes the pitch three quarters of a metre long. It lies at y = 0 along x; the near stand is at -z.
+// One unit is a metre; scene_unit 1000/87 is the scale H0. The pitch lies at y = 0 along x; the
+// near stand is at -z.
 
 #version 3.7;
 #ifndef (Samples) #declare Samples = 160; #end
-#ifndef (Stop) #declare Stop = 1.8; #end
+#ifndef (Stop) #declare Stop = 2; #end
 global_settings { assumed_gamma 1 max_trace_level 3 adc_bailout 0.02 }
 #include "town_streets.inc"
 #include "harbour_things.inc"
 
-#declare Focus = <38, 0, 2>;
 camera {
   perspective
   right x*image_width/image_height
-  location <-66, 66, -112>
-  look_at <30, 3, 15>
-  angle 31
-  focal_point Focus
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/2500
+  location <-34, 46, -82>
+  look_at <34, 8, 16>
+  angle 39
+  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/1500
   tilt_lens {
-    scene_unit 7
-    focus_tilt -34
-    focus_swing 10
+    scene_unit 1000/87
+    focal_plane { z, 0.5 }
     f_stop Stop
   }
 }
@@ -37,7 +37,8 @@ camera {
 light_source { <-150, 74, -66>*1000 rgb <1.00, 0.82, 0.58>*2.35 parallel point_at 0 }
 light_source { <60, 160, -60>*1000 rgb <0.52, 0.68, 1.00>*0.42 parallel point_at 0 shadowless }
 light_source { <40, 60, 160>*1000 rgb <0.60, 0.72, 1.00>*0.20 parallel point_at 0 shadowless }
-sky_sphere { pigment { gradient y color_map { [0 srgb <0.90, 0.86, 0.78>] [0.5 srgb <0.36, 0.56, 0.82>] } } }
+sky_sphere { pigment { gradient y color_map { [0 srgb <0.90, 0.86, 0.78>] [0.5 srgb <0.36, 0.56, 0.82>] } }
+  }
 #declare S = seed(1954);
 
 // ---- the pitch: 105 by 68 metres, mown in stripes ----
@@ -55,18 +56,23 @@ sky_sphere { pigment { gradient y color_map { [0 srgb <0.90, 0.86, 0.78>] [0.5 s
 }
 box { <-62, -1, -42>, <62, 0, 42> texture { Grass } }
 #declare Line = texture { pigment { srgb 0.97 } finish { F_Matt } }
-#macro Stroke(X0, Z0, X1, Z1) box { <min(X0, X1)-0.09, 0, min(Z0, Z1)-0.09>, <max(X0, X1)+0.09, 0.02, max(Z0, Z1)+0.09> } #end
+#macro Stroke(X0, Z0, X1, Z1) box { <min(X0, X1)-0.09, 0, min(Z0, Z1)-0.09>,
+  <max(X0, X1)+0.09, 0.02, max(Z0, Z1)+0.09> } #end
 #macro Arc(C, R) difference { cylinder { 0, y*0.02, R+0.09 } cylinder { -y, y, R-0.09 } translate C } #end
 union {
   Stroke(-52.5, -34, 52.5, -34) Stroke(-52.5, 34, 52.5, 34) Stroke(0, -34, 0, 34)
   Arc(0, 9.15) cylinder { 0, y*0.025, 0.3 }
   #for (Side, -1, 1, 2)
     Stroke(52.5*Side, -34, 52.5*Side, 34)
-    Stroke(36*Side, -20.16, 36*Side, 20.16) Stroke(36*Side, 20.16, 52.5*Side, 20.16) Stroke(36*Side, -20.16, 52.5*Side, -20.16)
-    Stroke(47*Side, -9.16, 47*Side, 9.16) Stroke(47*Side, 9.16, 52.5*Side, 9.16) Stroke(47*Side, -9.16, 52.5*Side, -9.16)
+    Stroke(36*Side, -20.16, 36*Side, 20.16) Stroke(36*Side, 20.16, 52.5*Side, 20.16) Stroke(36*Side, -20.16,
+      52.5*Side, -20.16)
+    Stroke(47*Side, -9.16, 47*Side, 9.16) Stroke(47*Side, 9.16, 52.5*Side, 9.16) Stroke(47*Side, -9.16,
+      52.5*Side, -9.16)
     cylinder { 0, y*0.025, 0.22 translate x*41.5*Side }
-    intersection { Arc(x*41.5*Side, 9.15) box { <0, -1, -10>, <36, 1, 10> scale <Side, 1, 1> } bounded_by { box { <-53, -1, -10>, <53, 1, 10> } } }
-    #for (K, -1, 1, 2) intersection { Arc(<52.5*Side, 0, 34*K>, 1) box { <-52.5, -1, -34>, <52.5, 1, 34> } } #end
+    intersection { Arc(x*41.5*Side, 9.15) box { <0, -1, -10>, <36, 1, 10> scale <Side, 1, 1> } bounded_by
+      { box { <-53, -1, -10>, <53, 1, 10> } } }
+    #for (K, -1, 1, 2) intersection { Arc(<52.5*Side, 0, 34*K>, 1) box { <-52.5, -1, -34>, <52.5, 1, 34> } }
+      #end
   #end
   texture { Line }
 }
@@ -86,9 +92,12 @@ difference {
 #declare Slogans = array[6] { "SCHEIMPFLUG", "f/1.4", "HINGE & SONS", "TILT", "SHIFT", "MERKLINGER" }
 #macro Board(P, Turn, K)
   union {
-    box { <-4.4, 0, 0>, <4.4, 0.95, 0.12> pigment { srgb Car_Colours[mod(K*5+2, 9)]*0.9+0.05 } finish { F_Matt } }
+    box { <-4.4, 0, 0>, <4.4, 0.95, 0.12> pigment { srgb Car_Colours[mod(K*5+2, 9)]*0.9+0.05 }
+      finish { F_Matt } }
     #local TX = text { internal 1, Slogans[mod(K, 6)], 0.04, 0 scale <0.86, 0.86, 1> };
-    object { TX translate <-(max_extent(TX).x+min_extent(TX).x)/2, 0.2, -0.03> pigment { srgb (mod(K*5+2, 9) = 3 | mod(K*5+2, 9) = 2 ? <0.1, 0.1, 0.2> : <0.97, 0.97, 0.97>) } finish { F_Matt } }
+    object { TX translate <-(max_extent(TX).x+min_extent(TX).x)/2, 0.2, -0.03> pigment {
+      srgb (mod(K*5+2, 9) = 3 | mod(K*5+2, 9) = 2 ? <0.1, 0.1, 0.2> : <0.97, 0.97, 0.97>) }
+      finish { F_Matt } }
     rotate y*Turn translate P
   }
 #end
@@ -107,7 +116,8 @@ difference {
       Bar_T(<52.5*Side, 2.45, Z>, <53.7*Side, 2.4, Z>, 0.03, T_Stripe_A)
       Bar_T(<53.7*Side, 2.4, Z>, <54.6*Side, 0, Z>, 0.03, T_Stripe_A)
     #end
-    #for (I, 0, 7) Bar_T(<(53.7+0.9*I/7)*Side, 2.4-2.4*I/7, -3.66>, <(53.7+0.9*I/7)*Side, 2.4-2.4*I/7, 3.66>, 0.03, T_Stripe_A) #end
+    #for (I, 0, 7) Bar_T(<(53.7+0.9*I/7)*Side, 2.4-2.4*I/7, -3.66>, <(53.7+0.9*I/7)*Side, 2.4-2.4*I/7,
+      3.66>, 0.03, T_Stripe_A) #end
     #for (I, 0, 6) #for (K, -1, 1, 2)
       Bar_T(<(52.5+2*I/6)*Side, 0, 3.66*K>, <(52.5+1.2*I/6)*Side, 2.42, 3.66*K>, 0.03, T_Stripe_A)
       Bar_T(<52.5*Side, 2.4*I/6, 3.66*K>, <(54.6-0.9*I/6)*Side, 2.4*I/6, 3.66*K>, 0.03, T_Stripe_A)
@@ -127,8 +137,10 @@ Goal(1) Goal(-1)
       Bar_T(<0.30*Stride*K, 0, 0.12*K>, <0, 0.85, 0.1*K>, 0.17, T_Skin)
       Bar_T(<0.30*Stride*K, 0, 0.12*K>, <0.20*Stride*K, 0.32, 0.11*K>, 0.20, T_Stripe_A)
       Bar_T(<0.18*Stride*K, 0.5, 0.12*K>, <0, 0.95, 0.09*K>, 0.26, T_Shorts)
-      Bar_T(<0.0, 1.42, 0.22*K>, <-0.20*Stride*K, 1.42-0.42*cos(Arms), (0.30+0.42*sin(Arms))*K>, 0.13, T_Skin)
-      Bar_T(<0.0, 1.45, 0.18*K>, <-0.10*Stride*K, 1.44-0.2*cos(Arms), (0.27+0.2*sin(Arms))*K>, 0.19, T_Shorts)
+      Bar_T(<0.0, 1.42, 0.22*K>, <-0.20*Stride*K, 1.42-0.42*cos(Arms), (0.30+0.42*sin(Arms))*K>, 0.13,
+        T_Skin)
+      Bar_T(<0.0, 1.45, 0.18*K>, <-0.10*Stride*K, 1.44-0.2*cos(Arms), (0.27+0.2*sin(Arms))*K>, 0.19,
+        T_Shorts)
     #end
     Stem(<0, 0, 0>, 7, 0.9, 0.20, 1.2, 0.25)
     Stem(<0, 0, 0>, 7, 1.2, 0.25, 1.5, 0.20)
@@ -154,8 +166,10 @@ Goal(1) Goal(-1)
 Put(0, 38.6, 0.8, 8)                      // the striker, running up
 Put(2, 52.1, -0.5, 180)                   // the keeper
 Put(3, 43.5, 11.5, 200)                   // the referee
-#declare Red_Team = array[8][2] { {33.4, -7.5}, {34.6, 6.8}, {32.2, 2.4}, {31.8, -12}, {34.6, 15}, {22, -3}, {12, 14}, {8, -16} }
-#declare White_Team = array[9][2] { {33.0, -5.6}, {34.2, -10.2}, {33.4, 8.7}, {31.5, 5.2}, {33.8, 12.6}, {35, 17.8}, {26, 4}, {16, -10}, {14, 9} }
+#declare Red_Team = array[8][2] { {33.4, -7.5}, {34.6, 6.8}, {32.2, 2.4}, {31.8, -12}, {34.6, 15}, {22, -3},
+  {12, 14}, {8, -16} }
+#declare White_Team = array[9][2] { {33.0, -5.6}, {34.2, -10.2}, {33.4, 8.7}, {31.5, 5.2}, {33.8, 12.6},
+  {35, 17.8}, {26, 4}, {16, -10}, {14, 9} }
 #for (I, 0, 7) Put(0, Red_Team[I][0], Red_Team[I][1], 30*(rand(S)-0.5)) #end
 #for (I, 0, 8) Put(1, White_Team[I][0], White_Team[I][1], 40*(rand(S)-0.5)) #end
 Put(0, -38, 0, 0) Put(1, -12, 3, 10)
@@ -200,7 +214,8 @@ sphere { <41.5, 0.16, 0>, 0.2 pigment { srgb 1 } finish { F_Matt } }
   }
 #end
 #declare Sectors = array[6]
-#for (I, 0, 5) #declare Sectors[I] = Sector(26, (I = 4 ? 0.72 : 0.95), (I < 3 ? 0.22 : (I = 3 ? 0.5 : 0.05))) #end
+#for (I, 0, 5) #declare Sectors[I] = Sector(26, (I = 4 ? 0.72 : 0.95),
+  (I < 3 ? 0.22 : (I = 3 ? 0.5 : 0.05))) #end
 #macro Stand(Count, Turn, Where, First)
   union {
     #for (I, 0, Count-1)
@@ -217,28 +232,27 @@ Stand(13, 180, <0, 0, -55>, 2)
 #for (C, 0, 3)
   #local P = <(mod(C, 2) ? 1 : -1)*64.5, 0, (C > 1 ? 1 : -1)*36>;
   #for (K, 0, 1)
-    object { Sectors[mod(C+K, 6)] translate z*19 rotate y*((C = 3 ? 30+32*K : (C = 2 ? -30-32*K : (C = 1 ? 118+32*K : -118-32*K)))) translate P }
+    object { Sectors[mod(C+K, 6)] translate z*19
+      rotate y*((C = 3 ? 30+32*K : (C = 2 ? -30-32*K : (C = 1 ? 118+32*K : -118-32*K)))) translate P }
   #end
 #end
 // roofs over the far stand and the one behind the goal
 #macro Roof(L, Turn, Where)
-  union {
-    mesh {
-      #local N = int(L/10);
-      #for (I, 0, N-1)
-        #local X0 = -L/2+L*I/N;  #local X1 = X0+L/N;
-        Quad_T(<X0, 19.5, 1>, <X1, 19.5, 1>, <X1, 21.5, 25>, <X0, 21.5, 25>, T_Frame)
-        Quad_T(<X0, 19.1, 1>, <X1, 19.1, 1>, <X1, 21.1, 25>, <X0, 21.1, 25>, T_Stripe_A)
-        Quad_T(<X0, 18.6, 1>, <X1, 18.6, 1>, <X1, 19.6, 1>, <X0, 19.6, 1>, T_Red)
-        Quad_T(<X0, 0, 24>, <X1, 0, 24>, <X1, 21, 25>, <X0, 21, 25>, T_Chimney)
-      #end
-      #for (I, 0, N)
-        #local X = -L/2+L*I/N;
-        Lattice(<X, 22.6, 0>, <X, 23.8, 25>, 1.0, 1.8, 9, 0.14, T_Metal)
-        Lattice(<X, 0, 26>, <X, 30, 26>, 1.2, 1.0, 9, 0.16, T_Metal)
-        Bar_T(<X, 30, 26>, <X, 22.8, 3>, 0.12, T_Metal)
-      #end
-    }
+  mesh {
+    #local N = int(L/10);
+    #for (I, 0, N-1)
+      #local X0 = -L/2+L*I/N;  #local X1 = X0+L/N;
+      Quad_T(<X0, 19.5, 1>, <X1, 19.5, 1>, <X1, 21.5, 25>, <X0, 21.5, 25>, T_Frame)
+      Quad_T(<X0, 19.1, 1>, <X1, 19.1, 1>, <X1, 21.1, 25>, <X0, 21.1, 25>, T_Stripe_A)
+      Quad_T(<X0, 18.6, 1>, <X1, 18.6, 1>, <X1, 19.6, 1>, <X0, 19.6, 1>, T_Red)
+      Quad_T(<X0, 0, 24>, <X1, 0, 24>, <X1, 21, 25>, <X0, 21, 25>, T_Chimney)
+    #end
+    #for (I, 0, N)
+      #local X = -L/2+L*I/N;
+      Lattice(<X, 22.6, 0>, <X, 23.8, 25>, 1.0, 1.8, 9, 0.14, T_Metal)
+      Lattice(<X, 0, 26>, <X, 30, 26>, 1.2, 1.0, 9, 0.16, T_Metal)
+      Bar_T(<X, 30, 26>, <X, 22.8, 3>, 0.12, T_Metal)
+    #end
     rotate y*Turn translate Where
   }
 #end
@@ -249,13 +263,15 @@ Roof(72, 90, <80, 0, 0>)
   #local P = <(mod(I, 2) ? 98 : -98), 0, (I > 1 ? 76 : -70)>;
   mesh {
     Lattice(P, P+y*44, 3.4, 1.2, 14, 0.22, T_Metal)
-    #for (K, 0, 5) #for (M, 0, 4) Brick_T(P+<-3+K-0.4, 42.5+1.2*M, -0.5>, P+<-3+K+0.4, 43.5+1.2*M, 0.3>, T_Lamp) #end #end
+    #for (K, 0, 5) #for (M, 0, 4) Brick_T(P+<-3+K-0.4, 42.5+1.2*M, -0.5>, P+<-3+K+0.4, 43.5+1.2*M, 0.3>,
+      T_Lamp) #end #end
   }
 #end
 // flags along the roof's edge
 #for (I, 0, 12)
   #local P = <-60+10*I, 23.5, 56>;
-  mesh { Bar_T(P, P+y*5, 0.12, T_Stripe_A) Quad_T(P+y*5, P+<2.6, 4.7, 0.5>, P+<2.5, 3.1, 0.3>, P+y*3.3, T_Awning[mod(I, 5)]) }
+  mesh { Bar_T(P, P+y*5, 0.12, T_Stripe_A) Quad_T(P+y*5, P+<2.6, 4.7, 0.5>, P+<2.5, 3.1, 0.3>, P+y*3.3,
+    T_Awning[mod(I, 5)]) }
 #end
 
 // ---- the quarter around it ----
@@ -264,6 +280,7 @@ Slab_Of(-500, -300, 500, 600, -0.4, T_Asphalt)
 #for (J, 0, 4) #for (I, 0, 7)
   #if (J > 0 | I > 5) Closed_Block(-250+66*I, 110+56*J, -190+66*I, 156+56*J, 0.3, 1.6) #end
 #end #end
-#for (I, 0, 2) Closed_Block(124+66*I, -40, 184+66*I, 6, 0.3, 1.4) Closed_Block(124+66*I, 16, 184+66*I, 62, 0.3, 1.4) #end
+#for (I, 0, 2) Closed_Block(124+66*I, -40, 184+66*I, 6, 0.3, 1.4) Closed_Block(124+66*I, 16, 184+66*I, 62,
+  0.3, 1.4) #end
 #for (I, 1, 110) Tree_At(<-200+420*rand(S), 0, 88+18*rand(S)>) #end
 #for (I, 0, 7) Cars(<-130, 0, 84+2.6*I>, <90, 0, 84+2.6*I>, 3.4, 0.0+0.85*(I < 2), 90) #end

@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A wristwatch for a catalogue. The lens is close and open, so an ordinary lens would hold a strip of the dial sharp. Here the
-// plane of sharp focus is the dial itself: every index from 6 to 12 is sharp at f/1.8, and pen, notebook
-// and cup are soft.
+// A wristwatch for a catalogue. The lens is close and open, so an ordinary lens would hold a strip
+// of the dial sharp. Here the plane of sharp focus is the dial itself: every index from 6 to 12 is
+// sharp at f/1.8, and pen, notebook and cup are soft.
 //
 //   ./render scenes/gallery/watch_on_table.pov +W1280 +H720
 //
@@ -51,7 +51,8 @@ light_source { <-300, 300, -260>, rgb <0.62, 0.76, 1.00>*0.14 shadowless }
   texture { pigment { C } finish { ambient 0 diffuse 0 emission 1 } }
 #end
 union {
-  box { <-210, 0, -150>, <210, 4, 150> Panel_Light(rgb <1.00, 0.96, 0.90>*2.6) rotate x*-42 translate <-130, 410, 420> }
+  box { <-210, 0, -150>, <210, 4, 150> Panel_Light(rgb <1.00, 0.96, 0.90>*2.6) rotate x*-42
+    translate <-130, 410, 420> }
   box { <-300, 60, 0>, <320, 330, 4> 
     texture {
       pigment { gradient y color_map { [0 rgb <0.14, 0.12, 0.10>] [1 rgb <1.1, 1.02, 0.94>] } scale 330 }
@@ -66,7 +67,8 @@ union {
 sky_sphere {
   pigment {
     gradient y
-    color_map { [0 rgb 0.01] [0.5 rgb <0.035, 0.028, 0.024>] [0.6 rgb <0.10, 0.085, 0.075>] [0.8 rgb <0.10, 0.10, 0.11>] [1 rgb <0.30, 0.29, 0.29>] }
+    color_map { [0 rgb 0.01] [0.5 rgb <0.035, 0.028, 0.024>] [0.6 rgb <0.10, 0.085, 0.075>]
+      [0.8 rgb <0.10, 0.10, 0.11>] [1 rgb <0.30, 0.29, 0.29>] }
     scale 2 translate -y
   }
 }
@@ -76,7 +78,8 @@ sky_sphere {
 #macro Metal(C, Rough)
   texture {
     pigment { C }
-    finish { ambient 0 diffuse 0.06 specular 0.8 roughness Rough metallic reflection { 0.74, 0.90 metallic } }
+    finish { ambient 0 diffuse 0.06 specular 0.8 roughness Rough metallic reflection { 0.74, 0.90 metallic }
+      }
   }
 #end
 #declare M_Steel = Metal(rgb <0.80, 0.80, 0.82>, 0.008)
@@ -105,7 +108,8 @@ sky_sphere {
 #declare M_White = texture { pigment { srgb <0.93, 0.92, 0.88> } finish { ambient 0.02 diffuse 0.85 } }
 #declare M_Leather = texture {
   pigment {
-    granite turbulence 0.2 color_map { [0.2 srgb <0.36, 0.19, 0.09>] [0.55 srgb <0.47, 0.26, 0.12>] [0.9 srgb <0.53, 0.31, 0.16>] }
+    granite turbulence 0.2 color_map { [0.2 srgb <0.36, 0.19, 0.09>] [0.55 srgb <0.47, 0.26, 0.12>]
+      [0.9 srgb <0.53, 0.31, 0.16>] }
     scale 9
   }
   normal { average normal_map { [1 crackle 0.45 scale 0.9 turbulence 0.15] [1 granite 0.25 scale 3] } }
@@ -114,15 +118,18 @@ sky_sphere {
 #declare M_Thread = texture { pigment { srgb <0.86, 0.78, 0.62> } finish { ambient 0 diffuse 0.85 } }
 #declare M_Lacquer = texture {
   pigment { srgb <0.05, 0.03, 0.035> }
-  finish { ambient 0 diffuse 0.6 specular 0.8 roughness 0.004 reflection { 0.04, 0.5 fresnel off falloff 3 } }
+  finish { ambient 0 diffuse 0.6 specular 0.8 roughness 0.004 reflection { 0.04, 0.5 fresnel off falloff 3 }
+    }
 }
 
 // ---- the watch: 12 o'clock toward +z, the crown toward +x ----
 
 #declare Case = union {
   mesh {
-    Turned_Pieces(array[16] { <14, 0.6, 0>, <16, 0.6, 0>, <17.6, 1.0, 0>, <18.6, 2.2, 0>, <18.6, 2.2, 0>, <19.6, 2.6, 0>,
-      <19.9, 4.4, 0>, <19.6, 7.4, 0>, <19.6, 7.4, 0>, <19.1, 7.9, 0>, <19.1, 7.9, 0>, <19.0, 8.2, 0>, <18.4, 9.6, 0>,
+    Turned_Pieces(array[16] { <14, 0.6, 0>, <16, 0.6, 0>, <17.6, 1.0, 0>, <18.6, 2.2, 0>, <18.6, 2.2, 0>,
+      <19.6, 2.6, 0>,
+      <19.9, 4.4, 0>, <19.6, 7.4, 0>, <19.6, 7.4, 0>, <19.1, 7.9, 0>, <19.1, 7.9, 0>, <19.0, 8.2, 0>,
+        <18.4, 9.6, 0>,
       <17.4, 10.5, 0>, <17.0, 10.6, 0>, <17.0, 10.6, 0> }, 16, 4, 120)
     texture { M_Steel }
   }
@@ -133,8 +140,10 @@ sky_sphere {
   #for (I, 0, 3)
     #local SX = (mod(I, 2) ? 1 : -1);  #local SZ = (I < 2 ? 1 : -1);
     mesh {   // lugs
-      Tube_Pieces(array[6] { <13.2, 4.6, 0>, <17.0, 4.8, 0>, <20.4, 4.0, 0>, <22.9, 2.2, 0>, <23.6, 1.2, 0>, <23.6, 1.2, 0> },
-                  array[6] { <2.7, 1.25, 0>, <2.5, 1.2, 0>, <2.0, 1.15, 0>, <1.2, 1.0, 0>, <0.8, 0.8, 0>, <0.0, 0.0, 0> }, 5, 24)
+      Tube_Pieces(array[6] { <13.2, 4.6, 0>, <17.0, 4.8, 0>, <20.4, 4.0, 0>, <22.9, 2.2, 0>, <23.6, 1.2, 0>,
+        <23.6, 1.2, 0> },
+                  array[6] { <2.7, 1.25, 0>, <2.5, 1.2, 0>, <2.0, 1.15, 0>, <1.2, 1.0, 0>, <0.8, 0.8, 0>,
+                    <0.0, 0.0, 0> }, 5, 24)
       texture { M_Steel }
       rotate y*-90*SZ
       translate <SX*11.6, 0.6, 0>
@@ -153,9 +162,12 @@ sky_sphere {
   // a facetted baton: two polished slopes
   #local H = 0.24;
   mesh {
-    triangle { <-W, 0, R0>, <0, H, R0+0.35>, <0, H, R1-0.35> } triangle { <-W, 0, R0>, <0, H, R1-0.35>, <-W, 0, R1> }
-    triangle { <W, 0, R0>, <0, H, R0+0.35>, <0, H, R1-0.35> } triangle { <W, 0, R0>, <0, H, R1-0.35>, <W, 0, R1> }
-    triangle { <-W, 0, R0>, <W, 0, R0>, <0, H, R0+0.35> } triangle { <-W, 0, R1>, <W, 0, R1>, <0, H, R1-0.35> }
+    triangle { <-W, 0, R0>, <0, H, R0+0.35>, <0, H, R1-0.35> } triangle { <-W, 0, R0>, <0, H, R1-0.35>,
+      <-W, 0, R1> }
+    triangle { <W, 0, R0>, <0, H, R0+0.35>, <0, H, R1-0.35> } triangle { <W, 0, R0>, <0, H, R1-0.35>,
+      <W, 0, R1> }
+    triangle { <-W, 0, R0>, <W, 0, R0>, <0, H, R0+0.35> } triangle { <-W, 0, R1>, <W, 0, R1>,
+      <0, H, R1-0.35> }
     texture { M_Steel }
     rotate y*Angle translate y*Dial
   }
@@ -163,9 +175,12 @@ sky_sphere {
 // A hand with a ridge along its middle.
 #macro Hand(Angle, Length, W, Y, M)
   mesh {
-    triangle { <-W*0.7, 0, -3>, <0, 0.3, -3.4>, <0, 0.42, 3> } triangle { <W*0.7, 0, -3>, <0, 0.3, -3.4>, <0, 0.42, 3> }
-    triangle { <-W*0.7, 0, -3>, <0, 0.42, 3>, <-W, 0, 3> } triangle { <W*0.7, 0, -3>, <0, 0.42, 3>, <W, 0, 3> }
-    triangle { <-W, 0, 3>, <0, 0.42, 3>, <0, 0.2, Length> } triangle { <W, 0, 3>, <0, 0.42, 3>, <0, 0.2, Length> }
+    triangle { <-W*0.7, 0, -3>, <0, 0.3, -3.4>, <0, 0.42, 3> } triangle { <W*0.7, 0, -3>, <0, 0.3, -3.4>,
+      <0, 0.42, 3> }
+    triangle { <-W*0.7, 0, -3>, <0, 0.42, 3>, <-W, 0, 3> } triangle { <W*0.7, 0, -3>, <0, 0.42, 3>,
+      <W, 0, 3> }
+    triangle { <-W, 0, 3>, <0, 0.42, 3>, <0, 0.2, Length> } triangle { <W, 0, 3>, <0, 0.42, 3>,
+      <0, 0.2, Length> }
     texture { M }
     rotate y*Angle translate y*(Dial+Y)
   }
@@ -204,11 +219,13 @@ sky_sphere {
   Index(-4.6, 9.4, 13.2, 0.62) Index(4.6, 9.4, 13.2, 0.62) Index(180, 11.6, 13.2, 0.62)
   #for (I, 0, 59)
     box {
-      <(mod(I, 5) ? -0.06 : -0.13), Dial, 13.75>, <(mod(I, 5) ? 0.06 : 0.13), Dial+0.02, (mod(I, 5) ? 14.6 : 15.0)>
+      <(mod(I, 5) ? -0.06 : -0.13), Dial, 13.75>, <(mod(I, 5) ? 0.06 : 0.13), Dial+0.02,
+        (mod(I, 5) ? 14.6 : 15.0)>
       texture { M_White } rotate y*6*I
     }
     #if (mod(I, 5) = 0)
-      cylinder { <0, Dial+0.02, 3.2>, <0, Dial-0.28, 3.55>, 0.05 texture { M_White } rotate y*6*I translate z*-7.2 }
+      cylinder { <0, Dial+0.02, 3.2>, <0, Dial-0.28, 3.55>, 0.05 texture { M_White } rotate y*6*I
+        translate z*-7.2 }
     #end
   #end
   Print("SCHEIMPFLUG", 1.28, z*5.0)
@@ -228,14 +245,16 @@ sky_sphere {
   // crystal: a thin dome that only reflects
   mesh {
     Turned_Pieces(array[4] { <16.9, 10.55, 0>, <13, 11.35, 0>, <7, 11.8, 0>, <0.001, 11.95, 0> }, 4, 5, 60)
-    texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 specular 0 reflection { 0.012, 0.25 falloff 4 } } }
+    texture { pigment { rgbt 1 } finish { ambient 0 diffuse 0 specular 0 reflection { 0.012, 0.25 falloff 4
+      } } }
     no_shadow
   }
 }
 
 // One half of the strap, from the lugs down to the table and along it; with seams.
 #declare Strap_Line = array[8] {
-  <18.5, 4.3, 0>, <22.5, 4.2, 0>, <28, 3.0, 0>, <36, 1.9, 0>, <50, 1.8, 0>, <66, 1.8, 0>, <84, 1.8, 0>, <98, 1.8, 0>
+  <18.5, 4.3, 0>, <22.5, 4.2, 0>, <28, 3.0, 0>, <36, 1.9, 0>, <50, 1.8, 0>, <66, 1.8, 0>, <84, 1.8, 0>,
+    <98, 1.8, 0>
 }
 #macro Strap_Half(Turn)
   #local U_Steps = 70;
@@ -244,8 +263,10 @@ sky_sphere {
       #for (I, 0, U_Steps-1)
         #local A = Curve_Point(Strap_Line, 8, 7*I/U_Steps);
         #local B = Curve_Point(Strap_Line, 8, 7*(I+1)/U_Steps-1e-6);
-        #local DA = vnormalize(Curve_Point(Strap_Line, 8, min(7, 7*I/U_Steps+0.03))-Curve_Point(Strap_Line, 8, max(0, 7*I/U_Steps-0.03)));
-        #local DB = vnormalize(Curve_Point(Strap_Line, 8, min(7, 7*(I+1)/U_Steps+0.03))-Curve_Point(Strap_Line, 8, 7*(I+1)/U_Steps-0.03));
+        #local DA = vnormalize(Curve_Point(Strap_Line, 8, min(7, 7*I/U_Steps+0.03))-Curve_Point(Strap_Line,
+          8, max(0, 7*I/U_Steps-0.03)));
+        #local DB = vnormalize(Curve_Point(Strap_Line, 8,
+          min(7, 7*(I+1)/U_Steps+0.03))-Curve_Point(Strap_Line, 8, 7*(I+1)/U_Steps-0.03));
         #local NA = <-DA.y, DA.x, 0>;  #local NB = <-DB.y, DB.x, 0>;
         #local WA = 9.8-1.3*I/U_Steps;  #local WB = 9.8-1.3*(I+1)/U_Steps;
         // padded section: twelve facets over the top, straight edges
@@ -294,7 +315,8 @@ object { Watch rotate y*-18 }
 #declare M_Table = texture {
   pigment {
     wood turbulence <0.10, 0.03, 0.10> octaves 5 omega 0.55
-    color_map { [0 srgb <0.30, 0.17, 0.10>] [0.5 srgb <0.24, 0.13, 0.075>] [0.8 srgb <0.16, 0.085, 0.05>] [1 srgb <0.28, 0.155, 0.09>] }
+    color_map { [0 srgb <0.30, 0.17, 0.10>] [0.5 srgb <0.24, 0.13, 0.075>] [0.8 srgb <0.16, 0.085, 0.05>]
+      [1 srgb <0.28, 0.155, 0.09>] }
     rotate x*92 rotate y*1.5 scale <4.2, 4.2, 60> translate <12, -6, 0>
   }
   normal { wrinkles 0.12 scale <0.8, 1, 14> }
@@ -310,11 +332,14 @@ box { <-600, -30, -400>, <600, -0.8, 460> pigment { srgb 0.02 } }
 
 // notebook
 union {
-  superellipsoid { <0.06, 0.2> scale <52, 1.1, 72> translate y*11.3 texture { M_Leather scale 2 pigment { srgb <0.16, 0.05, 0.045> } } }
-  superellipsoid { <0.06, 0.2> scale <52, 1.1, 72> translate y*1.1 texture { M_Leather scale 2 pigment { srgb <0.16, 0.05, 0.045> } } }
+  superellipsoid { <0.06, 0.2> scale <52, 1.1, 72> translate y*11.3 texture { M_Leather scale 2
+    pigment { srgb <0.16, 0.05, 0.045> } } }
+  superellipsoid { <0.06, 0.2> scale <52, 1.1, 72> translate y*1.1 texture { M_Leather scale 2
+    pigment { srgb <0.16, 0.05, 0.045> } } }
   box {
     <-50, 2, -70>, <50, 10.5, 70>
-    pigment { gradient y color_map { [0 srgb <0.80, 0.74, 0.62>] [0.5 srgb <0.90, 0.86, 0.76>] } scale 0.5 } finish { ambient 0 diffuse 0.8 }
+    pigment { gradient y color_map { [0 srgb <0.80, 0.74, 0.62>] [0.5 srgb <0.90, 0.86, 0.76>] } scale 0.5 }
+      finish { ambient 0 diffuse 0.8 }
   }
   box { <24, 0, -72.6>, <30, 12.7, 72.6> pigment { srgb 0.03 } finish { ambient 0 diffuse 0.6 } }
   rotate y*14 translate <-92, 0, 118>
@@ -322,16 +347,21 @@ union {
 // fountain pen
 union {
   mesh {
-    Turned_Pieces(array[22] { <0.4, -66, 0>, <3.2, -65.4, 0>, <4.4, -60, 0>, <5.0, -50, 0>, <5.6, -10, 0>, <5.6, -1, 0>, <5.6, -1, 0>,
-      <6.0, -1, 0>, <6.0, -1, 0>, <6.3, 1, 0>, <6.3, 1, 0>, <6.6, 20, 0>, <6.5, 48, 0>, <6.2, 58, 0>, <6.2, 58, 0>, <6.0, 58.6, 0>,
+    Turned_Pieces(array[22] { <0.4, -66, 0>, <3.2, -65.4, 0>, <4.4, -60, 0>, <5.0, -50, 0>, <5.6, -10, 0>,
+      <5.6, -1, 0>, <5.6, -1, 0>,
+      <6.0, -1, 0>, <6.0, -1, 0>, <6.3, 1, 0>, <6.3, 1, 0>, <6.6, 20, 0>, <6.5, 48, 0>, <6.2, 58, 0>,
+        <6.2, 58, 0>, <6.0, 58.6, 0>,
       <5.8, 62, 0>, <5.0, 66, 0>, <3.5, 68, 0>, <1.5, 68.8, 0>, <0.4, 69, 0>, <0, 69, 0> }, 22, 3, 40)
     texture { M_Lacquer }
   }
   mesh {
-    Turned_Pieces(array[5] { <6.0, -1.2, 0>, <6.75, -0.9, 0>, <6.75, 2.2, 0>, <6.75, 2.2, 0>, <6.3, 2.6, 0> }, 5, 3, 40)
-    Turned_Pieces(array[5] { <6.2, 57, 0>, <6.5, 57.3, 0>, <6.5, 59.6, 0>, <6.5, 59.6, 0>, <6.0, 60, 0> }, 5, 3, 40)
+    Turned_Pieces(array[5] { <6.0, -1.2, 0>, <6.75, -0.9, 0>, <6.75, 2.2, 0>, <6.75, 2.2, 0>,
+      <6.3, 2.6, 0> }, 5, 3, 40)
+    Turned_Pieces(array[5] { <6.2, 57, 0>, <6.5, 57.3, 0>, <6.5, 59.6, 0>, <6.5, 59.6, 0>, <6.0, 60, 0> },
+      5, 3, 40)
     Tube_Pieces(array[5] { <6.6, 58.4, 0>, <9.0, 57, 0>, <9.0, 40, 0>, <8.2, 22, 0>, <7.2, 18, 0> },
-                array[5] { <0.9, 1.6, 0>, <0.8, 1.6, 0>, <0.7, 1.5, 0>, <0.8, 1.3, 0>, <0.1, 0.1, 0> }, 4, 16)
+                array[5] { <0.9, 1.6, 0>, <0.8, 1.6, 0>, <0.7, 1.5, 0>, <0.8, 1.3, 0>, <0.1, 0.1, 0> }, 4,
+                  16)
     texture { M_Gold }
   }
   rotate y*-35 rotate z*90 rotate y*-64 translate <56, 6.8, 24>
@@ -339,17 +369,22 @@ union {
 // coffee
 union {
   mesh {
-    Turned_Pieces(array[12] { <0, 1, 0>, <30, 1, 0>, <30, 1, 0>, <33, 2.4, 0>, <52, 5.5, 0>, <64, 9.5, 0>, <65, 10.3, 0>, <64, 10.6, 0>,
+    Turned_Pieces(array[12] { <0, 1, 0>, <30, 1, 0>, <30, 1, 0>, <33, 2.4, 0>, <52, 5.5, 0>, <64, 9.5, 0>,
+      <65, 10.3, 0>, <64, 10.6, 0>,
       <50, 7.4, 0>, <30, 4.6, 0>, <24, 4.4, 0>, <0, 4.4, 0> }, 12, 4, 60)
-    Turned_Pieces(array[12] { <17, 4.4, 0>, <19, 5.5, 0>, <17.6, 8, 0>, <24, 16, 0>, <34, 32, 0>, <38.5, 54, 0>, <39.5, 60, 0>, <38.6, 60.6, 0>,
+    Turned_Pieces(array[12] { <17, 4.4, 0>, <19, 5.5, 0>, <17.6, 8, 0>, <24, 16, 0>, <34, 32, 0>,
+      <38.5, 54, 0>, <39.5, 60, 0>, <38.6, 60.6, 0>,
       <37.4, 60, 0>, <36.5, 54, 0>, <32, 33, 0>, <20, 14, 0> }, 12, 4, 60)
-    Tube_Pieces(array[7] { <34, 50, 0>, <44, 52, 0>, <53, 47, 0>, <54, 38, 0>, <48, 28, 0>, <38, 24, 0>, <30, 24, 0> },
-                array[7] { <2, 3.6, 0>, <2.2, 3.8, 0>, <2.4, 4.2, 0>, <2.4, 4.2, 0>, <2.2, 4.0, 0>, <2.2, 3.8, 0>, <2, 3.6, 0> }, 4, 16)
+    Tube_Pieces(array[7] { <34, 50, 0>, <44, 52, 0>, <53, 47, 0>, <54, 38, 0>, <48, 28, 0>, <38, 24, 0>,
+      <30, 24, 0> },
+                array[7] { <2, 3.6, 0>, <2.2, 3.8, 0>, <2.4, 4.2, 0>, <2.4, 4.2, 0>, <2.2, 4.0, 0>,
+                  <2.2, 3.8, 0>, <2, 3.6, 0> }, 4, 16)
     texture {
       pigment { srgb <0.93, 0.92, 0.90> }
       finish { ambient 0 diffuse 0.78 specular 0.5 roughness 0.008 reflection { 0.03, 0.25 falloff 3 } }
     }
   }
-  cylinder { y*44, y*51, 36 pigment { srgb <0.13, 0.065, 0.035> } finish { ambient 0 diffuse 0.7 reflection 0.06 } }
+  cylinder { y*44, y*51, 36 pigment { srgb <0.13, 0.065, 0.035> } finish { ambient 0 diffuse 0.7 reflection
+    0.06 } }
   scale 0.72 rotate y*-70 translate <34, 0, 112>
 }
