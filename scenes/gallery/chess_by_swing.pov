@@ -15,7 +15,7 @@
 // swing is negative.
 
 #version 3.7;
-#ifndef (Samples) #declare Samples = 200; #end
+#ifndef (Samples) #declare Samples = 128; #end
 #ifndef (Turned_Lens) #declare Turned_Lens = yes; #end
 global_settings { assumed_gamma 1 max_trace_level 3 adc_bailout 0.02 }
 #include "chess_set.inc"
@@ -33,7 +33,7 @@ camera {
   location Eye
   look_at Subject+<-0.5, -0.4, 0>
   focal_point Subject
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/2500
+  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/1500
   tilt_lens {
     scene_unit 10
     focal_length 90

@@ -13,9 +13,9 @@
 // One unit is a centimetre (scene_unit 10).
 
 #version 3.7;
-#ifndef (Samples) #declare Samples = 160; #end
+#ifndef (Samples) #declare Samples = 80; #end
 #ifndef (Lean) #declare Lean = -7; #end
-global_settings { assumed_gamma 1 max_trace_level 4 adc_bailout 0.03 }
+global_settings { assumed_gamma 1 max_trace_level 2 adc_bailout 0.03 }
 #include "forest_things.inc"
 #declare S = seed(927);
 
@@ -26,7 +26,7 @@ camera {
   location <-6, 27, -92>
   look_at <6, 28, 0>
   focal_point Subject
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/2000
+  blur_samples min(10, Samples), Samples  confidence 0.95  variance 1/800
   tilt_lens {
     scene_unit 10
     focal_length 35
@@ -126,26 +126,26 @@ Stool(19, -4, 5.2, 2.9, 0.0, 3)
 #declare Crowns = array[4]
 #for (I, 0, 3)
   #declare Trunks[I] = Birch_Trunk(1250+90*I, 6.2+1.0*I, (I < 2 ? 34 : -46), S)
-  #declare Crowns[I] = Birch_Crown(1330, 330+40*I, 46, 46, 10, S)
+  #declare Crowns[I] = Birch_Crown(1330, 330+40*I, 46, 24, 14, S)
 #end
 #macro Birch(X, Z, K, Size, With_Crown)
   #local Turn = 360*rand(S);
   union {
     object { Trunks[K] texture { T_Birch } }
-    #if (With_Crown) object { Crowns[K] } #end
+    #if (With_Crown) object { Crowns[K] no_shadow } #end
     scale Size rotate y*Turn rotate z*5*(rand(S)-0.5)
     translate <X, Ground_At(X, Z)*(abs(X) < 170 & Z < 250)+(Z >= 250)*6, Z>
   }
 #end
-Birch(-27, 10, 1, 1.0, yes)            // beside the toadstools
-Birch(58, 66, 0, 0.9, yes)
-Birch(-92, 118, 2, 0.95, yes)
-Birch(118, 170, 3, 1.0, yes)
-Birch(20, 260, 1, 1.0, yes)
-#for (I, 1, 75)
+Birch(-27, 10, 1, 1.0, no)            // beside the toadstools
+Birch(58, 66, 0, 0.9, no)
+Birch(-92, 118, 2, 0.95, no)
+Birch(118, 170, 3, 1.0, no)
+Birch(20, 260, 1, 1.0, no)
+#for (I, 1, 58)
   #local Z = 330+2600*pow(rand(S), 1.2);
   #local X = (rand(S)-0.5)*2.1*(Z*0.62+160)+0.12*Z;
-  Birch(X, Z, int(rand(S)*3.99), 0.8+0.4*rand(S), yes)
+  Birch(X, Z, int(rand(S)*3.99), 0.8+0.4*rand(S), (Z > 600))
 #end
 // ferns: in front, beside, and a sea of them behind
 #macro Fern_At(X, Z, Size)
@@ -161,15 +161,15 @@ Fern_At(52, -62, 0.6) Fern_At(-84, 6, 0.9)
   Fern_At(X, Z, 0.8+0.7*rand(S))
 #end
 // saplings whose leaves catch the sun
-#for (I, 1, 26)
+#for (I, 1, 22)
   #local Z = 120+620*rand(S);
   #local X = (rand(S)-0.5)*1.7*(Z*0.6+60);
   object { Crowns[int(rand(S)*3.99)] scale <0.30, 0.26, 0.30>*(0.8+0.5*rand(S)) rotate y*360*rand(S)
-    translate <X, -70+40*rand(S), Z> }
+    translate <X, -70+40*rand(S), Z> no_shadow }
 #end
 // young trees at the wood's edge
 #for (I, 1, 60)
   #local Z = 900+2200*rand(S);
   #local X = (rand(S)-0.5)*2*(Z*0.7+100);
-  object { Crowns[int(rand(S)*3.99)] scale <0.8, 0.35, 0.8> rotate y*360*rand(S) translate <X, -110, Z> }
+  object { Crowns[int(rand(S)*3.99)] scale <0.8, 0.35, 0.8> rotate y*360*rand(S) translate <X, -110, Z> no_shadow }
 #end
