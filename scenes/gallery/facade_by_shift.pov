@@ -30,7 +30,7 @@ camera {
   focal_point <0, 8, 0>
   blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/1500
   tilt_lens {
-    film_width Tilt_Lens_Film_4x5
+    film_width Tilt_Lens_Film_4x5[0]
     focal_length 105
     f_stop 16
     #if (!Look_Up) shift <9, 42> #end

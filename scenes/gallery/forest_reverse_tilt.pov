@@ -130,9 +130,11 @@ Stool(19, -4, 5.2, 2.9, 0.0, 3)
 #end
 #macro Birch(X, Z, K, Size, With_Crown)
   #local Turn = 360*rand(S);
-  union {
-    object { Trunks[K] texture { T_Birch } }
-    #if (With_Crown) object { Crowns[K] no_shadow } #end
+  #if (With_Crown)
+    union { object { Trunks[K] texture { T_Birch } } object { Crowns[K] no_shadow }
+  #else
+    object { Trunks[K] texture { T_Birch }
+  #end
     scale Size rotate y*Turn rotate z*5*(rand(S)-0.5)
     translate <X, Ground_At(X, Z)*(abs(X) < 170 & Z < 250)+(Z >= 250)*6, Z>
   }
