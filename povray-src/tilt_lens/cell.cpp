@@ -110,9 +110,8 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     const std::vector<Pixel> begin = pixels;
     try
     {
-        for (std::uint32_t y = area.top; y < area.Bottom(); y++)
-            for (std::uint32_t x = area.left; x < area.Right(); x++)
-                pixels[Index(x, y)].blurredSpread = BlurredSpread(neighbours, x, y);
+        if (limits.variance > 0.0)  // else nobody asks
+            SpreadBlurred(neighbours);
 
         std::uint32_t until = RoundUp(limits.min, limits.max);
         while (Judge(neighbours, limits, until) && until < limits.max)
@@ -357,12 +356,12 @@ Radiance Cell::NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x
     return spread;
 }
 
-/// Mean variance of one sample in the first round, over the cell and the pixels beside it, of what is
-/// blurred far enough to lie over this pixel too: a point covers all pixels within its blur's radius,
-/// so two pixels that see it are at most twice that apart.
-Radiance Cell::BlurredSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const
+/// Notes for each pixel the mean variance of one sample in the first round, over the cell and the pixels
+/// beside it, of what is blurred far enough to lie over this pixel too: a point covers all pixels within
+/// its blur's radius, so two pixels that see it are at most twice that apart.
+void Cell::SpreadBlurred(const Neighbours& neighbours)
 {
-    Radiance mean{};
+    Radiance everywhere{};  // of what is blurred over the whole cell
     int count = 0;
     for (std::int64_t v = std::int64_t(area.top) - 1; v <= area.Bottom(); v++)
         for (std::int64_t u = std::int64_t(area.left) - 1; u <= area.Right(); u++)
@@ -372,13 +371,25 @@ Radiance Cell::BlurredSpread(const Neighbours& neighbours, std::uint32_t x, std:
                 continue;
             count++;
             const First& other = holder->FirstOf(u, v);
-            const double apart = std::max(std::fabs(double(u) - x), std::fabs(double(v) - y));
-            if (apart <= 2.0 * other.blur)
-                AddTo(mean, other.spread);
+            if (2.0 * other.blur >= kCell)
+                AddTo(everywhere, other.spread);
+            else
+                SpreadOver(u, v, 2.0 * other.blur, other.spread);
         }
-    for (double& channel : mean)
-        channel /= count;
-    return mean;
+    for (Pixel& pixel : pixels)
+        for (std::size_t c = 0; c < everywhere.size(); c++)
+            pixel.blurredSpread[c] = (pixel.blurredSpread[c] + everywhere[c]) / count;
+}
+
+/// Adds to the cell's pixels that are no farther from (x, y) than `reach` columns and rows.
+void Cell::SpreadOver(std::int64_t x, std::int64_t y, double reach, const Radiance& spread)
+{
+    if (std::all_of(spread.begin(), spread.end(), [](double channel) { return channel == 0.0; }))
+        return;
+    const std::int64_t most = std::int64_t(reach);
+    for (std::int64_t v = std::max<std::int64_t>(area.top, y - most); v <= y + most && v < area.Bottom(); v++)
+        for (std::int64_t u = std::max<std::int64_t>(area.left, x - most); u <= x + most && u < area.Right(); u++)
+            AddTo(pixels[Index(u, v)].blurredSpread, spread);
 }
 
 Radiance Cell::MeanOf(const Pixel& pixel)

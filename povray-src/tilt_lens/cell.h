@@ -91,7 +91,7 @@ class Cell
     {
         std::array<Radiance, 2> half{};  ///< sums of the samples before and after the middle
         Radiance squares{};              ///< sum over both halves
-        Radiance blurredSpread{};        ///< as BlurredSpread() gives it
+        Radiance blurredSpread{};        ///< as SpreadBlurred() notes it
         std::uint32_t samples = 0;
         std::uint32_t middle = 0;        ///< samples in the first half
         std::uint32_t notFinite = 0;
@@ -126,7 +126,8 @@ class Cell
     void CreditReconstruction(const Neighbours& neighbours, double allowed, std::vector<Judged>& judged) const;
     std::array<float, kCell * kCell> Remains(const Neighbours& neighbours, const std::vector<Estimate>& own) const;
     Radiance NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
-    Radiance BlurredSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
+    void SpreadBlurred(const Neighbours& neighbours);
+    void SpreadOver(std::int64_t x, std::int64_t y, double reach, const Radiance& spread);
     static Radiance Spread(const Pixel& pixel);
     static Radiance MeanOf(const Pixel& pixel);
 };
