@@ -14,11 +14,12 @@ from lab import ACCUMULATE, TILT_LENS, Failed, digest, run_measured
 PROCESSES = 4       # the program idles between frames
 
 
+# Frames are OpenEXR: a PNG would clip lights before they are averaged.
 def frames(lab, shot, first, last, count, folder):
     """Renders frames first to last of an animation of `count`; CPU seconds of its rays alone, as the program
     states them after each frame, and of the whole process."""
-    command = [lab.stock, *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/f.png", "+FN16",
-               "File_Gamma=1.0", "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"]
+    command = [lab.stock, *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/f.exr", "+FE",
+               "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"]
     messages, cpu, _ = run_measured(command, folder)
     traced = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     if len(traced) != last - first + 1:
@@ -40,7 +41,7 @@ def measure(lab, scene, tilted):
     count = min(64, scene.frames) if lab.quick else scene.frames
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)
-    key = digest("accumulation by trace time", lab.hashes[lab.stock], shot.arguments()[2:], shot.sources(), reference.name, count)
+    key = digest("accumulation of OpenEXR", lab.hashes[lab.stock], shot.arguments()[2:], shot.sources(), reference.name, count)
     record = lab.runs.get((key, 0))
     if record is None:
         lab.say(f"  accumulation buffer of {count} frames")
@@ -48,7 +49,7 @@ def measure(lab, scene, tilted):
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         rays, cpu = cpu_of_frames(lab, shot, count, folder)
-        pictures = sorted(folder.glob("f*.png"))
+        pictures = sorted(folder.glob("f*.exr"))
         counts = [2**k for k in range(3, count.bit_length())]
         lines = lab.tool("noise", "prefixes", reference, *pictures, "--counts", ",".join(map(str, counts)))
         shutil.rmtree(folder)

@@ -129,17 +129,19 @@ def main():
     try:
         results, runs = measure(lab, args)
         folder = work / "results"
-        folder.mkdir(exist_ok=True)
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
         draw(folder, results, runs)
     except Failed as trouble:
         print(trouble, file=sys.stderr)
         return 1
-    made = report.text(results, args.quick)
+    made = report.text(results, args.quick, sorted(path.name for path in folder.glob("*.svg")))
     (folder / "tables.md").write_text(made)
     print(made)
     if args.update_docs:
         pictures = HERE.parent / "docs" / "pictures" / "benchmarks"
-        shutil.copytree(folder, pictures, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.md"))
+        shutil.rmtree(pictures, ignore_errors=True)
+        shutil.copytree(folder, pictures, ignore=shutil.ignore_patterns("*.md"))
         report.update_document(HERE.parent / "docs" / "benchmarks.md", made)
     return 0
 

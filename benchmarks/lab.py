@@ -109,11 +109,11 @@ class Lab:
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def render(self, program, shot, picture, low_priority=False):
-        """A linear 16-bit PNG; messages, CPU seconds, seconds."""
+        """A linear 16-bit PNG, or OpenEXR if it is called so; messages, CPU seconds, seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
-        command = [program, *shot.arguments(), *self.gathered_light(shot), f"+O{picture}", "+FN16",
-                   "File_Gamma=1.0"]
+        command = [program, *shot.arguments(), *self.gathered_light(shot), f"+O{picture}",
+                   *(["+FE"] if picture.suffix == ".exr" else ["+FN16", "File_Gamma=1.0"])]
         result = run_measured(command, picture.parent, low_priority)
         if not picture.is_file():
             raise Failed(f"{shot}: the program ended well but wrote no {picture}")
@@ -197,7 +197,8 @@ class Lab:
 
     def start_up(self, program, shot):
         """CPU seconds of a run that renders one pixel: start, parsing, end."""
-        one = dataclasses.replace(shot, options=(*shot.options, "+SC1", "+EC1", "+SR1", "+ER1"))
+        # the second pixel: the program takes a 1 for 100 % of the picture
+        one = dataclasses.replace(shot, options=(*shot.options, "+SC2", "+EC2", "+SR2", "+ER2"))
         return statistics.median(self.run(program, one, repetition=i)["cpu"] for i in range(3))
 
 

@@ -21,12 +21,12 @@ def lens_options(messages):
 
 def one(lab, scene, tilted, setting, reference):
     """Renders, blurs, measures; CPU seconds of the picture, of one of the two depth pictures, of the blur."""
-    key = digest("post", EDGES[setting], lab.hashes[lab.stock], scene.shot(PINHOLE, tilted).sources(), scene.size,
+    key = digest("post of OpenEXR", EDGES[setting], lab.hashes[lab.stock], scene.shot(PINHOLE, tilted).sources(), scene.size,
                  (lab.tools / "post_blur").read_bytes(), tilted, setting, reference.name)
     record = lab.runs.get((key, 0))
     if record is None:
         folder = lab.work / "post"
-        sharp, white, black, blurred = (folder / name for name in ("sharp.png", "white.png", "black.png", "out.exr"))
+        sharp, white, black, blurred = (folder / name for name in ("sharp.exr", "white.png", "black.png", "out.exr"))
         _, cpu_sharp, _ = lab.render(lab.stock, scene.shot(PINHOLE, tilted, options=EDGES[setting]), sharp)
         for brightness, picture in ((1, white), (0, black)):
             depth = scene.shot(PINHOLE, tilted, declare=(("Depth", FOG), ("White", brightness)))

@@ -129,9 +129,17 @@ def machine():
     return found.group(1) if found else "an unnamed processor"
 
 
-def text(results, quick):
+def section_plots(names):
+    """All runs of each scene, the fronts as lines; growth."""
+    return ["### Plots", "", "Points are runs, lines join the best of each way. All numbers are in "
+            "[runs.csv](pictures/benchmarks/runs.csv).", "",
+            *[f"![{name.removesuffix('.svg').replace('_', ' ')}](pictures/benchmarks/{name})" for name in names], ""]
+
+
+def text(results, quick, plots=()):
     head = [f"Made by `benchmarks/run{' --quick' if quick else ''}` on {machine()}, with {results['version']}.", ""]
-    return "\n".join(head + [line for name, section in SECTIONS if results.get(name) for line in section(results)])
+    lines = [line for name, section in SECTIONS if results.get(name) for line in section(results)]
+    return "\n".join(head + lines + (section_plots(plots) if plots else []))
 
 
 def update_document(path, made):

@@ -17,21 +17,26 @@ def repetitions(cpu, quick):
 
 
 def first_runs(lab, scene, reference):
-    """Every setting once, the two programs in turn. Ours goes on until it is better than stock's best."""
-    stock = list(suite.stock_shots(scene, lab.quick))
+    """Every setting once, the two programs in turn. Ours goes on until it is better than all errors compared at."""
+    stock = collections.deque(suite.stock_shots(scene, lab.quick))
     chains = [collections.deque(chain) for chain in suite.ours_chains(scene, 0, lab.quick)]
-    done, finest = [], None
+    done, errors = [], {}
+
+    def run(program, binary, name, shot):
+        record = lab.run(binary, shot, reference, program=program, setting=name, scene=scene.name)
+        done.append((binary, shot, record))
+        return record
+
     while stock or chains:
         if stock:
-            name, shot = stock.pop(0)
-            record = lab.run(lab.stock, shot, reference, program="stock", setting=name, scene=scene.name)
-            finest = min(finest or 1.0, record["mse"])
-            done.append((lab.stock, shot, record))
+            name, shot = stock.popleft()
+            errors[name] = run("stock", lab.stock, name, shot)["mse"]
+        compared_at = [errors[str(target)] for target in suite.TARGETS if str(target) in errors]
+        to_come = any(name.isdigit() for name, _ in stock)
         for chain in list(chains):
             name, shot = chain.popleft()
-            record = lab.run(lab.ours, shot, reference, program="tilt_lens", setting=name, scene=scene.name)
-            done.append((lab.ours, shot, record))
-            if not chain or (not stock and record["mse"] < finest) or record["mse"] < 0.5*finest:
+            mse = run("tilt_lens", lab.ours, name, shot)["mse"]
+            if not chain or (not to_come and mse < min(compared_at)):
                 chains.remove(chain)
     return done
 
@@ -49,7 +54,7 @@ def measure(lab, scene):
             if repetition < repetitions(record["cpu"], lab.quick):
                 again = lab.run(program, shot, reference, repetition=repetition)
                 times[record["key"]].append(again["cpu"])
-    return [{**record, "cpu": statistics.median(times[record["key"]]), "runs": len(times[record["key"]]),
+    return [{**record, "tilted": 0, "cpu": statistics.median(times[record["key"]]), "runs": len(times[record["key"]]),
              "start_up": start[program], "rmse": math.sqrt(record["mse"])} for program, _, record in done]
 
 

@@ -6,7 +6,7 @@
 ///
 ///     noise reference OUT.exr PICTURE...    mean of independent pictures and its standard error
 ///     noise errors REFERENCE PICTURE...     each picture against it
-///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first 1, 4, ... pictures
+///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first so many pictures
 ///
 /// A reference made of several pictures knows its own mean square error, which is independent of the
 /// picture's and is taken off; a result below zero is given as zero. Pictures that are larger than the
@@ -134,7 +134,7 @@ void PrintPrefixes(const Arguments& arguments)
     std::fill(sum.values.begin(), sum.values.end(), 0.0);
     for (std::size_t i = 0; i < arguments.pictures.size(); ++i)
     {
-        const Picture picture = Clipped(witness::ReadPicture(arguments.pictures[i]));
+        const Picture picture = witness::ReadPicture(arguments.pictures[i]);
         if (!picture.SameSize(sum))
             throw std::runtime_error(arguments.pictures[i] + " has not the reference's size");
         for (std::size_t k = 0; k < sum.Size(); ++k)
@@ -144,7 +144,7 @@ void PrintPrefixes(const Arguments& arguments)
         Picture mean = sum;
         for (double& value : mean.values)
             value /= double(i + 1);
-        json line = Errors(mean, reference, {});
+        json line = Errors(Clipped(std::move(mean)), reference, {});
         line["count"] = i + 1;
         std::cout << line.dump() << '\n';
     }

@@ -68,6 +68,11 @@ class Noise(unittest.TestCase):
         self.assertAlmostEqual(lines[0]["mse"], 0.0625, places=6)
         self.assertAlmostEqual(lines[1]["mse"], 0.0, places=6)
 
+    def test_lights_are_clipped_after_they_are_averaged(self):
+        pictures = [self.grey("a", 0.0), self.grey("b", 1.5)]
+        line, = self.tool("prefixes", self.reference(0.5, 0.5), *pictures, "--counts", "2")
+        self.assertAlmostEqual(line["mse"], 0.0625, places=6)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
