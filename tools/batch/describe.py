@@ -194,7 +194,10 @@ def choose_bands(request, probe, size, engine):
     blocks = -(-size[1] // plan.BLOCK)
     worth = max(plan.SECONDS_A_TASK, 10 * estimate["start"])
     parallel = engine.workers(request.settings, request.threads)
-    bands = asked or max(1, min(math.ceil(4 * parallel / count), int(estimate["picture"] / worth), blocks))
+    tall = max(math.ceil(parallel / count), size[1] // plan.TALL)
+    bands = asked or max(
+        1, min(math.ceil(4 * parallel / count), tall, int(estimate["picture"] / worth), blocks)
+    )
     say(
         f"about {progress.span(estimate['picture'] * count * request.threads)} of one core in all, and "
         f"{estimate['start']:.1f} s for each start of POV-Ray; {bands} band{'s' if bands > 1 else ''} a picture"

@@ -16,6 +16,7 @@ from pov_options import PovOptions
 from store import BatchError, sha256
 
 BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on where they begin
+TALL = 256  # rows of a band, where there is a choice: each edge costs some 15 to 20 rows in a blurred picture
 SECONDS_A_TASK = 5.0  # what a task should be worth at least, ten times what starting POV-Ray costs
 DEFAULT_INI = (
     "./povray.ini",

@@ -25,8 +25,8 @@ BEGIN, END = "<!-- written by tools/batch/scaling.py -->\n", "<!-- end -->\n"
 SCENE = REPOSITORY / "scenes" / "tutorial" / "film.pov"
 POVRAY = REPOSITORY / "build" / "bin" / "povray"
 TINY = ("+W16", "+H12", "Declare=Stop=22")
-FRAMES = 24  # of the tiny films
-STILL = ("+W320", "+H256", "Declare=Tilt=-8")  # eight bands of 32 rows
+FRAMES = 12  # of the tiny films
+STILL = ("+W640", "+H512", "Declare=Tilt=-8")  # eight bands of 64 rows
 EIGHT_K = (7680, 4320)
 FILM = 1440  # frames on paper: a minute at 24 a second
 NODES = 1000
@@ -187,7 +187,8 @@ def on_paper(hours, bands, costs):
     one core. The last worker starts when the controller has come to it; who finishes a frame's last band
     joins the frame."""
     units = FILM * bands
-    unit = hours * 3600 / bands + costs["unit"] + costs["check"]
+    edges = 2 * (bands - 1) * costs["margin"] / EIGHT_K[1]
+    unit = hours * 3600 * (1 + edges) / bands + costs["unit"] + costs["check"]
     join = bands * costs["check"] + costs["join"] if bands > 1 else 0.0
     waves = -(-units // NODES)
     clock = NODES / costs["rate"] + waves * unit + -(-FILM // NODES) * join
@@ -224,6 +225,19 @@ def speed_rows(runs):
     ]
 
 
+def margin(runs, unit):
+    """Rows beyond each edge of a band that the sampler needs to know as well, from what eight bands cost more than
+    the whole and their units do."""
+    whole, bands, rows = (
+        median(runs["povray +WT1"], 1),
+        median(runs["batch, 1 worker"], 1),
+        int(STILL[1][2:]),
+    )
+    return (
+        max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)
+    )  # 10: with two small renders
+
+
 def paper_rows(costs, here):
     """The film on paper, for frames of several costs."""
     rows = []
@@ -244,6 +258,7 @@ def text(repeat):
     size = [int(word[2:]) for word in STILL[:2]]
     here = median(runs["povray +WT1"], 1) / (size[0] * size[1]) * EIGHT_K[0] * EIGHT_K[1] / 3600
     costs = {"unit": median(unit, 0), "check": large["check"], "join": large["join"], "rate": rate}
+    costs["margin"] = margin(runs, unit)
     lines = [
         f"Medians of {repeat}, on {os.cpu_count()} cores; load of the machine before the run: {load:.1f}.",
         "",
@@ -252,6 +267,9 @@ def text(repeat):
         f"The tutorial's `film.pov` with tilt -8, {size[0]} by {size[1]} pixels in 8 bands:",
         "",
         *table(("how", "s by the clock", "s of processor", "speed-up"), speed_rows(runs)),
+        "",
+        f"Each edge between two bands costs as much as about {costs['margin']:.0f} rows: what is blurred is sampled together with",
+        "its surroundings, so bands overlap in what they must look at.",
         "",
         f"One band of an 8K picture ({EIGHT_K[0]} by {EIGHT_K[1]}) takes {large['memory']:.0f} MB of memory, because POV-Ray",
         f"holds the whole frame, and {large['bytes'] / 1000:.0f} KB of disk.",
