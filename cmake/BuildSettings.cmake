@@ -28,19 +28,6 @@ if(TILT_LENS_SANITIZE)
     add_link_options(-fsanitize=${TILT_LENS_SANITIZE})
 endif()
 
-# Profile-guided: the compiler records what the training scenes run, then arranges the code for it. Values
-# are computed as before, so that pixels stay the same. Both passes need one build folder, for the
-# profiles lie beside the objects (cmake/build-fast).
-if(TILT_LENS_PROFILE STREQUAL "record")
-    add_compile_options(-fprofile-generate -fprofile-update=prefer-atomic)
-    add_link_options(-fprofile-generate)
-elseif(TILT_LENS_PROFILE STREQUAL "use")
-    add_compile_options(-fprofile-use -fprofile-correction -Wno-missing-profile -flto=auto -fno-fat-lto-objects)
-    add_link_options(-fprofile-use -flto=auto)
-elseif(TILT_LENS_PROFILE)
-    message(FATAL_ERROR "TILT_LENS_PROFILE is '${TILT_LENS_PROFILE}'; it must be record, use or empty.")
-endif()
-
 # Tries ccache once: it stops every compilation where it cannot write its folder (an account without a home).
 function(tilt_lens_try_ccache)
     set(probe "${CMAKE_BINARY_DIR}/CMakeFiles/ccache-probe.cpp")
