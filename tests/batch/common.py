@@ -57,8 +57,12 @@ def environment():
 
 
 def ordinary_user():
-    """Words before a command that make root an ordinary user, who cannot write everywhere."""
-    return ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"] if os.getuid() == 0 else []
+    """Words before a command that make root an ordinary user, who cannot write everywhere. None where such a
+    user could not read the repository (it lies in root's home, say)."""
+    readable = all(folder.stat().st_mode & 0o005 == 0o005 for folder in (REPOSITORY, *REPOSITORY.parents))
+    if os.getuid() != 0 or not readable:
+        return []
+    return ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
 
 
 def processes(text):

@@ -44,7 +44,8 @@ class Many(BatchTest):
         self.assertEqual(len(list((self.folder / "scene_sweep").glob("scene_N=*.png"))), 200)
         self.assertGreater(max(povrays for povrays, _ in seen), 1)
         self.assertLessEqual(max(povrays for povrays, _ in seen), WORKERS)
-        self.assertLessEqual(max(workers for _, workers in seen), WORKERS)
+        # a worker between fork and exec of its program is seen twice
+        self.assertLessEqual(max(workers for _, workers in seen), WORKERS + 1)
         tasks = len(list((work / "log").glob("task-*.log")))
         self.assertLess(tasks, 100, "several pictures to a task")
         self.assertEqual(list((work / "units").glob("*/picture*")), [], "no parts are left")
