@@ -6,11 +6,20 @@
 #include <cstdio>
 #include <limits>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 namespace tilt_lens
 {
 
 namespace
 {
+
+/// What a camera is solved with: 113 bits, and exponents far beyond those of doubles. The numbers of a
+/// scene are taken as exact, however much of them cancels (a plane of focus a hair from the lens, a camera
+/// 10^12 units from the origin), and the lens is rounded once, at the end. It costs microseconds, once a
+/// camera, and is the same on every machine: it needs nothing of the C library.
+using Real = boost::multiprecision::cpp_bin_float_quad;
+using RealVec = VecOf<Real>;
 
 const double kPi = 3.14159265358979323846;
 const double kInfinity = std::numeric_limits<double>::infinity();
@@ -22,15 +31,25 @@ const double kDoubtfulTilt = 15.0;
 /// What rounding may leave, relative to the numbers it comes from, where nothing ought to be left.
 const double kRounding = 1e-14;
 
-double Radians(double degrees) { return degrees * (kPi / 180.0); }
+Real Radians(double degrees)
+{
+    static const Real degree = Real("3.14159265358979323846264338327950288419716939937511") / 180;
+    return degrees * degree;
+}
+
 double Degrees(double radians) { return radians * (180.0 / kPi); }
+
+RealVec Exact(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 Rounded(const RealVec& v) { return {double(v.x), double(v.y), double(v.z)}; }
 
 std::string Number(double value)
 {
     char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
+    std::snprintf(text, sizeof text, "%g", value + 0.0);  // never -0
     return text;
 }
+
+std::string Number(const Real& value) { return Number(double(value)); }
 
 std::string Text(const Vec3& v)
 {
@@ -41,26 +60,27 @@ std::string Text(const Vec3& v)
 /// everything below is solved: x right, y up, z axis.
 struct Axes
 {
-    Vec3 right, up, axis;
+    RealVec right, up, axis;
 
-    Vec3 ToCamera(const Vec3& v) const { return {Dot(v, right), Dot(v, up), Dot(v, axis)}; }
-    Vec3 ToWorld(const Vec3& v) const { return v.x * right + v.y * up + v.z * axis; }
+    RealVec ToCamera(const RealVec& v) const { return {Dot(v, right), Dot(v, up), Dot(v, axis)}; }
+    RealVec ToWorld(const RealVec& v) const { return v.x * right + v.y * up + v.z * axis; }
 };
 
 Axes AxesOf(const CameraFrame& camera)
 {
-    const Vec3 right = Normalized(camera.right);
-    const Vec3 upUnit = Normalized(camera.up);
-    const Vec3 upAcross = upUnit - Dot(upUnit, right) * right;
-    const Vec3 up = Normalized(upAcross);
-    Vec3 axis = Normalized(Cross(right, up));
-    if (Dot(axis, camera.direction) < 0.0)
+    const RealVec direction = Exact(camera.direction);
+    const RealVec right = Normalized(Exact(camera.right));
+    const RealVec upUnit = Normalized(Exact(camera.up));
+    const RealVec upAcross = upUnit - Dot(upUnit, right) * right;
+    const RealVec up = Normalized(upAcross);
+    RealVec axis = Cross(right, up);
+    if (Dot(axis, direction) < 0)
         axis = -axis;  // POV-Ray's cameras are left-handed unless `right` is negative
     const Axes axes{right, up, axis};
     // of vectors that depend on each other rounding leaves something, too
     const bool independent = Length(upAcross) > kRounding &&
-                             Dot(axis, camera.direction) > kRounding * Length(camera.direction);
-    if (!independent || !IsFinite(right) || !IsFinite(axis) || !IsFinite(camera.location))
+                             Dot(axis, direction) > kRounding * Length(direction);
+    if (!independent || !IsFinite(camera.location))
         throw OpticsError("The camera spans no picture: direction " + Text(camera.direction) +
                           ", right " + Text(camera.right) + ", up " + Text(camera.up) +
                           ". The three must be finite and independent; give other vectors.");
@@ -69,49 +89,48 @@ Axes AxesOf(const CameraFrame& camera)
 
 /// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis. The
 /// formula treats both turns alike, so that their order does not matter.
-Vec3 TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord,
-                  const char* swingWord)
+RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord,
+                     const char* swingWord)
 {
     if (!(std::fabs(tiltDegrees) < 90.0) || !(std::fabs(swingDegrees) < 90.0))
         throw OpticsError(std::string(what) + " is turned by 90 degrees or more: " + tiltWord + " " +
                           Number(tiltDegrees) + ", " + swingWord + " " + Number(swingDegrees) +
                           ". Both must be between -90 and 90; turn it less.");
-    const double tilt = Radians(tiltDegrees), swing = Radians(swingDegrees);
-    return Normalized({-std::sin(swing) * std::cos(tilt), -std::sin(tilt) * std::cos(swing),
-                       std::cos(tilt) * std::cos(swing)});
+    const Real tilt = Radians(tiltDegrees), swing = Radians(swingDegrees);
+    return Normalized(RealVec{-sin(swing) * cos(tilt), -sin(tilt) * cos(swing), cos(tilt) * cos(swing)});
 }
 
 /// The plane of sharp focus n.X = d (n unit, camera axes, about the lens centre) as k = n/d; reach is
 /// the size of the world coordinates that d was computed from.
-Vec3 FocusOfPlane(const Vec3& normal, double distance, double reach)
+RealVec FocusOfPlane(const RealVec& normal, const Real& distance, const Real& reach)
 {
     // A plane nearer to the lens centre than rounding can tell is a plane through it.
-    if (!(std::fabs(distance) > kRounding * reach))
+    if (!(abs(distance) > kRounding * reach))
         throw OpticsError("The plane of sharp focus passes through the lens centre (its distance from "
                           "the camera's location is " + Number(distance) + "). It must keep away from "
                           "the location; move the plane or the camera.");
     return normal / distance;
 }
 
-Vec3 FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Statement& given)
+RealVec FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
-    const Vec3 a = given.points[0] - camera.location;
-    const Vec3 ab = given.points[1] - given.points[0], ac = given.points[2] - given.points[0];
-    const Vec3 normal = Cross(Normalized(ab), Normalized(ac));
+    const RealVec a = Exact(given.points[0]);
+    const RealVec ab = Exact(given.points[1]) - a, ac = Exact(given.points[2]) - a;
+    const RealVec normal = Cross(Normalized(ab), Normalized(ac));
     // sine of the angle at A; 1e-12 is what is left of doubles that were typed with a few digits
     if (!(Length(normal) > 1e-12))
         throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " +
                           Text(given.points[1]) + ", " + Text(given.points[2]) +
                           ". They must span a plane; move one of them off the line.");
-    const Vec3 unit = axes.ToCamera(Normalized(normal));
-    const Vec3 point = axes.ToCamera(a);
+    const RealVec unit = axes.ToCamera(Normalized(normal));
+    const RealVec point = axes.ToCamera(a - Exact(camera.location));
     return FocusOfPlane(unit, Dot(unit, point), Length(point) + Length(camera.location));
 }
 
-Vec3 FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const Statement& given)
+RealVec FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
-    const Vec3 point = axes.ToCamera(given.focalPoint - camera.location);
-    if (!(point.z > 0.0))
+    const RealVec point = axes.ToCamera(Exact(given.focalPoint) - Exact(camera.location));
+    if (!(point.z > 0))
         throw OpticsError("The focal point " + Text(given.focalPoint) + " is not in front of the camera "
                           "(it lies " + Number(point.z) + " units along its axis). It must lie in front; "
                           "give another focal_point or look_at.");
@@ -119,7 +138,7 @@ Vec3 FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const State
 }
 
 /// k of the families that give the plane of sharp focus itself.
-Vec3 GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& given)
+RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
     if (given.family == FocusFamily::FocalPoints)
         return FocusOfPoints(axes, camera, given);
@@ -129,135 +148,142 @@ Vec3 GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& gi
         if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(given.planeDistance))
             throw OpticsError("The normal of focal_plane has no direction: " + Text(given.planeNormal) +
                               ". It must be finite and not zero; write it as a plane's normal.");
-        const Vec3 unit = given.planeNormal / length;
-        return FocusOfPlane(axes.ToCamera(unit), given.planeDistance - Dot(unit, camera.location),
+        const RealVec unit = Normalized(Exact(given.planeNormal));
+        return FocusOfPlane(axes.ToCamera(unit), given.planeDistance - Dot(unit, Exact(camera.location)),
                             std::fabs(given.planeDistance) + Length(camera.location));
     }
-    const Vec3 normal = TurnedNormal(given.focusTilt, given.focusSwing, "The plane of sharp focus",
-                                     "focus_tilt", "focus_swing");
-    const Vec3 point = FocalPointInCamera(axes, camera, given);
+    const RealVec normal = TurnedNormal(given.focusTilt, given.focusSwing, "The plane of sharp focus",
+                                        "focus_tilt", "focus_swing");
+    const RealVec point = FocalPointInCamera(axes, camera, given);
     return FocusOfPlane(normal, Dot(normal, point), Length(point) + Length(camera.location));
 }
 
 /// Lens normal t, focal length f, film distance s and focus vector k; camera axes, scene units.
 struct Solution
 {
-    Vec3 normal;
-    double focalLength, filmDistance;
-    Vec3 focus;
+    RealVec normal;
+    Real focalLength, filmDistance;
+    RealVec focus;
 };
 
 /// Lens turned as given, focus on a point P of the axis or beside it.
-Solution SolveLensTurn(const Vec3& t, const Vec3& P, const std::optional<double>& focalLength,
-                       double angleFilmDistance)
+Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<Real>& focalLength,
+                       const Real& angleFilmDistance)
 {
-    const double along = Dot(P, t);  // distance of P from the lens plane
-    const double aside = t.x * P.x + t.y * P.y;
-    if (!(along > 0.0))
+    const Real along = Dot(P, t);  // distance of P from the lens plane
+    const Real aside = t.x * P.x + t.y * P.y;
+    if (!(along > 0))
         throw OpticsError("The lens is turned so far that the focal point lies behind it (distance " +
                           Number(along) + " units from the lens plane). It must lie before the lens; "
                           "turn the lens less or move focal_point.");
     if (!focalLength)
     {
-        const double s = angleFilmDistance, f = s * along / (s + P.z);
-        const double fromFilm = 1.0 / (s * along);
+        const Real s = angleFilmDistance, f = s * along / (s + P.z);
+        const Real fromFilm = 1.0 / (s * along);
         // t/f - z/s with the large terms taken out, so that nothing cancels
-        const Vec3 k{t.x / f, t.y / f, t.z / along - aside * fromFilm};
+        const RealVec k{t.x / f, t.y / f, t.z / along - aside * fromFilm};
         return {t, f, s, k};
     }
-    const double f = *focalLength;
-    if (!(along > f))
+    const Real f = *focalLength;
+    if (!(along - f > kRounding * f))
         throw OpticsError("The focus is nearer than the focal length: the focal point lies " +
                           Number(along) + " units from the lens, the focal length is " + Number(f) +
                           " units. A lens forms no picture of it; focus farther away, or give a shorter "
                           "focal_length or a larger scene_unit.");
-    const Vec3 k{t.x / f, t.y / f, 1.0 / P.z - aside / (f * P.z)};
+    const RealVec k{t.x / f, t.y / f, 1.0 / P.z - aside / (f * P.z)};
     return {t, f, f * P.z / (along - f), k};
 }
 
 /// Plane of sharp focus as given, the lens follows.
-Solution SolvePlane(const Vec3& k, const std::optional<double>& focalLength, double angleFilmDistance)
+Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const double across = std::hypot(k.x, k.y);  // 1/J
+    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J
     const char* backward =
         ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
     if (!focalLength)
     {
-        const Vec3 q{k.x, k.y, k.z + 1.0 / angleFilmDistance};
-        const double length = Length(q);
-        if (!(q.z > 0.0))
+        const RealVec q{k.x, k.y, k.z + 1.0 / angleFilmDistance};
+        const Real length = Length(q);
+        if (!(q.z > kRounding * length))
             throw OpticsError("The plane of sharp focus crosses the camera axis between lens and film (at " +
-                              Number(1.0 / k.z) + " units, the film is at " + Number(-angleFilmDistance) + ")" +
+                              Number(1 / k.z) + " units, the film is at " + Number(-angleFilmDistance) + ")" +
                               backward);
         return {q / length, 1.0 / length, angleFilmDistance, k};
     }
-    const double f = *focalLength, sine = f * across;
-    if (!(sine < 1.0))
+    const Real f = *focalLength, sine = f * across;
+    if (!(1 - sine > kRounding))
         throw OpticsError("No tilt of this lens reaches the plane of sharp focus: its hinge line is " +
-                          Number(1.0 / across) + " units from the lens, the focal length " + Number(f) +
+                          Number(1 / across) + " units from the lens, the focal length " + Number(f) +
                           " units. The hinge distance must be larger than the focal length; give a "
                           "shorter focal_length or turn the plane less.");
-    const Vec3 t{f * k.x, f * k.y, std::sqrt((1.0 - sine) * (1.0 + sine))};
-    const double vergence = t.z / f - k.z;  // 1/s
-    if (!(vergence > 0.0))
+    const RealVec t{f * k.x, f * k.y, sqrt((1 - sine) * (1 + sine))};
+    const Real vergence = t.z / f - k.z;  // 1/s
+    if (!(vergence * f > kRounding))
         throw OpticsError("The plane of sharp focus is nearer than this lens can focus: on the axis it is at " +
-                          Number(1.0 / k.z) + " units, the focal length is " + Number(f) + " units. The film "
+                          Number(1 / k.z) + " units, the focal length is " + Number(f) + " units. The film "
                           "would lie before the lens; focus farther away or give a shorter focal_length.");
     return {t, f, 1.0 / vergence, k};
 }
 
 Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statement& given,
-                     double angleFilmDistance, double millimetre)
+                     const Real& angleFilmDistance, const Real& millimetre)
 {
-    std::optional<double> focalLength;
+    std::optional<Real> focalLength;
     if (given.focalLength)
         focalLength = *given.focalLength * millimetre;
     if (given.family != FocusFamily::LensTurn)
         return SolvePlane(GivenFocus(axes, camera, given), focalLength, angleFilmDistance);
-    const Vec3 t = TurnedNormal(given.tilt, given.swing, "The lens", "tilt", "swing");
+    const RealVec t = TurnedNormal(given.tilt, given.swing, "The lens", "tilt", "swing");
     return SolveLensTurn(t, FocalPointInCamera(axes, camera, given), focalLength, angleFilmDistance);
 }
 
-double DiameterOf(const Statement& given, double focalLength)
+Real DiameterOf(const Statement& given, const Real& focalLength)
 {
     if (given.fStop)
         return focalLength / *given.fStop;
-    return given.aperture * 0.5 * given.scale;  // POV-Ray's aperture is twice the diameter
+    return Real(given.aperture) * given.scale / 2;  // POV-Ray's aperture is twice the diameter
 }
 
 /// The lens plane's own right and up, from the axes by the smallest turn that takes z to t: a
 /// polygon or a picture in the lens turns no further than the lens does.
-void SpanLens(Lens& lens, const Axes& axes, const Vec3& t)
+void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diameter)
 {
-    const double radius = 0.5 * lens.diameter, bend = 1.0 / (1.0 + t.z);
-    const Vec3 a{1.0 - t.x * t.x * bend, -t.x * t.y * bend, -t.x};
-    const Vec3 b{-t.x * t.y * bend, 1.0 - t.y * t.y * bend, -t.y};
-    lens.lensX = radius * axes.ToWorld(a);
-    lens.lensY = radius * axes.ToWorld(b);
+    const Real radius = diameter / 2, bend = 1 / (1 + t.z);
+    const RealVec a{1 - t.x * t.x * bend, -t.x * t.y * bend, -t.x};
+    const RealVec b{-t.x * t.y * bend, 1 - t.y * t.y * bend, -t.y};
+    lens.lensX = Rounded(radius * axes.ToWorld(a));
+    lens.lensY = Rounded(radius * axes.ToWorld(b));
 }
 
 /// `direction` as it was, or made longer or shorter along the axis so that the frame lies at the
 /// film's distance; what lies across the axis is a shift that was there before and stays one.
-Vec3 FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given, double filmDistance,
-                    double filmWidth)
+RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given,
+                       const Real& filmDistance, const Real& filmWidth)
 {
     if (!given.focalLength)
-        return camera.direction;
-    const double wanted = filmDistance * Length(camera.right) / filmWidth;
-    return camera.direction + (wanted - Dot(axes.axis, camera.direction)) * axes.axis;
+        return Exact(camera.direction);
+    const RealVec direction = Exact(camera.direction);
+    const Real wanted = filmDistance * Length(Exact(camera.right)) / filmWidth;
+    return direction + (wanted - Dot(axes.axis, direction)) * axes.axis;
 }
+
+/// What a ray multiplies is at most three of these lengths: none leaves the range of doubles, and none
+/// comes so near to zero that it loses digits.
+bool IsModerate(double length) { return length > 1e-100 && length < 1e100; }
 
 void RequireUsable(const Lens& lens)
 {
-    const bool positive = lens.focalLength > 0.0 && lens.filmDistance > 0.0 && lens.millimetre > 0.0 &&
-                          lens.diameter >= 0.0 && Dot(lens.direction, lens.axis) > 0.0;
-    const double sum = lens.focalLength + lens.filmDistance + lens.millimetre + lens.diameter;
-    if (!positive || !std::isfinite(sum + Length(lens.focus) + Length(lens.direction)))
-        throw OpticsError("The camera's numbers leave the range of floating point or have the wrong sign: focal "
+    bool usable = Length(lens.focus) < 1e100 && lens.diameter >= 0.0 && lens.diameter < 1e100;
+    for (double length : {lens.focalLength, lens.filmDistance, lens.millimetre, Dot(lens.direction, lens.axis),
+                          Length(lens.direction), Length(lens.right), Length(lens.up)})
+        usable = usable && IsModerate(length);
+    if (!usable)
+        throw OpticsError("The camera's numbers are too large or too small, or have the wrong sign: focal "
                           "length " + Number(lens.focalLength) + ", film distance " + Number(lens.filmDistance) +
                           ", lens diameter " + Number(lens.diameter) + ", a millimetre of film " +
-                          Number(lens.millimetre) + " units. All must be finite and positive; give moderate "
-                          "lengths.");
+                          Number(lens.millimetre) + ", direction " + Text(lens.direction) + ", right " +
+                          Text(lens.right) + ", up " + Text(lens.up) + " units. Lengths must be between 1e-100 and "
+                          "1e100; give moderate ones.");
 }
 
 /// A vector of the lens in camera axes, without what is only rounding: the numbers of a parallel lens
@@ -278,29 +304,35 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
 Lens Solve(const CameraFrame& camera, const Statement& given)
 {
     const Axes axes = AxesOf(camera);
-    const double millimetre = given.scale / given.sceneUnit;
-    const double filmWidth = given.filmWidth * millimetre;
-    const double angleFilmDistance = filmWidth * Dot(axes.axis, camera.direction) / Length(camera.right);
+    const Real millimetre = Real(given.scale) / given.sceneUnit;
+    const Real filmWidth = given.filmWidth * millimetre, rightLength = Length(Exact(camera.right));
+    const Real angleFilmDistance = filmWidth * Dot(axes.axis, Exact(camera.direction)) / rightLength;
     const Solution solved = SolveCamera(axes, camera, given, angleFilmDistance, millimetre);
+    const Real diameter = DiameterOf(given, solved.focalLength);
+    const RealVec focus = axes.ToWorld(solved.focus);
 
     Lens lens;
-    lens.axisRight = axes.right;
-    lens.axisUp = axes.up;
-    lens.axis = axes.axis;
-    lens.normal = axes.ToWorld(solved.normal);
-    lens.focalLength = solved.focalLength;
-    lens.filmDistance = solved.filmDistance;
-    lens.focus = axes.ToWorld(solved.focus);
-    lens.diameter = DiameterOf(given, solved.focalLength);
-    lens.millimetre = millimetre;
+    lens.axisRight = Rounded(axes.right);
+    lens.axisUp = Rounded(axes.up);
+    lens.axis = Rounded(axes.axis);
+    lens.normal = Rounded(axes.ToWorld(solved.normal));
+    lens.focalLength = double(solved.focalLength);
+    lens.filmDistance = double(solved.filmDistance);
+    lens.focus = Rounded(focus);
+    lens.diameter = double(diameter);
+    lens.millimetre = double(millimetre);
     lens.right = camera.right;
     lens.up = camera.up;
     // a frame moved by a millimetre moves over the picture by that share of the film's width
-    const double perMillimetre = Length(camera.right) / given.filmWidth;
-    lens.direction = FrameDirection(axes, camera, given, solved.filmDistance, filmWidth) +
-                     (given.shiftRight * perMillimetre) * axes.right +
-                     (given.shiftUp * perMillimetre) * axes.up;
-    SpanLens(lens, axes, solved.normal);
+    const Real perMillimetre = rightLength / given.filmWidth;
+    const RealVec direction = FrameDirection(axes, camera, given, solved.filmDistance, filmWidth) +
+                              (given.shiftRight * perMillimetre) * axes.right +
+                              (given.shiftUp * perMillimetre) * axes.up;
+    lens.direction = Rounded(direction);
+    lens.focusMiddle = double(Dot(focus, direction));
+    lens.focusRight = double(Dot(focus, Exact(camera.right)));
+    lens.focusUp = double(Dot(focus, Exact(camera.up)));
+    SpanLens(lens, axes, solved.normal, diameter);
     RequireUsable(lens);
     return lens;
 }

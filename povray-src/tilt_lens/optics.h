@@ -86,6 +86,7 @@ struct Lens
     double diameter = 0.0;         ///< of the aperture; 0: a pinhole
     Vec3 focus;                    ///< k: the plane of sharp focus is k.X = 1
     Vec3 direction, right, up;     ///< chief ray through (x, y) in [-0.5, 0.5]^2: direction + x right + y up
+    double focusMiddle = 0.0, focusRight = 0.0, focusUp = 0.0;  ///< k.direction, k.right, k.up
     Vec3 lensX, lensY;             ///< lens point of aperture coordinates (a, b): a lensX + b lensY; unit disc = lens
     double millimetre = 0.0;       ///< one millimetre of film, in scene units
 };

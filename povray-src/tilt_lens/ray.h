@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file ray.h
-/// The way of a ray: film point and lens point in, ray out. One formula without a branch or a
-/// division, so nothing happens where a pixel focuses at infinity or behind the lens:
+/// The way of a ray: film point and lens point in, ray out. One formula without a division, so nothing
+/// happens where a pixel focuses at infinity or behind the lens:
 ///
 ///     D = direction + x right + y up      chief ray of the film point
 ///     w = k.D                             1/w is where it meets the plane of sharp focus, in units of D
@@ -12,6 +12,9 @@
 ///
 /// For w > 0 the ray meets the chief ray in front of the lens at D/w, for w < 0 it comes from that
 /// point behind it, for w = 0 it is parallel to the chief ray.
+///
+/// A lens that reaches to the film has one lens point for each film point there that touches it: no ray
+/// leads from a point to itself, and the chief ray stands in.
 
 #ifndef TILT_LENS_RAY_H
 #define TILT_LENS_RAY_H
@@ -33,9 +36,12 @@ struct LensRay
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
     const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
-    const double w = Dot(lens.focus, chief);
+    // linear over the frame: where k and D are nearly at right angles, k.D itself would cancel
+    const double w = lens.focusMiddle + x * lens.focusRight + y * lens.focusUp;
     const Vec3 point = a * lens.lensX + b * lens.lensY;
-    return {point, chief - w * point, w};
+    const Vec3 direction = chief - w * point;
+    const bool none = direction.x == 0.0 && direction.y == 0.0 && direction.z == 0.0;
+    return {point, none ? chief : direction, w};
 }
 
 /// Vergence difference 1/T - w of a surface point at parameter T of a chief ray: the film image of

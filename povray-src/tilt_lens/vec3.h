@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vec3.h
-/// Three doubles and the few operations a camera needs. The library has its own so that it builds
+/// Three numbers and the few operations a camera needs. The library has its own so that it builds
 /// and is tested without any POV-Ray header; the frame and the unit of a vector stand where it is
-/// declared.
+/// declared. Rays use doubles; the solver, which runs once a camera, uses a longer type.
 
 #ifndef TILT_LENS_VEC3_H
 #define TILT_LENS_VEC3_H
@@ -14,21 +14,38 @@
 namespace tilt_lens
 {
 
-struct Vec3
+template <typename Number>
+struct VecOf
 {
-    double x = 0.0, y = 0.0, z = 0.0;
+    using Scalar = Number;
+
+    Number x = 0.0, y = 0.0, z = 0.0;
 };
 
-inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
-inline Vec3 operator*(const Vec3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-inline Vec3 operator*(double s, const Vec3& a) { return a * s; }
-inline Vec3 operator/(const Vec3& a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+/// A factor: it takes any number that converts, since the vector alone decides the type.
+template <typename Number>
+using ScalarOf = typename VecOf<Number>::Scalar;
 
-inline double Dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+using Vec3 = VecOf<double>;
 
-inline Vec3 Cross(const Vec3& a, const Vec3& b)
+template <typename N>
+inline VecOf<N> operator+(const VecOf<N>& a, const VecOf<N>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+template <typename N>
+inline VecOf<N> operator-(const VecOf<N>& a, const VecOf<N>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+template <typename N>
+inline VecOf<N> operator-(const VecOf<N>& a) { return {-a.x, -a.y, -a.z}; }
+template <typename N>
+inline VecOf<N> operator*(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x * s, a.y * s, a.z * s}; }
+template <typename N>
+inline VecOf<N> operator*(const ScalarOf<N>& s, const VecOf<N>& a) { return a * s; }
+template <typename N>
+inline VecOf<N> operator/(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x / s, a.y / s, a.z / s}; }
+
+template <typename N>
+inline N Dot(const VecOf<N>& a, const VecOf<N>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+template <typename N>
+inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -36,7 +53,12 @@ inline Vec3 Cross(const Vec3& a, const Vec3& b)
 /// Length without overflow or underflow: scenes span 1e-9 to 1e12 units.
 inline double Length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
 
-inline Vec3 Normalized(const Vec3& a) { return a / Length(a); }
+/// The same for a type whose exponents reach far beyond those of the doubles that it holds.
+template <typename N>
+inline N Length(const VecOf<N>& a) { return sqrt(Dot(a, a)); }
+
+template <typename N>
+inline VecOf<N> Normalized(const VecOf<N>& a) { return a / Length(a); }
 
 inline bool IsFinite(const Vec3& a)
 {

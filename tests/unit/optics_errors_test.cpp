@@ -147,6 +147,17 @@ const BadCase kBadCases[] = {
             Plane(r, {0, 0, 1}, 0.04);
         },
         {"nearer than this lens can focus", "0.04", "focus farther"}},
+    {"NumbersTooLarge", [](Request& r) { r.camera.right = {-1.7976931348623157e308, 0, 0}; },
+        {"too large or too small", "right <-1.79769e+308", "between 1e-100 and 1e100", "moderate"}},
+    {"LensTooLarge", [](Request& r) { r.given.fStop.reset(), r.given.aperture = 1e300; },
+        {"too large or too small", "lens diameter 5e+299", "between 1e-100", "moderate"}},
+    {"FilmAtTheFocalLengthButForRounding",
+        [](Request& r)
+        {
+            r.given.focalLength = 57.1;
+            r.given.focalPoint = {0, 0, 0.0571};
+        },
+        {"nearer than the focal length", "0.0571", "focus farther"}},
     {"UpAlongRight",
         [](Request& r) {
             r.camera.up = {2, 0, 0};

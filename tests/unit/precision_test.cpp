@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// How many digits the camera keeps, over a million random cameras and rays. The reference counts in
-// long double, which has at least 11 bits more; a sample of it is held against 50 digits.
+// How many digits the camera keeps: rays against the same formula in long double, which has at least
+// 11 bits more, and whole cameras, from the statement on, against 50 digits.
 
 #include <cfloat>
 #include <cstdio>
@@ -20,7 +20,7 @@ namespace tilt_lens
 namespace
 {
 
-static_assert(LDBL_MANT_DIG >= 64, "the reference needs more digits than double has");
+static_assert(LDBL_MANT_DIG >= 64, "the rays' reference needs more digits than double has");
 
 const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
     FocusFamily::FocalPlane, FocusFamily::FocalPoints};
@@ -32,6 +32,8 @@ double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
 {
     return double((value - truth).Length() / truth.Length()) * 0x1p52;
 }
+
+using Long = boost::multiprecision::cpp_bin_float_50;
 
 template <typename Real>
 Vec<Real> As(const Vec3& v)
@@ -46,8 +48,10 @@ LensRay ExactRay(
     using V = Vec<long double>;
     const V chief = V(lens.direction) + V(lens.right) * x + V(lens.up) * y;
     const V point = V(lens.lensX) * a + V(lens.lensY) * b;
-    direction = chief - point * V(lens.focus).Dot(chief);
-    return {{double(point.x), double(point.y), double(point.z)}, {}};
+    using Real = long double;
+    const Real w = Real(lens.focusMiddle) + Real(x) * lens.focusRight + Real(y) * lens.focusUp;
+    direction = chief - point * w;
+    return {{double(point.x), double(point.y), double(point.z)}, {}, 0.0};
 }
 
 TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
@@ -82,16 +86,16 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
 struct Tally
 {
     double worst = 0.0, sum = 0.0;
-    std::uint64_t over = 0, rays = 0;
+    std::uint64_t rays = 0;
 };
 
-TEST(Precision, AMillionCamerasFromStatementToRay)
+TEST(Precision, CamerasFromStatementToRay)
 {
-    // Angle between the ray and its reference, in units of 2^-52. A plane written by its distance
-    // from the origin is known, seen from the lens, no better than the lens' own place is.
+    // What a scene says is taken as exact, so that no family loses digits, however it writes its plane.
+    // The stress run does the same for ten million.
     Random random(22);
     Tally tallies[4];
-    const int cameras = 1000000;
+    const int cameras = 100000;
     for (int i = 0; i < cameras; i++)
     {
         Lens lens;
@@ -99,60 +103,30 @@ TEST(Precision, AMillionCamerasFromStatementToRay)
         const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
                      b = random(-0.7, 0.7);
         const LensRay ray = MakeRay(lens, x, y, a, b);
-        const auto truth =
-            ReferenceCamera<long double>(request.camera, request.given).Ray(x, y, a, b);
-        const Vec<long double> unit = truth.direction.Unit();
-        const double loss = request.given.family == FocusFamily::FocalPlane
-                                ? 1.0 + Length(request.camera.location) * Length(lens.focus)
-                                : 1.0;
-        const double ulps =
-            double(unit.Cross(As<long double>(ray.direction).Unit()).Length()) * 0x1p52 / loss;
-        const double origin = double((As<long double>(ray.origin) - truth.origin).Length()) /
-                              lens.diameter * 0x1p52 / loss;
-        if (!(ulps <= 1000.0) || !(origin <= 1000.0) || !(Length(ray.direction) > 0.0))
+        const auto truth = ReferenceCamera<Long>(request.camera, request.given).Ray(x, y, a, b);
+        const double ulps = Ulps(As<Long>(ray.direction), truth.direction);
+        const double origin =
+            double((As<Long>(ray.origin) - truth.origin).Length()) / lens.diameter * 0x1p52;
+        if (!(ulps <= 4.0) || !(origin <= 4.0) || !(Length(ray.direction) > 0.0))
             FAIL() << ulps << " ulp, origin " << origin << '\n'
                    << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
         Tally& tally = tallies[i % 4];
         tally.worst = std::max(tally.worst, ulps);
         tally.sum += ulps;
-        tally.over += ulps > 16.0;
         tally.rays++;
     }
     for (int family = 0; family < 4; family++)
     {
         const Tally& t = tallies[family];
-        std::printf("[          ] %-12s %d cameras: mean %.2f, worst %.1f times 2^-52 rad; %.4f %% "
-                    "above 16\n",
-            kFamilyNames[family], int(t.rays), t.sum / t.rays, t.worst, 100.0 * t.over / t.rays);
-        EXPECT_LT(t.sum / t.rays, 4.0);
-        EXPECT_LT(t.over, t.rays / 1000);
+        std::printf("[          ] %-12s %d cameras: mean %.2f, worst %.1f ulp\n", kFamilyNames[family],
+            int(t.rays), t.sum / t.rays, t.worst);
     }
-}
-
-TEST(Precision, TheReferenceHasTheDigitsItNeeds)
-{
-    using Real = boost::multiprecision::cpp_bin_float_50;
-    Random random(23);
-    double worst = 0.0;
-    for (int i = 0; i < 400; i++)
-    {
-        Lens lens;
-        const Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
-        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
-                     b = random(-0.7, 0.7);
-        const auto truth = ReferenceCamera<Real>(request.camera, request.given).Ray(x, y, a, b);
-        const auto used =
-            ReferenceCamera<long double>(request.camera, request.given).Ray(x, y, a, b);
-        const Vec<Real> direction(used.direction.x, used.direction.y, used.direction.z);
-        worst = std::max(worst, Ulps(direction, truth.direction));
-    }
-    EXPECT_LT(worst, 0.1) << "units of double's last place";
 }
 
 TEST(Precision, ScalesFrom1em9To1e9AreAlike)
 {
     Random random(24);
-    for (int i = 0; i < 20000; i++)
+    for (int i = 0; i < 10000; i++)
     {
         Lens lens;
         Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
@@ -168,9 +142,8 @@ TEST(Precision, ScalesFrom1em9To1e9AreAlike)
         const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
                      b = random(-0.7, 0.7);
         const LensRay ray = MakeRay(lens, x, y, a, b);
-        const auto truth =
-            ReferenceCamera<long double>(request.camera, request.given).Ray(x, y, a, b);
-        ASSERT_LE(Ulps(As<long double>(ray.direction), truth.direction), 1000.0) << request;
+        const auto truth = ReferenceCamera<Long>(request.camera, request.given).Ray(x, y, a, b);
+        ASSERT_LE(Ulps(As<Long>(ray.direction), truth.direction), 4.0) << request;
     }
 }
 

@@ -10,7 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include "random_cameras.h"
+#include "reference_camera.h"
 
 namespace tilt_lens
 {
@@ -124,6 +127,49 @@ TEST(Ray, FocusAtInfinityGivesParallelRays)
                               MakeRay(lens, x, -1e-9, l.a, l.b).direction;
             EXPECT_NEAR(Length(step), 2e-9, 1e-10);
         }
+}
+
+TEST(Ray, ALensPointThatTouchesItsOwnFilmPointHasADirection)
+{
+    // a lens turned into the axis, 1 unit in radius, with the film 1 unit behind its centre
+    Lens lens;
+    lens.direction = {0, 0, 1};
+    lens.right = {1, 0, 0};
+    lens.up = {0, 1, 0};
+    lens.focus = {0, -1, -1};
+    lens.focusMiddle = -1.0;
+    lens.focusUp = -1.0;
+    lens.lensX = {1, 0, 0};
+    lens.lensY = {0, 0, 1};
+    const LensRay ray = MakeRay(lens, 0.0, 0.0, 0.0, -1.0);
+    EXPECT_EQ(Length(ray.direction - lens.direction), 0.0);
+    EXPECT_EQ(Length(ray.origin - Vec3{0, 0, -1}), 0.0);
+}
+
+TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
+{
+    // The plane of focus passes 1e-7 below the lens, close to parallel to the rays of the middle row: k is
+    // large, k.D is not. Turned with the whole camera, so that nothing is 0.
+    Random random(31);
+    for (int i = 0; i < 200; i++)
+    {
+        Request request = PlainRequest();
+        const Vec3 axis = random.Direction(), right = Normalized(Cross(axis, random.Direction()));
+        request.camera = {{0, 0, 0}, 1.6 * axis, 1.6 * right, 1.2 * Cross(axis, right)};
+        request.given.family = FocusFamily::FocalPlane;
+        request.given.planeNormal = Cross(axis, right);
+        request.given.planeDistance = -1e-7;
+        request.given.fStop.reset();
+        request.given.aperture = 0.1;
+        const Lens lens = Solved(request);
+        const double x = random(-0.5, 0.5), y = random.Power(-12.0, -6.0), a = random(-0.7, 0.7);
+        const auto truth =
+            ReferenceCamera<boost::multiprecision::cpp_bin_float_50>(request.camera, request.given)
+                .Ray(x, y, a, 0.3);
+        const Vec3 direction = MakeRay(lens, x, y, a, 0.3).direction;
+        const Vec<boost::multiprecision::cpp_bin_float_50> found(direction);
+        EXPECT_LT(double((found - truth.direction).Length() / truth.direction.Length()), 1e-14);
+    }
 }
 
 TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)

@@ -79,12 +79,26 @@ class ReferenceCamera
     /// The ray through the lens point (a, b) and the point of sharp focus of the film point (x, y).
     ReferenceRay<Real> Ray(double x, double y, double a, double b) const
     {
-        const V chief = direction + V(camera.right) * Real(x) + V(camera.up) * Real(y);
-        const V l = Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b));
+        const V chief = Chief(x, y), l = LensPoint(a, b);
+        if (n.Dot(chief) == 0)
+            return {l, chief};
         const Real parameter = d / n.Dot(chief);
         const V way = chief * parameter - l;
         return {l, way * (Real(1) / parameter)};
     }
+
+    V Chief(double x, double y) const
+    {
+        return direction + V(camera.right) * Real(x) + V(camera.up) * Real(y);
+    }
+    V LensPoint(double a, double b) const
+    {
+        return Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b));
+    }
+    /// The plane of sharp focus is Focus().X = 1.
+    V Focus() const { return n * (Real(1) / d); }
+    Real Radius() const { return radius; }
+    Real FilmDistance() const { return s; }
 
   private:
     const CameraFrame camera;
@@ -172,6 +186,8 @@ class ReferenceCamera
     {
         const V turn = axis.Cross(t);
         const Real sine = turn.Length(), cosine = axis.Dot(t);
+        if (sine == 0)
+            return v;
         const V about = turn * (Real(1) / sine);
         return v * cosine + about.Cross(v) * sine + about * (about.Dot(v) * (Real(1) - cosine));
     }
