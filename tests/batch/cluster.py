@@ -4,7 +4,10 @@
 """A private Slurm cluster on loopback: munge, one controller, some nodes, all in one folder and all this
 user's.
 
-Only processes that it started are ended, each by its number and only while the number is still theirs.
+Nothing of the machine's own set-up matters: the daemons listen where their host's name leads, so they see a
+name of their own that leads to loopback (libnss-wrapper), whatever /etc/hosts holds; control groups, which
+a container may lack, are not used. Only processes that it started are ended, each by its number and only
+while the number is still theirs.
 """
 
 import contextlib
@@ -17,6 +20,7 @@ import sys
 import tempfile
 import time
 
+HOST = "loop"
 CONFIGURATION = """ClusterName=loop
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={port}
@@ -52,6 +56,8 @@ SelectTypeParameters=CR_CPU
 SlurmdParameters=config_overrides
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
+# Version 1's plugin touches no control group until asked to; the one that Slurm finds by itself does at its start.
+NO_CONTROL_GROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}/cgroup\n"
 
 
 def started_at(pid):
@@ -133,28 +139,36 @@ class Cluster:
         key = self.folder / "munge" / "key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
-        host, port = socket.gethostname().split(".")[0], free_ports(1 + len(self.nodes))
+        port = free_ports(1 + len(self.nodes))
         user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True).stdout.strip()
         lines = [
-            f"NodeName={node} NodeHostname={host} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 RealMemory=1000 State=UNKNOWN\n"
+            f"NodeName={node} NodeHostname={HOST} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 RealMemory=1000 State=UNKNOWN\n"
             for i, node in enumerate(self.nodes)
         ]
-        head, partition = CONFIGURATION.format(host=host, port=port, user=user, folder=self.folder).split(
+        head, partition = CONFIGURATION.format(host=HOST, port=port, user=user, folder=self.folder).split(
             "PartitionName="
         )
         (self.folder / "slurm.conf").write_text(
             head + "".join(lines) + "PartitionName=" + partition, encoding="ascii"
         )
+        (self.folder / "cgroup.conf").write_text(NO_CONTROL_GROUPS.format(folder=self.folder), encoding="ascii")
+        (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
         """Starts a daemon in the foreground of its own session."""
+        env = dict(
+            self.env,
+            LD_PRELOAD="libnss_wrapper.so",
+            NSS_WRAPPER_HOSTS=f"{self.folder}/hosts",
+            NSS_WRAPPER_HOSTNAME=HOST,
+        )
         with open(self.folder / "log" / f"{name}.out", "ab") as log:
             process = subprocess.Popen(
                 command,
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=log,
-                env=self.env,
+                env=env,
                 start_new_session=True,
             )
         self.processes[name] = (process, started_at(process.pid))

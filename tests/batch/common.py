@@ -56,13 +56,12 @@ def environment():
     return env
 
 
-def ordinary_user():
-    """Words before a command that make root an ordinary user, who cannot write everywhere. None where such a
-    user could not read the repository (it lies in root's home, say)."""
-    readable = all(folder.stat().st_mode & 0o005 == 0o005 for folder in (REPOSITORY, *REPOSITORY.parents))
-    if os.getuid() != 0 or not readable:
+def held_to_permissions():
+    """Words before a command that hold even root to the permissions of files and folders."""
+    if os.getuid() != 0:
         return []
-    return ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+    powers = "-dac_override,-dac_read_search"
+    return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"]
 
 
 def processes(text):
@@ -108,6 +107,7 @@ class BatchTest(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.folder = pathlib.Path(scratch.name)
         self.env = environment()
+        self.program = SETTINGS.povray
 
     def scene(self, text, name="scene.pov"):
         """Writes a scene."""
@@ -118,14 +118,24 @@ class BatchTest(unittest.TestCase):
 
     def words(self, *words):
         """The command line of a call."""
-        return [str(REPOSITORY / "batch"), *map(str, words), "--povray", SETTINGS.povray]
+        return [str(REPOSITORY / "batch"), *map(str, words), "--povray", str(self.program)]
 
-    def batch(self, *words, code=0, timeout=150, env=None, before=()):
+    def stand_in(self, script):
+        """Takes a program that does what the script says, with the files of the one under test around it."""
+        prefix = self.folder / "stand-in"
+        (prefix / "bin").mkdir(parents=True)
+        for folder in ("etc", "share"):
+            (prefix / folder).symlink_to(pathlib.Path(SETTINGS.povray).parent.parent / folder)
+        self.program = prefix / "bin" / "povray"
+        self.program.write_text(f"#!/bin/bash\n{script}\n")
+        self.program.chmod(0o755)
+
+    def batch(self, *words, code=0, timeout=150, before=()):
         """Calls ./batch; returns what it said."""
         done = subprocess.run(
             [*before, *self.words(*words)],
             cwd=self.folder,
-            env=env or self.env,
+            env=self.env,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -230,10 +240,15 @@ class BatchTest(unittest.TestCase):
         self.until("all processes to end", lambda: not [p for p, _ in processes(text)], 10)
 
 
-def main():
-    """Runs the tests of the calling module."""
+def read_settings():
+    """Reads --povray; returns the rest of the command line."""
     arguments = argparse.ArgumentParser(add_help=False)
     arguments.add_argument("--povray", required=True)
     _, rest = arguments.parse_known_args(namespace=SETTINGS)
     SETTINGS.povray = os.path.abspath(SETTINGS.povray)
-    unittest.main(module="__main__", argv=[sys.argv[0], *rest])
+    return rest
+
+
+def main():
+    """Runs the tests of the calling module."""
+    unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()])

@@ -4,7 +4,7 @@
 line refuses."""
 
 import common
-from common import LENS, SETTINGS, BatchTest, picture
+from common import LENS, BatchTest, picture
 
 SIZE = ("+W64", "+H48", "+WT1")
 
@@ -85,13 +85,9 @@ class Refused(BatchTest):
         self.assertFalse(list(self.folder.glob("*.png")))
 
     def test_a_program_that_lists_no_files(self):
-        words = self.words("still", self.scene(common.STOCK))
-        words[words.index(SETTINGS.povray)] = "/usr/bin/povray"
-        done = common.subprocess.run(
-            words, cwd=self.folder, env=self.env, capture_output=True, text=True, check=False
-        )
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("not this project's povray", done.stderr)
+        self.program = "/usr/bin/povray"
+        said = self.batch("still", self.scene(common.STOCK), code=1)
+        self.assertIn("not this project's povray", said)
 
 
 if __name__ == "__main__":

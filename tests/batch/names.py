@@ -7,7 +7,7 @@ import os
 import subprocess
 
 import common
-from common import LENS, SETTINGS, BatchTest, ordinary_user
+from common import LENS, SETTINGS, BatchTest, held_to_permissions
 
 WEIRD = "a \"b' c\nd $(x) %a ;*"
 RELATIVE = (
@@ -89,18 +89,13 @@ class Names(BatchTest):
 
     def test_read_only_scene_folder(self):
         scene = self.lay_out("fixed")
-        os.chmod(self.folder, 0o755)
         out = self.folder / "out"
         out.mkdir()
-        if ordinary_user():
-            os.chown(out, 65534, 65534)
         for folder, _, _ in os.walk(self.folder / "fixed"):
             os.chmod(folder, 0o555)
         before = sorted(self.folder.joinpath("fixed").rglob("*"))
-        self.env["HOME"] = str(out)
-        self.batch(
-            "still", scene, "--bands", 2, "--output", out / "a.png", "+W64", "+H64", before=ordinary_user()
-        )
+        words = ("still", scene, "--bands", 2, "--output", out / "a.png", "+W64", "+H64")
+        self.batch(*words, before=held_to_permissions())
         self.assertEqual(sorted(self.folder.joinpath("fixed").rglob("*")), before)
         for folder, _, _ in os.walk(self.folder / "fixed"):
             os.chmod(folder, 0o755)

@@ -11,7 +11,7 @@ import tempfile
 
 import common
 from cluster import Cluster, environment_of
-from common import LENS, SLOW, BatchTest, ordinary_user, processes
+from common import LENS, SETTINGS, SLOW, BatchTest, processes
 
 SMALL = ("+W48", "+H40", "+WT1")
 
@@ -122,29 +122,27 @@ def node_of(pid):
 
 
 def main():
-    """As an ordinary user where that user can read the repository: a cluster must not need root."""
-    words = ordinary_user()
-    if os.getuid() == 0 and not words:
-        print("SKIPPED: root's own repository is closed to the ordinary user that the cluster needs")
-        sys.exit(77)
-    program = SETTINGS_FROM_COMMAND
-    if (
-        words
-        and subprocess.run([*words, program, "--version"], capture_output=True, check=False).returncode == 0
-    ):
-        with tempfile.TemporaryDirectory(prefix="home.") as home:
-            os.chown(home, 65534, 65534)
-            os.chmod(home, 0o755)  # munge wants its socket to be reachable for all
-            done = subprocess.run(
-                [*words, sys.executable, "-B", *sys.argv],
-                check=False,
-                env=dict(os.environ, HOME=home, TMPDIR=home),
-            )
-            sys.exit(done.returncode)
-    common.main()
+    """As an ordinary user where root may become one who can run what is tested: a cluster must not need root."""
+    rest = common.read_settings()
+    user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+    program = ["python3", "-B", os.path.abspath(__file__), "--povray", SETTINGS.povray]
+    if os.getuid() != 0 or not can_run([*user, *program, "--help"], [*user, SETTINGS.povray, "--version"]):
+        common.main()
+    with tempfile.TemporaryDirectory(prefix="home.") as home:
+        os.chown(home, 65534, 65534)
+        os.chmod(home, 0o755)  # munge wants its socket to be reachable for all
+        env = dict(os.environ, HOME=home, TMPDIR=home)
+        done = subprocess.run([*user, *program, *rest], cwd=home, check=False, env=env)
+    sys.exit(done.returncode)
 
 
-SETTINGS_FROM_COMMAND = sys.argv[sys.argv.index("--povray") + 1] if "--povray" in sys.argv else "povray"
+def can_run(*commands):
+    """Whether all of the commands end well."""
+    return all(
+        subprocess.run(command, cwd="/", capture_output=True, check=False).returncode == 0
+        for command in commands
+    )
+
 
 if __name__ == "__main__":
     main()
