@@ -1,0 +1,117 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Makes texts of tilt_lens blocks from a grammar, valid ones and broken ones, the same for the same seed."""
+
+import random
+
+FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",))
+FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "denoise")
+WORDS = tuple(word for family in FAMILIES for word in family) + FREE
+ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
+               "1e-12", "0.1+0.2", "1/3", "pi", "2147483648", "1e12", "-7", "12345678901234567890")
+STRANGE = ("{", "}", "<", ">", ",", ";", "(", ")", "[", "]", "+", "-", "*", "/", "=", "!", "tlit", "TILT", "angle",
+           "aperture", "sphere", "rgb", "x", "clock", "blades_", "é", "\\", "@", "'", "//", "/* */", "..", "1..2", "0x1F",
+           "tilt_lens", "location", "no_such_word_of_any_length_that_goes_on_and_on_and_on")
+
+
+class Grammar:
+    """Blocks for one seed."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+
+    def number(self, low, high):
+        """A number as people write it, now and then as an expression."""
+        r = self.random
+        value = r.uniform(low, high)
+        text = r.choice((f"{value:.3g}", f"{value:.6f}", f"{value:.17g}", f"{value:.2e}"))
+        return r.choice((text,) * 6 + (f"({text})", f"{text}*1", f"1*({text}+0)", f"-(-({text}))", f"{text}/1.0"))
+
+    def vector(self, size=3, low=-5, high=5):
+        """A vector literal."""
+        separator = self.random.choice((", ", ",", " , ", ",\n"))
+        return "<" + separator.join(self.number(low, high) for _ in range(size)) + ">"
+
+    def value(self, word):
+        """What belongs behind a word, mostly in a range that makes a lens."""
+        r = self.random
+        if word in ("tilt", "swing"):
+            return self.number(-20, 20)
+        if word in ("focus_tilt", "focus_swing"):
+            return self.number(-70, 70)
+        if word == "focal_plane":
+            return f"{{ {r.choice((self.vector(), 'y', 'z', '<0, 1, 0.3>', '-y'))}, {self.number(-3, 3)} }}"
+        if word == "focal_points":
+            return ", ".join(self.vector() for _ in range(3))
+        if word == "shift":
+            return self.vector(2, -30, 30)
+        if word == "blades":
+            return str(r.randint(3, 12)) + (f", {self.number(-90, 90)}" if r.random() < 0.5 else "")
+        if word == "denoise":
+            return r.choice(("on", "off", "yes", "no", "true", "1", "0", "0.5", "2 > 1"))
+        return {"film_width": lambda: self.number(1, 300), "focal_length": lambda: self.number(5, 500),
+                "scene_unit": lambda: self.number(0.1, 2000), "f_stop": lambda: self.number(0.5, 32)}[word]()
+
+    def items(self):
+        """Words with their values, at most one family; as tokens."""
+        r = self.random
+        words = [word for word in FREE if r.random() < 0.3]
+        # the scene around the block has angle and aperture
+        words = [word for word in words if word not in ("focal_length", "f_stop") or r.random() < 0.1]
+        if r.random() < 0.9:
+            family = r.choice(FAMILIES)
+            words += [word for word in family if len(family) == 1 or r.random() < 0.7]
+        r.shuffle(words)
+        return [(word, self.value(word)) for word in words]
+
+    def text(self, items):
+        """A block's inside, in one of the ways people lay it out."""
+        gap = self.random.choice((" ", "\n", "\n  ", "\t", " // a remark\n", " /* a remark */ "))
+        return gap + gap.join(f"{word} {value}".strip() for word, value in items) + gap
+
+    def broken(self, items):
+        """One of the ways to spoil a block."""
+        r = self.random
+        items = list(items) or [("tilt", "3")]
+        at = r.randrange(len(items))
+        word, value = items[at]
+        way = r.randrange(9)
+        if way == 0:
+            items.append(r.choice(items))
+        elif way == 1:
+            items[at] = (word, r.choice(ODD_NUMBERS))
+        elif way == 2:
+            items[at] = (word, "")
+        elif way == 3:
+            items.insert(at, (r.choice(STRANGE), ""))
+        elif way == 4:
+            items[at] = (word[:-1] + r.choice("abcdefgh"), value)
+        elif way == 5:
+            items.append((r.choice(WORDS), self.value(r.choice(WORDS))))
+        elif way == 6:
+            items[at] = (word, self.vector(r.choice((1, 2, 4, 5)), -1e9, 1e9))
+        elif way == 7:
+            text = self.text(items)
+            return text[:r.randrange(len(text) + 1)]
+        else:
+            text = list(self.text(items))
+            for _ in range(r.randint(1, 4)):
+                text[r.randrange(len(text))] = r.choice("{}<>,;()+-*/=. \n0123456789abcxyz")
+            return "".join(text)
+        return self.text(items)
+
+    def soup(self):
+        """Words and signs in any order."""
+        r = self.random
+        return " ".join(r.choice(WORDS + STRANGE + ODD_NUMBERS) for _ in range(r.randint(1, 30)))
+
+    def block(self):
+        """(kind, text): `valid` by its grammar (though maybe no lens can follow it), `broken`, `soup`."""
+        kind = self.random.choices(("valid", "broken", "soup"), (5, 4, 1))[0]
+        if kind == "valid":
+            return kind, self.text(self.items())
+        return kind, self.broken(self.items()) if kind == "broken" else self.soup()
+
+    def blocks(self, count):
+        """Many."""
+        return [self.block() for _ in range(count)]

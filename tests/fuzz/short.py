@@ -1,0 +1,74 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The short fuzz run of ./check: short.py solver|blocks|regressions. `tests/stress/run fuzz` is the long one."""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import blocks
+import seeds
+
+HERE = pathlib.Path(__file__).resolve().parent
+RUNS, BLOCKS = 30_000, 1500
+
+
+def run_solver(program, *arguments):
+    """Runs libFuzzer; ends the test with its words if it finds something."""
+    done = subprocess.run([str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          check=False)
+    print("\n".join(done.stdout.splitlines()[-3:]))
+    if done.returncode != 0:
+        sys.exit(done.stdout[-4000:])
+
+
+def solver(settings):
+    """Some thousand inputs that grow from plain cameras."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        seeds.write(folder / "corpus")
+        run_solver(settings.solver, f"-runs={RUNS}", "-seed=1", "-max_len=320", f"-artifact_prefix={name}/", folder / "corpus")
+
+
+def grammar_blocks(settings):
+    """Blocks of the grammar through the parser: each is a lens or one clear error, and there are many of both."""
+    found = blocks.tally(blocks.run(settings.parser, 1, BLOCKS))
+    print(found["counts"])
+    if found["bad"]:
+        sys.exit("\n".join(f"{bad['answer']}\n{bad['text']}\n---" for bad in found["bad"][:10]))
+    for answer in ("valid: lens", "valid: error", "broken: error", "broken: lens", "soup: error"):
+        if found["counts"].get(answer, 0) < BLOCKS // 100:
+            sys.exit(f"hardly any '{answer}': the grammar has lost its point: {found['counts']}")
+
+
+def regressions(settings):
+    """What once went wrong, and the kept corpus."""
+    kept = sorted((HERE / "regressions").glob("solver/*")) + sorted((HERE / "corpus").glob("solver/*"))
+    if kept:
+        run_solver(settings.solver, *kept)
+    texts = [path.read_text() for path in sorted((HERE / "regressions").glob("parser/*")) +
+             sorted((HERE / "corpus").glob("parser/*"))]
+    if not texts:
+        sys.exit("no kept blocks")
+    bad = [(text, answer) for text, answer in zip(texts, blocks.parse(settings.parser, texts))
+           if answer.split()[0] in ("wrong", "crash")]
+    if bad:
+        sys.exit("\n".join(f"{answer}\n{text}\n---" for text, answer in bad))
+    print(f"{len(kept)} cameras, {len(texts)} blocks")
+
+
+def main():
+    """One part."""
+    parts = {"solver": solver, "blocks": grammar_blocks, "regressions": regressions}
+    parser = argparse.ArgumentParser()
+    parser.add_argument("part", choices=parts)
+    parser.add_argument("--solver", required=True, type=pathlib.Path)
+    parser.add_argument("--parser", required=True)
+    settings = parser.parse_args()
+    parts[settings.part](settings)
+
+
+if __name__ == "__main__":
+    main()
