@@ -1,0 +1,80 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What the parts of the stress run share: where things are, results on the disk, work in several processes."""
+
+import concurrent.futures
+import dataclasses
+import hashlib
+import json
+import os
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RESULTS = ROOT / "docs" / "numerics"
+
+
+@dataclasses.dataclass
+class Setup:
+    """One stress run."""
+
+    build: pathlib.Path  # the release build
+    jobs: int = os.cpu_count() or 1
+
+    @property
+    def povray(self):
+        """The program under stress."""
+        return self.build / "bin" / "povray"
+
+    @property
+    def compare(self):
+        """The witnesses' tool that decodes pictures."""
+        return self.build / "tests" / "tools" / "compare"
+
+    def tool(self, name):
+        """A program of this folder."""
+        return self.build / "tests" / "stress" / name
+
+    def work(self, part):
+        """Where a part keeps what it has done so far."""
+        folder = self.build / "stress" / part
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
+
+def save(part, result):
+    """Keeps a result for the page; the same numbers give the same bytes."""
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(result, indent=1, sort_keys=True)
+    (RESULTS / f"{part}.json").write_text(text + "\n")
+
+
+def load(part):
+    """A kept result, or None."""
+    path = RESULTS / f"{part}.json"
+    return json.loads(path.read_text()) if path.is_file() else None
+
+
+def once(folder, name, program, make):
+    """make()'s result, taken from the disk where this build of the program has made it before."""
+    build = hashlib.sha256(pathlib.Path(program).read_bytes()).hexdigest()[:12]
+    path = folder / f"{name}-{build}.json"
+    if not path.is_file():
+        part = path.with_suffix(".part")
+        part.write_text(json.dumps(make()))
+        part.rename(path)
+    return json.loads(path.read_text())
+
+
+def output(command):
+    """The JSON that a command prints."""
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
+    return json.loads(done.stdout)
+
+
+def in_parallel(jobs, function, items):
+    """function(item) for all items, `jobs` at a time, in order."""
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        return list(pool.map(function, items))

@@ -1,0 +1,235 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What happens when things go wrong around a render: killed, disk full, read-only, no memory, nobody listening."""
+
+import os
+import pathlib
+import random
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import common
+
+sys.path.insert(0, str(common.ROOT / "tests" / "render"))
+import rendering  # noqa: E402
+import scenes  # noqa: E402
+
+KILLS = 50
+SIZE = {"width": 96, "height": 72}
+SLOW = scenes.camera(samples="blur_samples 300 variance 0 ") + scenes.WORLD
+QUICK = scenes.camera() + scenes.WORLD
+OPTIONS = ("+WT2", "+BS8")
+
+
+def use(setup):
+    """Tells the renderer's helpers which programs to take."""
+    rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
+
+
+def run(folder, scene, *options, limit=300, **how):
+    """Renders in a folder with any extras for Popen; the exit code and what was said."""
+    job = rendering.Job(scene, options, **how.pop("size", SIZE))
+    (folder / "scene.pov").write_text(rendering.HEAD + scene)
+    (folder / "none.ini").write_text("")
+    settings = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, **how}
+    process = subprocess.Popen(job.command(), cwd=folder, env={**os.environ, "POVINI": str(folder / "none.ini")}, **settings)
+    try:
+        said = process.communicate(timeout=limit)[0]
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
+        return None, "it did not end"
+    lines = (said or b"").decode(errors="replace").splitlines()
+    # a remark at every start where the user has no settings of his own
+    return process.returncode, "\n".join(line for line in lines if "configuration file" not in line)
+
+
+def is_whole(path, whole):
+    """Whether a file is the finished picture."""
+    try:
+        found = rendering.read_picture(path, "")
+    except (subprocess.CalledProcessError, OSError):
+        return False
+    return rendering.difference(found, whole)[1] == 0.0
+
+
+def torn(folder, whole):
+    """Whether something lies under the picture's name that is not the whole picture."""
+    path = folder / "picture.png"
+    return path.exists() and path.stat().st_size > 0 and not is_whole(path, whole)
+
+
+def killed(count, whole, stop):
+    """Stopped at a random moment by a signal, continued: the same pixels, and what was done is not done again."""
+    r = random.Random(int(stop))
+    begin = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        rendering.Job(SLOW, OPTIONS, **SIZE).run(pathlib.Path(name))
+    usual = time.monotonic() - begin
+    same = tears = kept = early = late = 0
+    for _ in range(count):
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            folder = pathlib.Path(name)
+            process = rendering.Job(SLOW, OPTIONS, **SIZE).start(folder)
+            time.sleep(usual * r.random())
+            late += process.poll() is not None
+            process.send_signal(stop)
+            process.communicate()
+            tears += torn(folder, whole)
+            state = list(folder.glob("*.pov-state"))
+            stored = state[0].stat().st_size if state else 0
+            early += not state
+            again = rendering.Job(SLOW, (*OPTIONS, "+C"), **SIZE)
+            said = again.run(folder)
+            same += is_whole(folder / "picture.png", whole)
+            kept += stored < 5000 or "Pixels:" in said and _pixels(said) < SIZE["width"] * SIZE["height"]
+    return {"tries": count, "same": same, "torn": tears, "kept": kept, "before_first_block": early, "after_end": late}
+
+
+def _pixels(said):
+    return int(said.split("Pixels:")[1].split()[0])
+
+
+def said_why(said, *words):
+    """Whether one of the words stands in what was said."""
+    return any(word.lower() in said.lower() for word in words)
+
+
+def last_words(said):
+    """The line that tells of the failure."""
+    lines = [line.strip() for line in said.splitlines() if line.strip()]
+    telling = [line for line in lines if said_why(line, "error:", "fatal error", "cannot", "failed", "no space", "out of memory", "abort")]
+    return (telling or lines or [""])[0][:160]
+
+
+def case(name, code, said, whole, folder, words):
+    """A row of the table."""
+    return {"name": name, "exit": code, "said": last_words(said.replace(str(folder), "FOLDER")),
+            "clear": code not in (0, None) and said_why(said, *words), "torn": torn(folder, whole)}
+
+
+def environment(whole):
+    """Full disk, read-only folder, closed or full standard output, little address space, two in one folder."""
+    rows = []
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name) / "full"
+        folder.mkdir()
+        rows.append(full_disk(folder))
+        folder = pathlib.Path(name) / "readonly"
+        (folder / "out").mkdir(parents=True)
+        (folder / "out").chmod(0o555)
+        rows.append(read_only(folder, whole))
+        folder = pathlib.Path(name) / "memory"
+        folder.mkdir()
+        code, said = run(folder, QUICK + _many_spheres(200_000), *OPTIONS,
+                         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (260 << 20, 260 << 20)))
+        rows.append(case("260 MiB of address space, 200,000 spheres", code, said, whole, folder,
+                         ("memory", "bad_alloc", "thread")))
+    rows += [listening(whole, kind) for kind in ("closed", "full", "gone")]
+    rows.append(two_in_one_folder(whole))
+    return rows
+
+
+def _many_spheres(count):
+    return (f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <rand(R), rand(R), rand(R)>*9 - 4, 0.01 "
+            "pigment { rgb 1 } } #end\n")
+
+
+def full_disk(folder):
+    """A small file system, or where none can be mounted a limit on the size of files; with room again, +C writes the
+    picture, and what the state file had taken is not rendered again."""
+    size = {"width": 320, "height": 240}
+    whole = rendering.render(QUICK, *OPTIONS, **size)
+    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=512k", "none", str(folder)], capture_output=True,
+                             check=False).returncode == 0
+    extra = {} if mounted else {"preexec_fn": _small_files}
+    try:
+        code, said = run(folder, QUICK, *OPTIONS, size=size, **extra)
+        row = case("disk full" if mounted else "files limited to 512 KiB", code, said, whole, folder, ("no space", "too large"))
+        if mounted:
+            subprocess.run(["mount", "-o", "remount,size=16m", str(folder)], check=True)
+        again, said = run(folder, QUICK, *OPTIONS, "+C", size=size)
+        kept = again == 0 and _pixels(said) < 0.9 * size["width"] * size["height"]
+        row["clear"] = row["clear"] and "picture.png" in row["said"] and kept and is_whole(folder / "picture.png", whole)
+    finally:
+        if mounted:
+            subprocess.run(["umount", str(folder)], check=False)
+    return row
+
+
+def _small_files():
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (512 << 10, 512 << 10))
+
+
+def read_only(folder, whole):
+    """An output folder that must not be written to. Root may write anywhere, so it becomes nobody first."""
+    folder.chmod(0o755)
+    folder.parent.chmod(0o755)
+    if os.geteuid() == 0:
+        def drop():
+            os.setgid(65534)
+            os.setuid(65534)
+        extra = {"preexec_fn": drop}
+    else:
+        extra = {}
+    code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", **extra)
+    return case("read-only output folder", code, said, whole, folder, ("cannot", "denied", "not permitted", "failed"))
+
+
+def listening(whole, kind):
+    """Standard output that nobody reads: the picture is finished all the same, or the end is told by the exit code."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        if kind == "closed":
+            how = {"preexec_fn": lambda: (os.close(1), os.close(2)), "stdout": None, "stderr": None}
+        elif kind == "full":
+            how = {"stdout": open("/dev/full", "wb"), "stderr": subprocess.STDOUT}
+        else:
+            reader, writer = os.pipe()
+            os.close(reader)
+            how = {"stdout": writer, "stderr": writer}
+        code, said = run(folder, QUICK, *OPTIONS, size=SIZE, **how)
+        if kind == "gone":
+            os.close(how["stdout"])
+        picture = folder / "picture.png"
+        finished = picture.is_file() and is_whole(picture, rendering.render(QUICK, *OPTIONS, **SIZE))
+        return {"name": f"standard output {kind}", "exit": code, "said": said, "torn": picture.exists() and not finished,
+                "clear": code not in (0, None) or finished, "finished": finished}
+
+
+def two_in_one_folder(whole):
+    """The same picture rendered twice at once into one folder: whoever ends, the file is whole."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        job = rendering.Job(SLOW, OPTIONS, **SIZE)
+        both = [job.start(folder), job.start(folder)]
+        for process in both:
+            process.communicate()
+        codes = [process.returncode for process in both]
+        fine = is_whole(folder / "picture.png", whole) if 0 in codes else not torn(folder, whole)
+        return {"name": "two renders into one folder", "exit": max(codes), "said": "", "clear": fine,
+                "torn": torn(folder, whole), "codes": codes}
+
+
+def measure(setup, kills=KILLS):
+    """All of it."""
+    use(setup)
+    whole = rendering.render(SLOW, *OPTIONS, **SIZE)
+    return {"SIGKILL": killed(kills, whole, signal.SIGKILL), "SIGTERM": killed(max(2, kills // 5), whole, signal.SIGTERM),
+            "environment": environment(whole)}
+
+
+def faults(result):
+    """What breaks the promises, in words."""
+    found = []
+    for name in ("SIGKILL", "SIGTERM"):
+        row = result[name]
+        if row["same"] != row["tries"] or row["torn"] or row["kept"] != row["tries"]:
+            found.append(f"{name}: {row}")
+    found += [f"{row['name']}: {row}" for row in result["environment"] if row["torn"] or not row["clear"]]
+    return found

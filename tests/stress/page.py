@@ -1,0 +1,217 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Makes docs/numerics.md and its plots from the kept results."""
+
+import subprocess
+
+import common
+import rays
+
+TITLES = {
+    "random": "what people photograph", "corners": "corners of a picture 100,000 pixels wide",
+    "tilt": "lens turned by 75 to 89.9 degrees", "parallel": "focus parallel to the ray, exactly or but for 1e-11 to 1e-16",
+    "through_view": "focus through the view, down to 1e-13 of the numbers it is written with",
+    "behind": "focus behind the camera", "far_focus": "focus 1e9 to 1e15 away", "far_camera": "scene 1e7 from the origin",
+    "farther_camera": "scene 1e12 from the origin", "scale": "whole scene 1e-9 to 1e9 times as large",
+    "unit": "`scene_unit` 1e-9 to 1e9 mm", "aperture": "aperture 0 to 1000 distances", "film": "film 0.1 mm to 10 m",
+    "odd_numbers": "signed zeros, denormals, the largest numbers, infinities, NaN", "several": "three of these at once"}
+
+HEAD = """<!--
+povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+SPDX-License-Identifier: AGPL-3.0-or-later
+-->
+# Numbers under stress
+
+What was tried to break the camera, and what came of it. This page is made by `tests/stress/run`; `tests/stress/run
+rays` measures one part again, `--page` only writes the page from the results in `docs/numerics`. `./check -L
+"stress|fuzz"` runs a short form of the parts that it names below.
+"""
+
+RAYS = """
+## Solver and rays
+
+A lens is solved in 113 bits from the numbers as the scene gives them, and rounded once; rays are formed in doubles
+(`povray-src/tilt_lens/optics.cpp`, `ray.h`). Each ray is compared with a plain construction in 50 digits
+(`tests/unit/reference_camera.h`, boost::multiprecision) that shares no formula with it.
+
+- *ulp*: length of the difference of the two directions over the direction's length, in units of 2^-52. Well-posed
+  is a camera whose ray is at least a quarter as long as the sum of what it is added up from.
+- *pixels*: in a picture 100,000 pixels wide, how far from the film point asked for the one lies that truly has
+  the computed direction; or the angle between the directions in pixels, where that is less.
+- *narrow*: angles of view so small (under about 0.0013 degrees in that picture) that a pixel's millionth is less than
+  the last place of a direction: no double could be nearer. *Reaches the film*: lenses whose rim passes through the
+  film, of which the program warns.
+
+| cameras | accepted | refused | worst ulp, well-posed | worst ulp | worst pixels | narrow | reaches the film | no numbers |
+| --- | --: | --: | --: | --: | --: | --: | --: | --: |
+"""
+
+
+def number(value, form="{:.2g}"):
+    """A figure, or a dash."""
+    return "-" if value is None or value == 0 else form.format(value)
+
+
+def rays_section(result):
+    """The table of sets, refusals, and where the obvious formula breaks."""
+    text = RAYS
+    for name in ("random", *rays.SETS):
+        t = result[name]
+        text += (f"| {TITLES[name]} | {t['cameras'] - t['refused']:,} | {t['refused']:,} | "
+                 f"{number(t['well_posed']['worst'], '{:.1f}')} | {number(t['ulps']['worst'], '{:.1f}')} | "
+                 f"{number(t['pixels']['worst'])} | {number(t['narrow_pixels']['worst'])} | "
+                 f"{number(t['reach_pixels']['worst'])} | {t['broken']} |\n")
+    text += ("\nEvery refusal has its message:\n\n| message begins | times |\n| --- | --: |\n")
+    refusals = {}
+    for t in result.values():
+        for words, count in t["refusals"].items():
+            refusals[words] = refusals.get(words, 0) + count
+    text += "".join(f"| {words} | {count:,} |\n" for words, count in sorted(refusals.items()))
+    text += ("\n![Share of rays by error in units of the last place](numerics/ulps.svg)\n\n### The obvious formula\n\n"
+             "Find the point of sharp focus P on the chief ray by a division, then normalise P - l. One camera in eight was "
+             "given to it as well. *Reversed* are rays that point away from the scene, since P lies behind the lens; *no "
+             "numbers*: infinite or NaN, since P lies at infinity.\n\n| cameras | tried | reversed | no numbers | worst pixels "
+             "of the rest |\n| --- | --: | --: | --: | --: |\n")
+    for name in ("random", *rays.SETS):
+        o = result[name]["obvious_pixels"]
+        reversed_ = o["by_power"].get("30", 0)
+        rest = max((int(power) for power in o["by_power"] if power != "30"), default=None)
+        text += (f"| {TITLES[name]} | {o['count'] + result[name]['obvious_broken']:,} | {reversed_:,} | "
+                 f"{result[name]['obvious_broken']:,} | {'-' if rest is None else f'below 1e{rest + 1}'} |\n")
+    plot_ulps(result)
+    return text
+
+
+def plot_ulps(result):
+    """Shares of rays by powers of ten of the error, for a few sets."""
+    sets = ("random", "tilt", "through_view", "aperture", "several")
+    lines = []
+    for name in sets:
+        spread = result[name]["ulps"]
+        lines.append("\n".join(f"{power} {spread['by_power'].get(str(power), 0) / max(1, spread['count'])}"
+                               for power in range(-4, 4)))
+    plots = ", ".join(f"'-' with linespoints lw 2 title '{TITLES[name]}'" for name in sets)
+    script = ("set terminal svg size 720,380 dynamic background 'white'\nset output '" +
+              str(common.RESULTS / "ulps.svg") + "'\nset logscale y\nset yrange [1e-7:2]\nset format y '10^{%T}'\n"
+              "set xlabel 'error, power of ten of a unit of the last place'\nset ylabel 'share of rays'\nset key bottom left\n"
+              f"plot {plots}\n" + "\ne\n".join(lines) + "\ne\n")
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
+def sampler_section(result):
+    """Nets, discrepancy, neighbours."""
+    text = ("\n## Sampler\n\nThe least t for which the first 2^m samples are a (t, m, 2)-net in base 2, by projection; 0 is "
+            "perfect: one sample in each elementary interval. In the unit tests: each coordinate alone, all four together, "
+            "aligned blocks up to the last index, uniformity over discs, polygons and bokeh pictures by chi-square.\n\n")
+    powers = sorted(result["projections"][0]["t"], key=int)
+    text += "| pair | " + " | ".join(f"2^{m}" for m in powers) + " |\n| --- |" + " --: |" * len(powers) + "\n"
+    for row in result["projections"]:
+        text += f"| {row['pair']} | " + " | ".join(str(row["t"][m]) for m in powers) + " |\n"
+    text += (f"\nAmong 2^{result['log2_samples']} samples {sum(result['repeated'])} come twice in a coordinate; around index "
+             f"2^20, 2^31 and the last one {result['overflow_faults']} are out of range or equal to the next.\n\n"
+             "Star discrepancy of the lens pair, times the number of samples (exact, over some pixels). The bound is "
+             "Niederreiter's for a (0, m, 2)-net; Hammersley's points check the computation by Halton and Zaremba's "
+             "formula.\n\n| samples | mean | worst | bound | random points | Hammersley | known |\n"
+             "| --: | --: | --: | --: | --: | --: | --: |\n")
+    for row in result["discrepancy"]:
+        text += (f"| {2 ** row['m']} | {row['mean']:.2f} | {row['worst']:.2f} | {row['bound']:.1f} | {row['random']:.1f} | "
+                 f"{row['hammersley']:.4f} | {row['hammersley_known']:.4f} |\n")
+    worst = max(row[where] for row in result["correlation"] for where in ("right", "below", "diagonal"))
+    return text + (f"\nErrors of neighbouring pixels (right, below, diagonal; 1, 8, 64 samples; three integrands): the largest "
+                   f"correlation is {worst:.1f} of its standard errors, of 27.\n")
+
+
+def pictures_section(result):
+    """Properties of pictures."""
+    furnace, mirror, moved, noise = (result[key] for key in ("furnace", "mirror", "moved", "noise"))
+    text = ("\n## Properties of pictures\n\n| property | tried | found |\n| --- | --- | --- |\n"
+            f"| constant surroundings stay constant, to 1e-4 | {furnace['cameras']} random cameras, under a sky and inside a "
+            f"ball | off by {furnace['worst']:.1e} at most (16-bit files) |\n"
+            f"| a mirrored scene in a mirrored camera is the picture turned over | {mirror['cameras']} cameras, "
+            f"{mirror['pictures']} independent pictures of each side | largest |t| of a block {mirror['worst_z']:.1f}; with the "
+            f"swing left as it was {mirror['wrong_swing_z']:.0f} |\n"
+            f"| camera and world turned, scaled and moved together | {moved['cameras']} cameras | RMS difference at most "
+            f"{moved['worst_rms']:.1e} |\n"
+            f"| variance falls with samples | {noise['pictures']} independent pictures each | as samples to the power "
+            f"{noise['slope']:.2f} (random samples: -1) |\n\n| samples | variance |\n| --: | --: |\n")
+    return text + "".join(f"| {row['samples']} | {row['variance']:.2e} |\n" for row in noise["rows"])
+
+
+def faults_section(result):
+    """Kills and surroundings."""
+    text = "\n## Faults\n\n"
+    for name in ("SIGKILL", "SIGTERM"):
+        row = result[name]
+        text += (f"- {name} at {row['tries']} random moments, then `+C`: the same pixels {row['same']} times, a torn picture "
+                 f"{row['torn']} times; finished blocks kept {row['kept']} times.\n")
+    text += "\n| fault | exit code | first words | torn picture |\n| --- | --: | --- | --- |\n"
+    for row in result["environment"]:
+        text += f"| {row['name']} | {row['exit']} | {row['said']} | {'yes' if row['torn'] else 'no'} |\n"
+    return text
+
+
+def soak_section(result):
+    """Memory over time."""
+    text = "\n## Memory over time\n\n| run | seconds | processor | peak | growth, last quarter |\n| --- | --: | --: | --: | --: |\n"
+    for title, row in ((f"{result['animation']['frames']} frames of 16 by 12", result["animation"]),
+                       (f"one picture of {result['large']['width']} by {result['large']['height']}, stopped after its time",
+                        result["large"])):
+        text += (f"| {title} | {row['seconds']} | {row['processor_seconds']} s | {row['peak_kib'] / 1024:.1f} MiB | "
+                 f"{row['growth_kib']} KiB |\n")
+    if "heap" in result:
+        text += (f"\nheaptrack: what is held at the end grows by {result['heap']['bytes_per_frame']} bytes for each frame more "
+                 f"({result['heap']['frames']} and twice as many).\n")
+    return text
+
+
+def scale_section(result):
+    """Time and memory against size."""
+    text = (f"\n## Scale\n\nProcessor seconds and peak memory; the power is that of time against size, 1 is linear.\n\n")
+    for key, title in (("rows", f"rows of a picture {result['width']} by {result['width']}"),
+                       ("samples", "`blur_samples`, 64 by 48"), ("objects", "objects, 160 by 120")):
+        text += f"| {title} | seconds | peak |\n| --: | --: | --: |\n"
+        text += "".join(f"| {row[key]:,} | {row['processor_seconds']} | {row['peak_mib']} MiB |\n" for row in result[key])
+        text += f"\nPower: {result['slopes'][key]:.2f}.\n\n"
+    return text.rstrip("\n") + "\n"
+
+
+def fuzz_section(result):
+    """Blocks and libFuzzer."""
+    grammar = result["grammar"]
+    text = (f"\n## Fuzzing\n\n{grammar['blocks']:,} blocks of a grammar (`tests/fuzz/grammar.py`) through POV-Ray's own parser, "
+            f"500 a process, {'built with ASan and UBSan' if grammar['sanitized'] else 'release build'}; each must end in a lens "
+            f"with finite rays or in one error: {len(grammar['bad'])} did not.\n\n| made as: became | blocks |\n| --- | --: |\n")
+    text += "".join(f"| {key} | {n:,} |\n" for key, n in sorted(grammar["counts"].items())) + "\n"
+    for name, title in (("solver", "the solver"), ("parser", "the block's parser")):
+        if name in result:
+            row = result[name]
+            text += (f"libFuzzer on {title}: {row['runs']:,} runs, {row['coverage']} edges, "
+                     f"{'nothing found' if row['exit'] == 0 else 'a finding'}.\n")
+    return text
+
+
+def sanitizers_section(result):
+    """Programs under sanitizers."""
+    text = ("\n## Sanitizers\n\n| what | tool | runs | findings in our files | upstream's, suppressed by name |\n"
+            "| --- | --- | --: | --: | --: |\n")
+    for row in result["rows"]:
+        text += f"| {row['what']} | {row['tool']} | {row['runs']} | {row['ours']} | {row['suppressed']} |\n"
+    return text
+
+
+SECTIONS = {"rays": rays_section, "sampler": sampler_section, "pictures": pictures_section, "fuzz": fuzz_section,
+            "sanitizers": sanitizers_section, "faults": faults_section, "soak": soak_section, "scale": scale_section}
+
+
+def write():
+    """The page, from whatever has been measured."""
+    text, missing = HEAD, []
+    for name, section in SECTIONS.items():
+        result = common.load(name)
+        if result is None:
+            missing.append(name)
+        else:
+            text += section(result)
+    if missing:
+        text += f"\n## Not measured yet\n\n{', '.join(missing)}: `tests/stress/run {' '.join(missing)}`.\n"
+    (common.ROOT / "docs" / "numerics.md").write_text(text)

@@ -1,0 +1,255 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file rays.cpp
+/// Solver and ray formation against 50 digits, camera after camera: `stress_rays SET CAMERAS SEED`
+/// writes tallies as JSON. SET is `random` (what people photograph) or one of extreme_cameras.h.
+///
+/// Two errors of a ray. In units of the last place: the length of the difference of the directions,
+/// as a share of the direction's own length, over 2^-52. In pixels of a picture 100,000 pixels wide:
+/// how far on the film the film point lies whose true ray has the direction that was computed. Where
+/// a lens reaches to the film that map turns over (its determinant 1 - k.l passes 0), and the angle
+/// between the two directions in pixels of the chief ray counts where it is smaller.
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <nlohmann/json.hpp>
+
+#include "../unit/reference_camera.h"
+#include "extreme_cameras.h"
+#include "tilt_lens/ray.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+using Exact = boost::multiprecision::cpp_bin_float_50;
+using V = Vec<Exact>;
+using nlohmann::json;
+
+const double kPictureWidth = 1e5;  ///< pixels
+
+/// Where a radian has more pixels than this, 1e-6 of a pixel is below the last place of a direction:
+/// at 100,000 pixels an angle of view under 0.0013 degrees.
+const double kNarrow = 1e-6 / 0x1p-52;
+
+/// The obvious formula is looked at in one camera of so many.
+const std::uint64_t kObviousEvery = 8;
+
+/// Counts by powers of ten and the worst.
+struct Spread
+{
+    std::map<int, std::uint64_t> byPower;  ///< floor(log10), -30 for 0
+    std::uint64_t count = 0;
+    double worst = 0.0, sum = 0.0;
+
+    void Add(double value)
+    {
+        const double inside = value == value ? value : HUGE_VAL;
+        byPower[inside == 0.0 ? -30 : std::max(-30, std::min(30, int(std::floor(std::log10(inside)))))]++;
+        worst = std::max(worst, inside);
+        sum += inside;
+        count++;
+    }
+    json Report() const
+    {
+        json powers = json::object();
+        for (const auto& [power, n] : byPower)
+            powers[std::to_string(power)] = n;
+        return {{"count", count}, {"worst", worst}, {"sum", sum}, {"by_power", powers}};
+    }
+};
+
+/// What is looked at in one ray.
+struct Errors
+{
+    double ulps, pixels, origin, condition, pixelsPerRadian;
+};
+
+double AsDouble(const Exact& value) { return value.convert_to<double>(); }
+
+/// Film point whose true ray through l has this direction, as an offset in pixels.
+double FilmOffset(const V& right, const V& up, const V& truth, const V& direction)
+{
+    // direction = a truth + b right + c up, by Cramer's rule
+    const Exact a = direction.Dot(right.Cross(up)), b = truth.Dot(direction.Cross(up)),
+                c = truth.Dot(right.Cross(direction));
+    const Exact determinant = truth.Dot(right.Cross(up));
+    if (!(a * determinant > 0))
+        return HUGE_VAL;
+    const double dx = AsDouble(b / a), dy = AsDouble(c / a);
+    return std::hypot(dx, dy) * kPictureWidth;
+}
+
+Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& camera, const LensRay& ray, double x,
+                double y, double a, double b)
+{
+    const ReferenceRay<Exact> truth = reference.Ray(x, y, a, b);
+    const V k = reference.Focus(), l = truth.origin, direction(ray.direction), right(camera.right), up(camera.up);
+    const V chief = reference.Chief(x, y);
+
+    const Exact size = truth.direction.Length();
+    const Exact angle = truth.direction.Cross(direction).Length() / (size * direction.Length());
+    const Exact perRadian = chief.Length() / right.Length() * kPictureWidth;
+    const double byAngle = truth.direction.Dot(direction) > 0 ? AsDouble(angle * perRadian) : HUGE_VAL;
+    const double byFilm = FilmOffset(right - l * k.Dot(right), up - l * k.Dot(up), truth.direction, direction);
+    const Exact radius = reference.Radius();
+    const double origin =
+        radius == 0 ? 0.0 : AsDouble((V(ray.origin) - l).Length() / (radius + Exact(DBL_MIN))) * 0x1p52;
+    const Exact sum = reference.Chief(0, 0).Length() + abs(Exact(x)) * right.Length() + abs(Exact(y)) * up.Length();
+    const Exact condition = sum * (1 + k.Length() * l.Length()) / size;
+    return {AsDouble((direction - truth.direction).Length() / size) * 0x1p52, std::min(byAngle, byFilm), origin,
+            AsDouble(condition), AsDouble(perRadian)};
+}
+
+/// The obvious formula: the point of sharp focus, less the lens point, normalised.
+Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
+{
+    const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
+    const double distance = 1.0 / Length(lens.focus);
+    const Vec3 normal = Normalized(lens.focus);
+    const Vec3 P = chief * (distance / Dot(normal, chief));
+    return Normalized(P - (a * lens.lensX + b * lens.lensY));
+}
+
+/// Such a lens is accepted with a warning.
+bool ReachesFilm(const Lens& lens)
+{
+    return std::hypot(Dot(lens.lensX, lens.axis), Dot(lens.lensY, lens.axis)) >= lens.filmDistance;
+}
+
+struct Run
+{
+    std::uint64_t cameras = 0, refused = 0, rays = 0, broken = 0, obviousBroken = 0, reachFilm = 0;
+    Spread ulps, wellPosed, pixels, narrowPixels, reachPixels, obviousPixels, origin;
+    std::map<std::string, std::uint64_t> refusals;  ///< by the first words of the message
+    json worst = json::object();
+
+    void Camera(Random& random, const Request& request, const FilmPoint& at);
+    void Ray(const Request& request, const Lens& lens, const ReferenceCamera<Exact>& reference, double x, double y,
+             double a, double b);
+    void Refuse(const std::string& message);
+    void KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e);
+};
+
+/// The words of a message before its first number or vector.
+void Run::Refuse(const std::string& message)
+{
+    refused++;
+    const std::size_t end = message.find_first_of(":(<0123456789");
+    refusals[message.substr(0, end)]++;
+}
+
+void Run::KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e)
+{
+    std::ostringstream text;
+    text << std::setprecision(17) << request << "\nx " << x << " y " << y << " a " << a << " b " << b << "\nulps " << e.ulps
+         << " pixels " << e.pixels << " condition " << e.condition;
+    worst["pixels"] = text.str();
+}
+
+void Run::Ray(const Request& request, const Lens& lens, const ReferenceCamera<Exact>& reference, double x, double y,
+              double a, double b)
+{
+    rays++;
+    const LensRay ray = MakeRay(lens, x, y, a, b);
+    const double length = Length(ray.direction);
+    if (!IsFinite(ray.origin) || !IsFinite(ray.direction) || !(length > 0.0) || !IsFinite(ray.direction / length))
+    {
+        if (broken++ == 0)
+            KeepWorst(request, x, y, a, b, {});
+        return;
+    }
+    const Errors e = ErrorsOf(reference, request.camera, ray, x, y, a, b);
+    Spread& picture = ReachesFilm(lens) ? reachPixels : e.pixelsPerRadian > kNarrow ? narrowPixels : pixels;
+    if (!(e.pixels <= picture.worst) && &picture == &pixels && broken == 0)
+        KeepWorst(request, x, y, a, b, e);
+    ulps.Add(e.ulps);
+    if (e.condition <= 4.0)
+        wellPosed.Add(e.ulps);
+    picture.Add(e.pixels);
+    origin.Add(e.origin);
+
+    if (rays % kObviousEvery != 0)
+        return;
+    const Vec3 obvious = Obvious(lens, x, y, a, b);
+    if (!IsFinite(obvious) || !(Length(obvious) > 0.0))
+        obviousBroken++;
+    else
+        obviousPixels.Add(ErrorsOf(reference, request.camera, {ray.origin, obvious, ray.w}, x, y, a, b).pixels);
+}
+
+void Run::Camera(Random& random, const Request& request, const FilmPoint& at)
+{
+    cameras++;
+    Lens lens;
+    try
+    {
+        lens = Solve(request.camera, request.given);
+    }
+    catch (const OpticsError& error)
+    {
+        Refuse(error.what());
+        return;
+    }
+    reachFilm += ReachesFilm(lens);
+    const ReferenceCamera<Exact> reference(request.camera, request.given);
+    const double turn = random(0.0, 2.0) * kDegree * 180.0, radius = std::sqrt(random(0.0, 1.0));
+    Ray(request, lens, reference, at.x, at.y, radius * std::cos(turn), radius * std::sin(turn));
+}
+
+json Report(const Run& run)
+{
+    return {{"cameras", run.cameras}, {"refused", run.refused}, {"rays", run.rays}, {"broken", run.broken},
+            {"reach_film", run.reachFilm}, {"obvious_broken", run.obviousBroken}, {"ulps", run.ulps.Report()},
+            {"well_posed", run.wellPosed.Report()}, {"pixels", run.pixels.Report()},
+            {"narrow_pixels", run.narrowPixels.Report()},
+            {"reach_pixels", run.reachPixels.Report()}, {"origin", run.origin.Report()},
+            {"obvious_pixels", run.obviousPixels.Report()}, {"refusals", run.refusals}, {"worst", run.worst}};
+}
+
+} // namespace
+} // namespace tilt_lens
+
+int main(int argc, char** argv)
+{
+    using namespace tilt_lens;
+    if (argc != 4)
+    {
+        std::fputs("usage: stress_rays random|SET CAMERAS SEED\n", stderr);
+        return 2;
+    }
+    const std::string name = argv[1];
+    const std::uint64_t cameras = std::stoull(argv[2]), seed = std::stoull(argv[3]);
+    void (*pull)(Random&, Request&, FilmPoint&) = name == "random" ? PullNothing : nullptr;
+    for (const ExtremeSet& set : kExtremeSets)
+        if (name == set.name)
+            pull = set.pull;
+    if (pull == nullptr)
+    {
+        std::fprintf(stderr, "stress_rays: no set %s\n", argv[1]);
+        return 2;
+    }
+    Random random(seed);
+    Run run;
+    for (std::uint64_t i = 0; i < cameras; i++)
+    {
+        const FocusFamily families[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane,
+                                        FocusFamily::FocalPoints};
+        Lens lens;
+        Request request = name == "random" || name == "corners"
+                              ? SolvableRequest(random, families[i % 4], i % 8 < 4, lens)
+                              : RandomRequest(random, families[i % 4], i % 8 < 4);
+        FilmPoint at{random(-0.5, 0.5), random(-0.5, 0.5)};
+        pull(random, request, at);
+        run.Camera(random, request, at);
+    }
+    std::cout << Report(run).dump(1) << '\n';
+    return 0;
+}

@@ -1,0 +1,31 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The sampler at length: projections, period, overflow, discrepancy, neighbours."""
+
+import common
+
+
+def measure(setup, log2_samples=20):
+    """What the program finds."""
+    tool = setup.tool("stress_sampler")
+    return common.once(setup.work("sampler"), str(log2_samples), tool, lambda: common.output([tool, log2_samples]))
+
+
+def faults(result):
+    """What breaks the promises, in words."""
+    found = []
+    for row in result["projections"]:
+        allowed = 0 if row["pair"] == "lens u, lens v" else 3
+        found += [f"{row['pair']}: t = {t} at 2^{m} samples" for m, t in row["t"].items() if t > allowed]
+    if any(result["repeated"]) or result["overflow_faults"]:
+        found.append(f"repeated {result['repeated']}, at the ends of the index {result['overflow_faults']}")
+    for row in result["discrepancy"]:
+        if row["worst"] > row["bound"] or row["worst"] > row["random"]:
+            found.append(f"star discrepancy: {row}")
+        if abs(row["hammersley"] - row["hammersley_known"]) > 1e-9:
+            found.append(f"the discrepancy of Hammersley's points is wrong: {row}")
+    # 27 correlations: one past 4.5 standard errors has a chance of 2e-4
+    for row in result["correlation"]:
+        found += [f"neighbours {where}: {row[where]:.1f} standard errors at {row['samples']} samples"
+                  for where in ("right", "below", "diagonal") if row[where] > 4.5]
+    return found

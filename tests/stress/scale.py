@@ -1,0 +1,75 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Time and memory against size: rows of a huge picture, samples per pixel, objects."""
+
+import math
+import pathlib
+import statistics
+import sys
+import tempfile
+
+import common
+import watch
+
+sys.path.insert(0, str(common.ROOT / "tests" / "render"))
+import scenes  # noqa: E402
+
+HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+FULL = {"rows": (4, 8, 16, 32, 64), "samples": (100, 1000, 10_000), "objects": (10_000, 100_000, 1_000_000), "width": 16384}
+QUICK = {"rows": (4, 8, 16), "samples": (100, 1000), "objects": (2000, 20_000), "width": 4096}
+
+
+def render(setup, scene, *options):
+    """Processor seconds and peak memory of a render."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        (folder / "scene.pov").write_text(HEAD + scene)
+        watched = watch.watch([str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "+WT2", *options],
+                              folder / "said.txt", 0.5, cwd=folder)
+    if watched.returncode != 0:
+        raise RuntimeError(f"exit code {watched.returncode}\n{watched.said[-800:]}")
+    return {"processor_seconds": round(watched.cpu, 2), "peak_mib": round(watched.peak / 1024)}
+
+
+def spheres(count):
+    """So many small spheres over a floor."""
+    return (f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <8*rand(R)-4, rand(R), 9*rand(R)-2>, 0.02 pigment "
+            "{ rgb <rand(R), rand(R), rand(R)> } } #end\n" + scenes.WORLD)
+
+
+def slope(rows, key):
+    """Of the processor time against the size, both logarithmic."""
+    xs = [math.log(row[key]) for row in rows]
+    ys = [math.log(max(row["processor_seconds"], 0.01)) for row in rows]
+    return statistics.linear_regression(xs, ys).slope
+
+
+def measure(setup, size="full"):
+    """Three series."""
+    sizes = FULL if size == "full" else QUICK
+    few = scenes.camera(samples="blur_samples 16 variance 0 ")
+    width = sizes["width"]
+    found = {"width": width, "rows": [], "samples": [], "objects": []}
+    for rows in sizes["rows"]:
+        middle = width // 2
+        found["rows"].append({"rows": rows, **render(setup, few + scenes.WORLD, f"+W{width}", f"+H{width}",
+                                                     f"+SR{middle}", f"+ER{middle + rows - 1}")})
+    for samples in sizes["samples"]:
+        camera = scenes.camera(samples=f"blur_samples {samples} variance 0 ")
+        found["samples"].append({"samples": samples, **render(setup, camera + scenes.WORLD, "+W64", "+H48")})
+    for objects in sizes["objects"]:
+        found["objects"].append({"objects": objects, **render(setup, few + spheres(objects), "+W160", "+H120")})
+    found["slopes"] = {key: slope(found[key], key) for key in ("rows", "samples", "objects")}
+    return found
+
+
+def faults(result):
+    """Growth that is more than linear, with room for what the start costs and for a busy machine."""
+    found = [f"{key}: time grows with the power {value:.2f}" for key, value in result["slopes"].items() if value > 1.15]
+    objects = result["objects"]
+    each = (objects[-1]["peak_mib"] - objects[0]["peak_mib"]) * 1024 / (objects[-1]["objects"] - objects[0]["objects"])
+    if each > 4:
+        found.append(f"objects: {each:.1f} KiB each")
+    if result["samples"][-1]["peak_mib"] > result["samples"][0]["peak_mib"] + 64:
+        found.append(f"samples: {result['samples']}")
+    return found

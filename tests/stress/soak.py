@@ -1,0 +1,114 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Memory over time: an animation of many tiny frames, and one large picture, each in one process."""
+
+import re
+import subprocess
+import sys
+import tempfile
+import pathlib
+
+import common
+import watch
+
+sys.path.insert(0, str(common.ROOT / "tests" / "render"))
+import scenes  # noqa: E402
+
+FRAMES, SECONDS = 1000, 3600
+HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+MOVING = (HEAD + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4 blades 5, 10", samples="blur_samples 8, 32 ",
+                               tail="bokeh { pigment { gradient x } }").replace("blades 5, 10", "") + scenes.WORLD)
+LARGE = """camera { right x*image_width/image_height location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aperture 0.3
+  blur_samples 8, 64 confidence 0.9 variance 1/2000 tilt_lens { tilt 4 swing 2 blades 7 } }
+plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> scale 0.5 } normal { bumps 0.1 scale 0.05 }
+  finish { ambient 0.1 diffuse 0.8 reflection 0.05 } }
+sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } finish { reflection 0.3 phong 0.5 } }
+sphere { <-0.9, 0.4, -0.7>, 0.4 pigment { rgbf 0.9 } interior { ior 1.5 } finish { phong 0.9 reflection 0.1 } }
+#declare R = seed(3);
+#for (I, 0, 400) sphere { <6*rand(R)-3, 0.05, 8*rand(R)-2>, 0.05+0.05*rand(R) pigment { rgb <rand(R), rand(R), rand(R)> } } #end
+light_source { <4, 8, -6>, rgb 0.7 area_light x, z, 3, 3 jitter adaptive 1 }
+light_source { <-4, 6, -3>, rgb 0.3 }
+background { rgb <0.3, 0.5, 0.8> }
+"""
+
+
+def command(setup, *options):
+    """Two threads, which share the sampler's cells."""
+    return [str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "+WT2", *options]
+
+
+def growth(course):
+    """KiB of resident memory that the second half of a run gained, by the medians of its quarters."""
+    quarter = len(course) // 4
+    if quarter < 1:
+        return 0
+    sizes = [memory for _, _, memory in course]
+    return sorted(sizes[-quarter:])[quarter // 2] - sorted(sizes[-2 * quarter:-quarter])[quarter // 2]
+
+
+def summary(watched, **more):
+    """What is kept of a run."""
+    return {"seconds": round(watched.seconds), "processor_seconds": round(watched.cpu), "peak_kib": watched.peak,
+            "growth_kib": growth(watched.course), "exit": watched.returncode,
+            "course": [{"seconds": t, "kib": m} for t, _, m in watched.course[::max(1, len(watched.course) // 100)]], **more}
+
+
+def animation(setup, frames):
+    """So many tiny frames in one process."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        (folder / "scene.pov").write_text(MOVING)
+        watched = watch.watch(command(setup, "+W16", "+H12", f"+KFF{frames}", "+KF6.28"), folder / "said.txt", 0.5, cwd=folder)
+        done = len(list(folder.glob("picture*.png")))
+    return summary(watched, frames=done)
+
+
+def large_picture(setup, seconds):
+    """One picture, stopped after so long if it is not done: what counts is the time."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        (folder / "scene.pov").write_text(HEAD + LARGE)
+        size = ("+W4000", "+H3000") if seconds > 300 else ("+W800", "+H600")
+        watched = watch.watch(command(setup, *size), folder / "said.txt", max(0.2, seconds / 720), seconds, cwd=folder)
+    return summary(watched, width=int(size[0][2:]), height=int(size[1][2:]))
+
+
+def heap(setup, frames):
+    """heaptrack over an animation: what is still held at the end, for each frame more."""
+    held = []
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        (folder / "scene.pov").write_text(MOVING)
+        for count in (frames, 2 * frames):
+            out = folder / f"heap{count}"
+            subprocess.run(["heaptrack", "-o", str(out), *command(setup, "+W16", "+H12", f"+KFF{count}", "+KF6.28")],
+                           cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=True)
+            data = next(folder.glob(f"heap{count}.*"))
+            said = subprocess.run(["heaptrack_print", str(data)], capture_output=True, text=True, check=True).stdout
+            found = re.search(r"total memory leaked: ([\d.]+)([KMG]?)B?", said)
+            held.append(float(found[1]) * {"": 1, "K": 1e3, "M": 1e6, "G": 1e9}[found[2]])
+    return {"frames": frames, "held_bytes": held, "bytes_per_frame": round((held[1] - held[0]) / frames)}
+
+
+def measure(setup, frames=FRAMES, seconds=SECONDS, heap_frames=50):
+    """All of it; without heaptrack where the number of its frames is 0."""
+    work = setup.work("soak")
+    parts = {"large": (seconds, large_picture), "animation": (frames, animation), "heap": (heap_frames, heap)}
+    return {name: common.once(work, f"{name}-{size}", setup.povray, lambda run=run, size=size: run(setup, size))
+            for name, (size, run) in parts.items() if size}
+
+
+def faults(result):
+    """What breaks the promises, in words."""
+    found = []
+    animation_, large = result["animation"], result["large"]
+    if animation_["exit"] != 0:
+        found.append(f"animation: exit code {animation_['exit']}, {animation_['frames']} frames")
+    # what a frame leaves behind would be there a thousand times
+    if animation_["growth_kib"] > 512:
+        found.append(f"animation: {animation_['growth_kib']} KiB more in the last quarter")
+    if large["growth_kib"] > 512 or large["exit"] not in (0, -9):
+        found.append(f"large picture: exit code {large['exit']}, {large['growth_kib']} KiB more in the last quarter")
+    if "heap" in result and result["heap"]["bytes_per_frame"] > 1000:
+        found.append(f"heap: {result['heap']['bytes_per_frame']} bytes a frame are not freed")
+    return found
