@@ -107,6 +107,7 @@ class Failing(BatchTest):
             "'scene0002.png'",
             "second frame is broken",
             "2 of 3 pictures",
+            "2 of 3 pictures done, 0 running, 1 failed",
             "NOT complete",
             "task-",
         ):

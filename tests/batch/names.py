@@ -76,6 +76,12 @@ class Names(BatchTest):
         scene = self.scene(LENS + '#include "deep.inc"\n')
         self.batch("still", scene, "--bands", 1, "+Lin c", "more.ini[wide]")
         self.assertEqual(common.picture(self.folder / "scene.png")[:2], (96, 40))
+        self.env["POVINC"] = "in c"
+        words = ("still", scene, "--bands", 1, "--output", "b.png", "+W48", "+H40")
+        self.batch(*words)
+        self.assertEqual(common.picture(self.folder / "b.png")[:2], (48, 40))
+        del self.env["POVINC"]
+        self.assertIn("environment variable POVINC: was", self.batch(*words, code=1))
 
     def test_the_current_folder_comes_first_as_for_render(self):
         (self.folder / "colors.inc").write_text("#declare Ball = rgb <0, 1, 0>;\n")

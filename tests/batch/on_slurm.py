@@ -53,6 +53,15 @@ class OnSlurm(BatchTest):
                     *words, "--on", "slurm", "--partition", "main", "--time", "10", "--sbatch=--mem=100"
                 )
         self.assert_same(self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN", *SMALL))
+        self.compare_film_and_sweep()
+        # begun on Slurm, taken up with GNU parallel
+        (self.folder / "scene_film" / "scene0003.png").unlink()
+        self.batch(*self.kinds()["film"])
+        self.assert_same(self.folder / "scene_film" / "scene0003.png", self.folder / "whole" / "f3.png")
+
+    def compare_film_and_sweep(self):
+        """All pictures of both are there, with the pixels of single renders; so is the contact sheet."""
+        scene = self.folder / "scene.pov"
         for tilt in (2, 4):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL, f"Declare=Tilt={tilt}")
             self.assert_same(self.folder / "scene_sweep" / f"scene_Tilt={tilt}.png", whole)
@@ -62,15 +71,16 @@ class OnSlurm(BatchTest):
             self.assert_same(
                 self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png"
             )
-        # begun on Slurm, taken up with GNU parallel
-        (self.folder / "scene_film" / "scene0003.png").unlink()
-        self.batch(*self.kinds()["film"])
-        self.assert_same(self.folder / "scene_film" / "scene0003.png", self.folder / "whole" / "f3.png")
 
     def test_detached_then_watched(self):
         self.scene(LENS)
         words = ("still", "scene.pov", "--bands", 4, *SLOW)
-        self.assertIn("Not waiting", self.batch(*words, "--on", "slurm", "--detach"))
+        site = ("--partition", "main", "--time", "17", "--account", "film42", "--sbatch=--nice=5", "--workers", 2)
+        self.assertIn("Not waiting", self.batch(*words, "--on", "slurm", "--detach", *site))
+        array = common.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())[0]
+        told = self.cluster.run("scontrol", "show", "job", array).stdout.split()
+        for option in ("Partition=main", "TimeLimit=00:17:00", "Account=film42", "Nice=5", "ArrayTaskThrottle=2"):
+            self.assertIn(option, told)
         self.assertIn("of an earlier call are at work", self.batch(*words, code=1))
         self.assertIn("still at work: waiting", self.batch(*words, "--on", "slurm"))
         self.assert_same(
@@ -110,7 +120,17 @@ class OnSlurm(BatchTest):
             self.folder / "scene.png",
             self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
         )
-        self.assertEqual(len(list((self.folder / "scene_film").iterdir())), 4)
+        self.compare_film_and_sweep()
+
+    def test_anything_in_names(self):
+        for name in ("a %a\n%j $(x) \"'", "back\\slash %a"):
+            with self.subTest(name):
+                (self.folder / name).mkdir()
+                scene = self.scene(LENS, f"{name}/scene.pov")
+                target = self.folder / name / "out.png"
+                self.batch("still", scene, "--bands", 2, "--output", target, "--on", "slurm", *SMALL)
+                self.assert_same(target, self.whole(scene, self.folder / "w.png", "+FN", *SMALL))
+                self.assertTrue(list((self.folder / name / "out.png.batch" / "log").glob("slurm*")))
 
 
 def node_of(pid):

@@ -129,6 +129,8 @@ def finish(work, description):
     """The last step: pictures that are not put together yet, the contact sheet. Returns complaints."""
     bands = len(description["key"]["bands"])
     complaints = []
+    for name in work.names("running"):  # of workers that were killed: none is at work any more
+        work.record("running", name).unlink(missing_ok=True)
     done = work.names("done")
     for picture in range(len(description["key"]["pictures"])):
         if merge.is_merged(work, description, picture):
@@ -209,6 +211,7 @@ def report(work, description, complaints, elapsed):
     ]
     complete = state.merged == state.pictures and not complaints
     if not complete:
+        lines += progress.little_room(work)
         lines.append(f"NOT complete. The same command again goes on; logs: {str(work.logs)!r}")
     elif state.pictures == 1:
         lines.append(
@@ -243,11 +246,16 @@ def batch(settings, words):
             )
         if jobs:
             watch(work, jobs, settings)
-        description = describe.open_batch(work, request, engine)
-        complaints = work_through(work, description, settings, engine)
-        if complaints is None:
-            return 0
-        return report(work, description, complaints, time.monotonic() - begun)
+        try:
+            description = describe.open_batch(work, request, engine)
+            complaints = work_through(work, description, settings, engine)
+            if complaints is None:
+                return 0
+            return report(work, description, complaints, time.monotonic() - begun)
+        except (BatchError, OSError):
+            for line in progress.little_room(work):
+                print(line, file=sys.stderr)
+            raise
 
 
 def watch(work, jobs, settings):

@@ -79,6 +79,7 @@ class Request:
             "folder": self.inputs.folder,
             "options": self.inputs.words,
             "libraries": self.inputs.libraries,
+            "POVINC": self.inputs.povinc,
             "extension": self.extension,
             "version": povray.version(self.program),
             "program": sha256(self.program),

@@ -103,11 +103,14 @@ TEXTS = {
     "bands": "bands",
     "extension": "kind of picture",
     "libraries": "folders of include files",
+    "POVINC": "environment variable POVINC",
 }
 
 
 def short(value):
     """A value in a message."""
+    if value is None:
+        return "not set"
     text = value if isinstance(value, str) else json.dumps(value)
     return text if len(text) <= 120 else f"{text[:100]}... ({len(text)} characters)"
 

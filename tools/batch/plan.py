@@ -17,6 +17,7 @@ from store import BatchError, sha256
 
 BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on where they begin
 TALL = 256  # rows of a band, where there is a choice: each edge costs some 15 to 20 rows in a blurred picture
+POVINC = "povinc"  # link to the folder that the variable POVINC names; POV-Ray looks there before those of +L
 SECONDS_A_TASK = 5.0  # what a task should be worth at least, ten times what starting POV-Ray costs
 DEFAULT_INI = (
     "./povray.ini",
@@ -171,6 +172,9 @@ class Inputs:
         self.searched = ["include", "scene"]
         named = list(self.options.named_files(folder))
         self.libraries = named[: len(self.options.libraries)]
+        self.povinc = os.path.join(folder, os.environ["POVINC"]) if os.environ.get("POVINC") else None
+        if self.povinc:
+            targets[POVINC] = self.povinc
         for i, library in enumerate(self.libraries):
             targets[f"library{i}"] = library
             self.searched.append(f"library{i}")

@@ -8,6 +8,7 @@ import shutil
 import struct
 import subprocess
 
+from plan import POVINC
 from store import BatchError, boot, read_json, write_json
 
 PICTURE = "picture"  # stem of what POV-Ray writes in a unit's folder
@@ -63,10 +64,13 @@ def arguments(description, picture, rows, size=None):
     return [*words, "+KFI1", "+KFF1"]
 
 
-def environment():
-    """The user's, with the batch's ini file and list."""
+def environment(links):
+    """The user's, with the batch's ini file, folder of include files and list."""
     env = dict(os.environ, POVINI="../../inputs/povray.ini", TILT_LENS_FILE_LIST="files")
     env.pop("DISPLAY", None)
+    env.pop("POVINC", None)
+    if POVINC in links:
+        env["POVINC"] = f"../../inputs/{POVINC}"
     return env
 
 
@@ -127,7 +131,7 @@ def start(description, folder, words, log, lock=None):
         return subprocess.Popen(
             ending_with_parent([description["program"], *words]),
             cwd=folder,
-            env=environment(),
+            env=environment(description["links"]),
             stdin=subprocess.DEVNULL,
             stdout=stream,
             stderr=stream,

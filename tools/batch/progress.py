@@ -3,6 +3,7 @@
 """What is done, running, failed; the line that tells it; the summary."""
 
 import os
+import shutil
 import sys
 import time
 
@@ -117,6 +118,16 @@ def unfinished(work, description):
         for path in logs[-2:]:
             yield f"log {path}:"
             yield from ("  | " + line for line in log_end(path))
+        jobs = read_json(work.folder / "jobs.json")
+        if description["on"] == "slurm" and jobs:
+            yield f"What Slurm knows of it: scontrol show job {jobs[0]}, or sacct -j {jobs[0]}"
+
+
+def little_room(work):
+    """A remark where the disk is full: programs that ran out of room seldom say so."""
+    free = shutil.disk_usage(work.folder).free
+    if free < 1 << 20:
+        yield f"The disk is full: {free >> 10} KB are left for {str(work.folder)!r}. Make room first."
 
 
 def times(work, description):

@@ -97,6 +97,15 @@ def ranges(numbers):
     return ",".join(str(a) if a == b else f"{a}-{b}" for a, b in runs)
 
 
+def log_name(work, name):
+    """The value of sbatch's --output for a file in the log folder, whatever the folder's name holds. A backslash
+    switches the %-marks of Slurm off, so then all tasks share a file."""
+    folder = str(work.logs)
+    if "\\" in folder:
+        return folder.replace("\\", "\\\\") + "/slurm.out"
+    return folder.replace("%", "%%") + "/" + name
+
+
 def submit(work, description, tasks, settings):
     """Submits array and last step; returns the numbers of the jobs."""
     common = [
@@ -114,7 +123,7 @@ def submit(work, description, tasks, settings):
         f"--cpus-per-task={description['threads']}",
         f"--array={ranges(tasks)}{limit}",
         "--job-name=batch",
-        "--output=log/slurm-%a.out",
+        f"--output={log_name(work, 'slurm-%a.out')}",
         str(write_script(work, "task", '"$SLURM_ARRAY_TASK_ID"')),
     ).split(";")[0]
     # afterany: a failed task must not keep the last step, which tells what is missing, from running.
@@ -125,7 +134,7 @@ def submit(work, description, tasks, settings):
             f"--dependency=afterany:{array}",
             "--job-name=batch-end",
             "--kill-on-invalid-dep=yes",
-            "--output=log/slurm-end.out",
+            f"--output={log_name(work, 'slurm-end.out')}",
             str(write_script(work, "finish", "")),
         ).split(";")[0]
     except BatchError:

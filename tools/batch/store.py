@@ -64,7 +64,9 @@ def write_text(path, text):
             os.fsync(stream.fileno())
             os.fchmod(stream.fileno(), 0o644)
         os.replace(name, path)
-    except BaseException:
+    except BaseException as error:
+        if isinstance(error, OSError) and not error.filename:
+            error.filename = str(path)
         with contextlib.suppress(OSError):
             os.unlink(name)
         raise
