@@ -388,14 +388,27 @@ double AxisFocusOf(const Lens& lens)
 
 SharpRange SharpRangeOf(const Lens& lens, double width, double pixels)
 {
-    // Blur in pixels of a point at Z on the axis: |1/Z - k.z| * diameter * (axis component of
-    // `direction`) * width / |right|; the longest diameter of the lens lies parallel to the film.
-    const double scale = lens.diameter * Dot(lens.direction, lens.axis) * width / Length(lens.right);
-    const double allowed = pixels / scale, sharp = Dot(lens.focus, lens.axis);
+    const double nearest = Dot(PlaneOfBlur(lens, pixels, width), lens.axis);
+    const double farthest = Dot(PlaneOfBlur(lens, -pixels, width), lens.axis);
     SharpRange range;
-    range.near = sharp + allowed > 0.0 ? 1.0 / (sharp + allowed) : kInfinity;
-    range.far = sharp - allowed > 0.0 ? 1.0 / (sharp - allowed) : kInfinity;
+    range.near = nearest > 0.0 ? 1.0 / nearest : kInfinity;
+    range.far = farthest > 0.0 ? 1.0 / farthest : kInfinity;
     return range;
+}
+
+double BlurPerVergence(const Lens& lens, double width) { return lens.diameter * width / Length(lens.right); }
+
+double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
+{
+    return (1.0 / T - Dot(lens.focus, chief)) * BlurPerVergence(lens, width);
+}
+
+Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
+{
+    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X, the second grows with the
+    // distance along the axis, T times the axis component of every chief ray
+    const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
+    return lens.focus + (pixels / perDistance) * lens.axis;
 }
 
 } // namespace tilt_lens

@@ -137,6 +137,32 @@ struct SharpRange
 SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 /// @}
 
+/// @name Blur in the picture.
+///
+/// The circle of confusion is the patch of film that light from one point of a surface reaches through
+/// the whole lens. On the film it is the outline of the lens times the vergence difference 1/T - w
+/// (ray.h): an ellipse for a tilted lens, whose longest diameter is the lens's own, since one diameter
+/// of every lens lies parallel to the film. That longest diameter, in pixels, is what "blur" means
+/// wherever this program gives it as a number. A polygon or a bokeh picture counts as the disc around it.
+/// Positive before the plane of sharp focus (nearer to the camera), negative behind it, 0 on it and
+/// everywhere for a pinhole.
+/// @{
+
+/// Diameter of the circle of confusion, in pixels, per unit of vergence difference, for a frame `width`
+/// pixels wide.
+double BlurPerVergence(const Lens& lens, double width);
+
+/// Signed diameter of the circle of confusion, in pixels, of the surface point T * chief; finite for T
+/// infinite.
+/// @param chief  direction + x right + y up, not normalised
+double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
+
+/// The surface of all points whose signed blur is `pixels`, as k of the plane k.X = 1 about the lens
+/// centre: the plane of sharp focus for 0. All of them meet in the hinge line, as the covers of a book
+/// do; for a lens parallel to the film they are parallel planes. Not for a pinhole.
+Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
+/// @}
+
 } // namespace tilt_lens
 
 #endif
