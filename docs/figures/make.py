@@ -54,6 +54,7 @@ MADE = {
     **variants("stop", "f_stop.pov", "Stop", same((0.7, 1.4, 5.6))),
     **variants("lights", "lights.pov", "Shape", same((0, 1, 2))),
     **variants("denoise", "denoise.pov", "Denoise", same((0, 1))),
+    **variants("aids", "aids.pov", "Aid", same((1, 2, 3))),
     "miniature": ("miniature.pov", [], WIDE),
     **variants("table", "table.pov", "Tilted", same((0, 1)), WIDE),
     "facade_turned": ("facade.pov", ["Declare=Shifted=0", "+A0.05"], WIDE),

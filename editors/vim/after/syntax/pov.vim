@@ -11,6 +11,7 @@ syn region  povTiltLensPlane matchgroup=povTiltLensBrace start="{" end="}" conta
 syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
       \ tilt swing focus_tilt focus_swing focal_plane focal_points
       \ shift film_width focal_length scene_unit f_stop blades denoise
+      \ focus_peaking focus_map show_planes
 syn match   povTiltLensMacro "\<Tilt_Lens_\w\+\>"
 
 hi def link povTiltLens      Statement

@@ -82,7 +82,7 @@ void TiltLensParser::ParseBlock(Camera& camera)
     std::set<std::string> seen;
     std::string word;
     while (NextItem(word, seen))
-        ParseItem(word, lens.statement);
+        ParseItem(word, lens);
     parser.Parse_End();
     lens.apertureWritten = camera.TiltLens.apertureWritten;
     camera.TiltLens = lens;
@@ -154,8 +154,11 @@ void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& s
     }
 }
 
-void TiltLensParser::ParseItem(const std::string& word, Statement& s)
+void TiltLensParser::ParseItem(const std::string& word, TiltLensCamera& lens)
 {
+    Statement& s = lens.statement;
+    if (ParseFocusAid(word, lens.aids))
+        return;
     if (word == "film_width")
         s.filmWidth = PositiveNumber(word);
     else if (word == "focal_length")
@@ -295,6 +298,7 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
                                        "default camera.");
     camera.TiltLens.statement.aperture = camera.Aperture;
     RequireConsistent(camera, apertureWritten);
+    RequireAperture(camera);
     TakeFocalPoint(camera);
     TakeBlurSamples(camera);
 }

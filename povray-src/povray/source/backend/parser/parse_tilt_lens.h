@@ -42,7 +42,8 @@ class TiltLensParser
 
     TiltLensPlace Here() const;
     bool NextItem(std::string& word, std::set<std::string>& seen);
-    void ParseItem(const std::string& word, tilt_lens::Statement& statement);
+    void ParseItem(const std::string& word, TiltLensCamera& lens);
+    bool ParseFocusAid(const std::string& word, tilt_lens::FocusAids& aids);
     void NotAnItem(const std::string& word);
     void ClaimOnce(const std::string& word, std::set<std::string>& seen);
     std::vector<Sym_Table_Entry*> MacrosNamedAsItems();
@@ -55,8 +56,10 @@ class TiltLensParser
     void ParseFocalPlane(tilt_lens::Statement& statement);
     void PlaneBrace(int brace, const char* sign);
     void ParseFocalPoints(tilt_lens::Statement& statement);
+    void ParsePeaking(tilt_lens::FocusAids& aids);
 
     void RequireConsistent(const Camera& camera, bool apertureWritten);
+    void RequireAperture(const Camera& camera);
     void TakeFocalPoint(Camera& camera);
     void TakeBlurSamples(Camera& camera);
 

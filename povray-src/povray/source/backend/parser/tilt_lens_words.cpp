@@ -11,7 +11,7 @@
 namespace pov
 {
 
-const TiltLensItem kTiltLensItems[13] = {
+const TiltLensItem kTiltLensItems[16] = {
     {"film_width", NULL},
     {"focal_length", NULL},
     {"scene_unit", NULL},
@@ -24,7 +24,10 @@ const TiltLensItem kTiltLensItems[13] = {
     {"focus_tilt", "focus_tilt and focus_swing"},
     {"focus_swing", "focus_tilt and focus_swing"},
     {"focal_plane", "focal_plane"},
-    {"focal_points", "focal_points"}};
+    {"focal_points", "focal_points"},
+    {"focus_peaking", NULL},
+    {"focus_map", NULL},
+    {"show_planes", NULL}};
 
 namespace
 {

@@ -18,7 +18,7 @@ struct TiltLensItem
     const char* family;  ///< words of its family of focus, or NULL
 };
 
-extern const TiltLensItem kTiltLensItems[13];
+extern const TiltLensItem kTiltLensItems[16];
 
 /// The item of that spelling, or NULL.
 const TiltLensItem* FindTiltLensItem(const std::string& word);

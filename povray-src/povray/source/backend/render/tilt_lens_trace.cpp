@@ -48,6 +48,12 @@ int PointOfRow(int points, double x)
     return first;
 }
 
+tilt_lens::Area AreaOf(const POVRect& rect)
+{
+    return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
+            (unsigned int)rect.GetHeight()};
+}
+
 template<class Number>
 void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& generators, unsigned int seed)
 {
@@ -143,6 +149,11 @@ void TracePixel::SeedSubsurface(unsigned int seed)
 /// one where only the places that are seen matter.
 void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colour& colour)
 {
+    if (tiltLens->aids)
+    {
+        TraceTiltLensAid(x, y, width, height, colour);
+        return;
+    }
     const unsigned int samples = pretrace ? 1 : std::min(tiltLens->limits.min, tiltLens->limits.max);
     // pretrace positions lie between pixels and, at the picture's edge, outside
     SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
@@ -161,8 +172,12 @@ void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colou
 void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone,
                                    std::vector<Colour>& pixels)
 {
-    const tilt_lens::Area tile{(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
-                               (unsigned int)rect.GetHeight()};
+    if (tiltLens->aids)
+    {
+        TraceTiltLensAidTile(rect, width, height, pixels);
+        return;
+    }
+    const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::CellStore own(tiltLens->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *tiltLens->cells);
     sampler.Run(tile, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
@@ -178,6 +193,28 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
     threadData->Stats()[Number_Of_Samples] += account.Samples();
 }
 
+/// Before the first tile, all threads together try some pixels, so that progress can be told.
+void TracePixel::TryTiltLensWork(unsigned int width, unsigned int height)
+{
+    const tilt_lens::SamplingLimits& limits = tiltLens->limits;
+    const unsigned int samples = std::min(tilt_lens::WorkMap::kTries, limits.max);
+    const RenderStatistics& stats = threadData->Stats();
+    const auto rays = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
+    while (const auto probe = tiltLens->work.NextProbe())
+    {
+        const auto before = rays();
+        const tilt_lens::PixelSampler sampler(probe->x, probe->y, 0);
+        std::vector<Radiance> tried;
+        tilt_lens::Traced traced;
+        for (unsigned int index = 0; index < samples; index++)
+        {
+            TraceTiltLensSample({probe->x, probe->y, index}, sampler(index), width, height, traced);
+            tried.push_back(traced.light);
+        }
+        tiltLens->work.SetWeight(probe->block, (rays() - before) * ExpectedSamples(limits, tried));
+    }
+}
+
 /// Final render of a `tilt_lens` picture: takes the place of all anti-aliasing methods.
 void TraceTask::TiltLensSampling()
 {
@@ -185,6 +222,7 @@ void TraceTask::TiltLensSampling()
     std::vector<Colour> pixels;
     unsigned int serial;
 
+    trace.TryTiltLensWork(GetViewData()->GetWidth(), GetViewData()->GetHeight());
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {
         radiosity.BeforeTile(highReproducibility ? serial : 0);
@@ -193,6 +231,7 @@ void TraceTask::TiltLensSampling()
                                 highReproducibility && GetSceneData()->radiositySettings.radiosityEnabled, pixels);
         radiosity.AfterTile();
 
+        GetViewData()->GetTiltLens()->work.Finish(AreaOf(rect));
         GetViewDataPtr()->AfterTile();
         GetViewData()->CompletedRectangle(rect, serial, pixels, 1, finalTrace);
 

@@ -11,6 +11,7 @@
 #include "backend/frame.h"
 #include "base/povms.h"
 #include "base/stringutilities.h"
+#include "tilt_lens/focus_aids.h"
 #include "tilt_lens/optics.h"
 
 namespace pov
@@ -36,6 +37,7 @@ struct TiltLensCamera
     bool apertureWritten = false;  ///< that statement has an `aperture`; its value may be the default, 0
     TiltLensPlace place; ///< of the block's first word
     tilt_lens::Statement statement;
+    tilt_lens::FocusAids aids;  ///< what a preview draws in place of the lens's picture
 
     /// Carries plane, points and scale of the lens with the camera.
     void Transform(const TRANSFORM* trans);

@@ -4,7 +4,6 @@
 #include "backend/scene/tilt_lens_view.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
@@ -93,33 +92,6 @@ std::vector<ObjectPtr> ObjectsAroundLens(const Camera& camera, const tilt_lens::
     return objects;
 }
 
-std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
-{
-    char text[160];
-    std::snprintf(text, sizeof text, format, a, b, c);
-    return text;
-}
-
-/// A vector for reading: what is only rounding error beside numbers of size `scale` is a zero.
-std::string Text(const Vec3& v, double scale)
-{
-    const double least = 1e-12 * scale;
-    const auto number = [=](double x) { return Line("%.6g", std::fabs(x) <= least ? 0.0 : x); };
-    return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">";
-}
-
-/// A distance in scene units, `scale` being a usual one; what is infinite but for rounding, in words.
-std::string Distance(double units, double scale)
-{
-    return units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
-}
-
-/// An angle in degrees, without the rounding error of a lens that is not turned.
-double Tidy(double degrees)
-{
-    return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;
-}
-
 } // namespace
 
 TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, ViewData& view) :
@@ -141,59 +113,17 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, const tilt_lens::L
     camera.Aperture = 0.0;  // POV-Ray's own focal blur keeps out
     if (lens.diameter == 0.0)
         return shared_ptr<TiltLensView>();
-    return shared_ptr<TiltLensView>(new TiltLensView(camera, lens, view));
+    shared_ptr<TiltLensView> prepared(new TiltLensView(camera, lens, view));
+    if (camera.TiltLens.aids.Any())
+        prepared->aids.reset(new TiltLensAids(camera.TiltLens.aids, lens, view.GetWidth(), view.GetHeight(),
+                                              view.GetSceneData()->workingGammaToSRGB));
+    return prepared;
 }
 
 void TiltLensView::Add(const tilt_lens::SamplingAccount& tile)
 {
     boost::mutex::scoped_lock lock(accountMutex);
     account.Add(tile);
-}
-
-std::string TiltLensView::Summary() const
-{
-    boost::mutex::scoped_lock lock(accountMutex);
-    const double pixels = std::max<double>(1.0, account.Pixels());
-    return "Tilt Lens Sampling\n" +
-           Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", account.Samples() / pixels,
-                account.Quantile(0.99), account.Most()) +
-           Line("  Standard error.......%.2g of white (estimated)\n", account.StandardError()) +
-           (account.notFinite == 0 ? std::string()
-                                   : Line("  Not finite...........%.0f samples, counted as black\n",
-                                          account.notFinite));
-}
-
-std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width)
-{
-    const double mm = 1.0 / lens.millimetre;
-    const Vec3 location{camera.Location[X], camera.Location[Y], camera.Location[Z]};
-    const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens);
-    // a point to check the plane by: on the axis where it crosses in front, else the nearest one
-    const bool crosses = axisFocus > 0.0 && std::isfinite(axisFocus);
-    const Vec3 point = crosses ? axisFocus * lens.axis : lens.focus / (distance * distance);
-
-    std::string text = "Tilt Lens\n";
-    text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", Tidy(TiltOf(lens)),
-                 Tidy(SwingOf(lens)));
-    text += Line("  Focal length.........%.5g mm, film at %.5g mm\n", lens.focalLength * mm,
-                 lens.filmDistance * mm);
-    if (lens.diameter > 0.0)
-        text += Line("  Aperture.............f/%.4g, diameter %.5g mm", lens.focalLength / lens.diameter,
-                     lens.diameter * mm) + Line(" (%.5g units)\n", lens.diameter);
-    else
-        text += "  Aperture.............none (pinhole): everything is sharp\n";
-    text += "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n";
-    text += "    normal............." + Text(lens.focus / distance, 1.0) + "\n";
-    text += Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
-    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), 1.0 / distance) + " from the lens\n";
-    if (lens.diameter > 0.0)
-    {
-        const tilt_lens::SharpRange sharp = SharpRangeOf(lens, width, 1.0);
-        text += "  Sharp on the axis....from " + Distance(sharp.near, 1.0 / distance) +
-                " to " + Distance(sharp.far, 1.0 / distance) +
-                " (blur of 1 pixel)\n";
-    }
-    return text;
 }
 
 /// A camera with `tilt_lens` gets its threads' common data, tells its numbers and takes over from all
@@ -211,8 +141,9 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         const tilt_lens::Lens lens = TiltLensCamera::Solve(camera);
         viewData.tiltLens = TiltLensView::Create(camera, lens, viewData);
 
+        const TiltLensAids* aids = viewData.tiltLens ? viewData.tiltLens->aids.get() : NULL;
         POVMS_Object report(kPOVObjectClass_RenderOptions);
-        report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, lens, viewData.width).c_str());
+        report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, lens, viewData.width, aids).c_str());
         RenderBackend::SendViewOutput(viewData.viewId, viewData.sceneData->frontendAddress,
                                       kPOVMsgIdent_RenderOptions, report);
     }
@@ -230,9 +161,33 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         return;
     if (tracingmethod != 0)
         messages.WarningAt(0, place.file.c_str(), place.line, place.column, place.offset,
-                           "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
-                           "samples cover the pixel already. blur_samples and variance set the quality.");
+                           viewData.tiltLens->aids
+                               ? "Anti-aliasing (+A) is not used with focus_peaking, focus_map or show_planes: they "
+                                 "take one ray a pixel."
+                               : "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
+                                 "samples cover the pixel already. blur_samples and variance set the quality.");
     tracingmethod = TiltLensView::kTracingMethod;
+    PlanTiltLensWork();
+}
+
+/// Tells the progress display what there is to do, and which tiles a continued render has already.
+void View::PlanTiltLensWork()
+{
+    const POVRect& area = viewData.renderArea;
+    tilt_lens::WorkMap& work = viewData.tiltLens->work;
+    // trying pixels would change a radiosity cache, and with it the picture
+    const bool probing = !viewData.tiltLens->aids && !viewData.sceneData->radiositySettings.radiosityEnabled;
+    work.Plan({area.left, area.top, area.GetWidth(), area.GetHeight()}, probing);
+
+    const std::set<unsigned int>& skipped = viewData.blockSkipList;
+    for (unsigned int block = 0; block < viewData.blockWidth * viewData.blockHeight; block++)
+        if (block < viewData.nextBlock || skipped.count(block) > 0)
+        {
+            unsigned int x, y;
+            viewData.getBlockXY(block, x, y);
+            const unsigned int size = viewData.blockSize;
+            work.Finish({area.left + x * size, area.top + y * size, size, size});
+        }
 }
 
 } // namespace pov

@@ -16,14 +16,27 @@
 
 #include "backend/frame.h"
 #include "backend/scene/camera.h"
+#include "backend/scene/tilt_lens_aids.h"
+#include "base/povmscpp.h"
+#include "base/povmsgid.h"
 #include "tilt_lens/aperture.h"
 #include "tilt_lens/tile_sampler.h"
 #include "tilt_lens/optics.h"
+#include "tilt_lens/work_map.h"
 
 namespace pov
 {
 
 class ViewData;
+
+/// What a render cost, as POV-Ray's statistics have it.
+struct TiltLensCost
+{
+    double seconds, cpuSeconds;  ///< of the render threads: the longest, and all together
+    double threads;
+    double rays;         ///< of all kinds but shadow rays
+    double shadowTests;  ///< of an object against a shadow ray
+};
 
 class TiltLensView
 {
@@ -48,6 +61,12 @@ class TiltLensView
     /// Objects that some lens point may lie in; rays from the lens ask no others.
     const std::vector<ObjectPtr> aroundLens;
 
+    /// How much of the work is done, for the progress display.
+    tilt_lens::WorkMap work;
+
+    /// What is drawn in place of the lens's picture, or NULL.
+    shared_ptr<const TiltLensAids> aids;
+
     /// Radius in pixels of the blur of a surface that a ray meets at parameter T, for a frame `width`
     /// pixels wide; w as in MakeRay. The wider axis of the ellipse counts.
     double BlurRadius(double w, double T, double width) const
@@ -58,20 +77,27 @@ class TiltLensView
     /// Adds the account of a finished tile.
     void Add(const tilt_lens::SamplingAccount& tile);
 
+    /// Puts the share of the work into a message of progress, in per cent, where it is known.
+    void AddProgress(POVMS_Object& message) const;
+
     /// Samples spent and error reached, for the statistics after the render.
-    std::string Summary() const;
+    std::string Summary(const TiltLensCost& cost) const;
 
   private:
     const double blurPerVergence;  ///< lens radius in widths of the frame, at parameter 1
 
     TiltLensView(const Camera& camera, const tilt_lens::Lens& lens, ViewData& view);
 
+    std::string Skipped() const;
+
     mutable boost::mutex accountMutex;
     tilt_lens::SamplingAccount account;
 };
 
-/// The numbers of a lens that a photographer checks, one a line, for a picture `width` pixels wide.
-std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width);
+/// The numbers of a lens that a photographer checks, one a line, for a picture `width` pixels wide; what the
+/// aids draw, if there are any.
+std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width,
+                             const TiltLensAids* aids);
 
 } // namespace pov
 

@@ -1,0 +1,74 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file parse_focus_aids.cpp
+/// The items of `tilt_lens { ... }` that draw in place of the lens's picture.
+
+#include "backend/parser/parse_tilt_lens.h"
+
+#include <cmath>
+
+#include "backend/frame.h"
+#include "backend/parser/parse.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+/// Takes an item that is a focus aid; tells whether it was one.
+bool TiltLensParser::ParseFocusAid(const std::string& word, tilt_lens::FocusAids& aids)
+{
+    if (word == "focus_peaking")
+        ParsePeaking(aids);
+    else if (word == "focus_map")
+        aids.map = true;
+    else if (word == "show_planes")
+        aids.planes = true;
+    else
+        return false;
+    if (aids.map && (aids.peaking || aids.planes))
+        ErrorAt(item, "focus_map and %s in one tilt_lens: a tint would falsify the map's colours. "
+                      "focus_peaking and show_planes may go together, focus_map stands alone; remove one.",
+                aids.peaking ? "focus_peaking" : "show_planes");
+    return true;
+}
+
+void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
+{
+    aids.peaking = true;
+    parser.Get_Token();
+    const TiltLensPlace before = Here();
+    parser.Unget_Token();
+    RGBColour colour;
+    parser.Parse_Colour(colour);
+    // upstream takes black where it finds no colour
+    parser.Get_Token();
+    const TiltLensPlace after = Here();
+    if (after.line == before.line && after.column == before.column && after.file == before.file)
+        ErrorAt(item, "focus_peaking in tilt_lens has no colour: found '%s' in its place. It takes a colour, and "
+                      "perhaps a comma and a number of pixels; write it as focus_peaking rgb <1, 0, 0>.",
+                parser.Token.Token_String);
+    parser.Unget_Token();
+    aids.peakingColour = {colour.red(), colour.green(), colour.blue()};
+    if (!std::isfinite(colour.red() + colour.green() + colour.blue()))
+        ErrorAt(item, "focus_peaking's colour in tilt_lens is <%g, %g, %g>. All three numbers must be finite; "
+                      "check the expression.", colour.red(), colour.green(), colour.blue());
+    parser.Get_Token();
+    if (parser.Token.Token_Id == COMMA_TOKEN)
+        aids.peakingPixels = PositiveNumber("focus_peaking's pixels");
+    else
+        parser.Unget_Token();
+}
+
+/// A focus aid shows how blurred things are, and a pinhole blurs nothing.
+void TiltLensParser::RequireAperture(const Camera& camera)
+{
+    const TiltLensCamera& lens = camera.TiltLens;
+    if (lens.aids.Any() && camera.Aperture == 0.0 && !lens.statement.fStop)
+        ErrorAt(lens.place, "%s in a camera without an aperture: everything is sharp, so there is nothing to "
+                            "show. Give aperture or f_stop, or remove it.",
+                lens.aids.peaking ? "focus_peaking" : lens.aids.map ? "focus_map" : "show_planes");
+}
+
+} // namespace pov

@@ -1,0 +1,124 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file tilt_lens_report.cpp
+/// What a user reads of a `tilt_lens` picture: the lens before the render, what was spent after it.
+
+#include <algorithm>
+#include <cstdio>
+
+#include "backend/frame.h"
+#include "backend/scene/tilt_lens_view.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Vec3;
+
+namespace
+{
+
+std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
+{
+    char text[160];
+    std::snprintf(text, sizeof text, format, a, b, c);
+    return text;
+}
+
+/// A vector for reading: what is only rounding error beside numbers of size `scale` is a zero.
+std::string Text(const Vec3& v, double scale)
+{
+    const double least = 1e-12 * scale;
+    const auto number = [=](double x) { return Line("%.6g", std::fabs(x) <= least ? 0.0 : x); };
+    return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">";
+}
+
+/// A distance in scene units, `scale` being a usual one; what is infinite but for rounding, in words.
+std::string Distance(double units, double scale)
+{
+    return units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
+}
+
+/// An angle in degrees, without the rounding error of a lens that is not turned.
+double Tidy(double degrees)
+{
+    return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;
+}
+
+} // namespace
+
+void TiltLensView::AddProgress(POVMS_Object& message) const
+{
+    // nothing is done in a mosaic preview or in radiosity's first pass; a little more than the share, so that a
+    // sum that is 1 but for rounding reads 100
+    const std::optional<double> share = work.Share();
+    if (share && *share > 0.0)
+        message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
+}
+
+std::string TiltLensView::Summary(const TiltLensCost& cost) const
+{
+    boost::mutex::scoped_lock lock(accountMutex);
+    std::string text = "Tilt Lens Sampling\n";
+    text += Line("  Time.................%.3f seconds, %.3f of CPU on %.0f threads\n", cost.seconds, cost.cpuSeconds,
+                 cost.threads);
+    text += Line("  Rays.................%.0f, and %.0f tests for shadow\n", cost.rays, cost.shadowTests);
+    if (aids)
+        return text + "  Samples per pixel....1, through the lens centre (focus aids)\n";
+    const double pixels = std::max<double>(1.0, account.Pixels());
+    text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", account.Samples() / pixels,
+                 account.Quantile(0.99), account.Most());
+    text += Line("  Standard error.......%.2g of white (estimated), ", account.StandardError());
+    text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance))
+                                  : std::string("all samples asked for\n");
+    return text + Skipped();
+}
+
+/// What the render had not to do or could not use, a line each.
+std::string TiltLensView::Skipped() const
+{
+    std::string text;
+    if (account.notFinite > 0)
+        text += Line("  Not finite...........%.0f samples, counted as black\n", account.notFinite);
+    return text;
+}
+
+std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width,
+                             const TiltLensAids* aids)
+{
+    const double mm = 1.0 / lens.millimetre;
+    const Vec3 location{camera.Location[X], camera.Location[Y], camera.Location[Z]};
+    const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens);
+    // a point to check the plane by: on the axis where it crosses in front, else the nearest one
+    const bool crosses = axisFocus > 0.0 && std::isfinite(axisFocus);
+    const Vec3 point = crosses ? axisFocus * lens.axis : lens.focus / (distance * distance);
+
+    std::string text = "Tilt Lens\n";
+    text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", Tidy(TiltOf(lens)),
+                 Tidy(SwingOf(lens)));
+    text += Line("  Focal length.........%.5g mm, film at %.5g mm\n", lens.focalLength * mm,
+                 lens.filmDistance * mm);
+    if (lens.diameter > 0.0)
+        text += Line("  Aperture.............f/%.4g, diameter %.5g mm", lens.focalLength / lens.diameter,
+                     lens.diameter * mm) + Line(" (%.5g units)\n", lens.diameter);
+    else
+        text += "  Aperture.............none (pinhole): everything is sharp\n";
+    text += "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n";
+    text += "    normal............." + Text(lens.focus / distance, 1.0) + "\n";
+    text += Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
+    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), 1.0 / distance) + " from the lens\n";
+    if (lens.diameter > 0.0)
+    {
+        const tilt_lens::SharpRange sharp = SharpRangeOf(lens, width, 1.0);
+        text += "  Sharp on the axis....from " + Distance(sharp.near, 1.0 / distance) +
+                " to " + Distance(sharp.far, 1.0 / distance) +
+                " (blur of 1 pixel)\n";
+    }
+    if (aids != NULL)
+        text += aids->Describe();
+    return text;
+}
+
+} // namespace pov
