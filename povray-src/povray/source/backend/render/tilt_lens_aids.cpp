@@ -59,6 +59,7 @@ void TracePixel::TraceTiltLensAid(DBL x, DBL y, DBL width, DBL height, Colour& c
 void TracePixel::TraceTiltLensAidTile(const POVRect& rect, unsigned int width, unsigned int height,
                                       std::vector<Colour>& pixels)
 {
+    tileEffort.clear();
     pixels.clear();
     for (unsigned int y = rect.top; y <= rect.bottom; y++)
         for (unsigned int x = rect.left; x <= rect.right; x++)

@@ -184,9 +184,13 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
                 { TraceTiltLensSample(id, sample, width, height, traced); });
 
     pixels.clear();
+    tileEffort.clear();
     for (unsigned int y = tile.top; y < tile.Bottom(); y++)
         for (unsigned int x = tile.left; x < tile.Right(); x++)
+        {
             pixels.push_back(ToColour(sampler.Mean(x, y)));
+            tileEffort.push_back({sampler.Samples(x, y), sampler.Variance(x, y)});
+        }
     const tilt_lens::SamplingAccount account = sampler.Account();
     tiltLens->Add(account);
     threadData->Stats()[Number_Of_Pixels] += account.Pixels();
@@ -233,6 +237,7 @@ void TraceTask::TiltLensSampling()
 
         GetViewData()->GetTiltLens()->work.Finish(AreaOf(rect));
         GetViewDataPtr()->AfterTile();
+        SendLayers(rect);
         GetViewData()->CompletedRectangle(rect, serial, pixels, 1, finalTrace);
 
         Cooperate();

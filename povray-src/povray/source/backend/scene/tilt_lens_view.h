@@ -29,6 +29,13 @@ namespace pov
 
 class ViewData;
 
+/// What a pixel cost, and how good it is.
+struct TiltLensEffort
+{
+    unsigned int samples;
+    double variance;  ///< as TileSampler::Variance() gives it
+};
+
 /// What a render cost, as POV-Ray's statistics have it.
 struct TiltLensCost
 {

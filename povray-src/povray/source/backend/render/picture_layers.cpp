@@ -1,0 +1,173 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file picture_layers.cpp
+/// The renderer's part in `Output_Layers`: what is met by one ray through the middle of each pixel of a
+/// finished tile, what the tile cost, and the camera's numbers. See base/picture_layers.h.
+
+#include "base/picture_layers.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "backend/frame.h"
+#include "backend/math/vector.h"
+#include "backend/render/tracepixel.h"
+#include "backend/render/tracetask.h"
+#include "backend/scene/layer_attributes.h"
+#include "backend/scene/tilt_lens_view.h"
+#include "backend/scene/view.h"
+#include "tilt_lens/ray.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Vec3;
+
+namespace
+{
+
+/// The layers of a tile, one after the other.
+class LayerBlock
+{
+  public:
+    explicit LayerBlock(size_t itsArea) : area(itsArea) {}
+
+    /// Begins a layer of zeros; pointers to earlier ones become invalid.
+    size_t Add(const char* name)
+    {
+        names.push_back(name);
+        values.resize(values.size() + area, 0.0f);
+        return names.size() - 1;
+    }
+
+    POVMSFloat& At(size_t layer, size_t pixel) { return values[layer * area + pixel]; }
+
+    void PutInto(POVMS_Message& message)
+    {
+        POVMS_Attribute numbers(values);
+        message.SetString(kPOVAttrib_LayerNames, pov_base::JoinedNames(names).c_str());
+        message.Set(kPOVAttrib_LayerValues, numbers);
+    }
+
+  private:
+    const size_t area;
+    std::vector<std::string> names;
+    std::vector<POVMSFloat> values;
+};
+
+} // namespace
+
+/// Where the ray through the middle of a pixel first meets something, transparent or not.
+bool TracePixel::FirstPoint(unsigned int x, unsigned int y, DBL width, DBL height, Vec3& point, DBL& depth)
+{
+    // a lens of POV-Ray's own must not jitter the ray
+    const bool blurs = useFocalBlur;
+    useFocalBlur = false;
+    Ray ray;
+    const bool seen = CreateCameraRay(ray, x, y, width, height, 0);
+    useFocalBlur = blurs;
+    const DBL distance = seen ? FirstHit(ray) : HUGE_VAL;
+    if (!(distance < HUGE_VAL))
+        return false;
+    point = FromPov(ray.Origin) + distance * FromPov(ray.Direction);
+    depth = distance;
+    if (HasDepthAxis(camera))
+        depth = Dot(point - FromPov(camera.Location), DepthAxis(camera));
+    return true;
+}
+
+/// Signed blur of what lies at a depth in a pixel; infinitely deep for nothing.
+double TracePixel::BlurAt(unsigned int x, unsigned int y, DBL width, DBL height, double depth) const
+{
+    const tilt_lens::Lens& lens = tiltLens->lens;
+    const Vec3 chief = MakeRay(lens, (x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height, 0.0, 0.0).direction;
+    return BlurDiameter(lens, chief, depth / Dot(lens.direction, lens.axis), width);
+}
+
+void TracePixel::SendLayers(const ViewData& view, const POVRect& rect)
+{
+    const float infinity = std::numeric_limits<float>::infinity();
+    const DBL width = view.GetWidth(), height = view.GetHeight();
+    LayerBlock block(rect.GetArea());
+    const size_t depthLayer = block.Add("depth.Z");
+    const size_t positions[3] = {block.Add("position.X"), block.Add("position.Y"), block.Add("position.Z")};
+    const size_t blur = camera.TiltLens.given ? block.Add("blur") : 0;
+    const bool sampled = !tileEffort.empty();
+    const size_t samples = sampled ? block.Add("samples") : 0, error = sampled ? block.Add("standardError") : 0;
+
+    size_t pixel = 0;
+    for (unsigned int y = rect.top; y <= rect.bottom; y++)
+        for (unsigned int x = rect.left; x <= rect.right; x++, pixel++)
+        {
+            Vec3 point;
+            DBL depth = HUGE_VAL;
+            const bool found = FirstPoint(x, y, width, height, point, depth);
+            block.At(depthLayer, pixel) = found ? float(depth) : infinity;
+            block.At(positions[0], pixel) = point.x;
+            block.At(positions[1], pixel) = point.y;
+            block.At(positions[2], pixel) = point.z;
+            if (tiltLens)
+                block.At(blur, pixel) = BlurAt(x, y, width, height, found ? depth : double(infinity));
+            if (sampled)
+            {
+                block.At(samples, pixel) = tileEffort[pixel].samples;
+                block.At(error, pixel) = std::sqrt(tileEffort[pixel].variance);
+            }
+        }
+
+    POVMS_Message message(kPOVObjectClass_PixelData, kPOVMsgClass_ViewImage, pov_base::kPOVMsgIdent_Layers);
+    message.SetInt(kPOVAttrib_Left, rect.left);
+    message.SetInt(kPOVAttrib_Top, rect.top);
+    message.SetInt(kPOVAttrib_Right, rect.right);
+    message.SetInt(kPOVAttrib_Bottom, rect.bottom);
+    block.PutInto(message);
+    view.Post(message);
+}
+
+/// Called for each tile before its colours are sent: a tile whose colours are on the disk has its layers
+/// there as well.
+void TraceTask::SendLayers(const POVRect& rect)
+{
+    if (finalTrace && GetViewData()->OutputsLayers())
+        trace.SendLayers(*GetViewData(), rect);
+}
+
+void ViewData::Post(POVMS_Message& message) const
+{
+    message.SetInt(kPOVAttrib_ViewId, viewId);
+    message.SetSourceAddress(sceneData->backendAddress);
+    message.SetDestinationAddress(sceneData->frontendAddress);
+    POVMS_SendMessage(message);
+}
+
+/// Tells the front end the camera's numbers, where layers are asked for.
+void View::StartLayers(POVMS_Object& options)
+{
+    viewData.outputLayers = options.TryGetBool(pov_base::kPOVAttrib_OutputLayers, false);
+    if (!viewData.outputLayers)
+        return;
+    std::vector<std::string> names;
+    std::vector<POVMSInt> sizes;
+    std::vector<POVMSFloat> values;
+    for (const LayerAttribute& attribute : LayerAttributesOf(viewData.camera, viewData.width))
+    {
+        names.push_back(attribute.name);
+        sizes.push_back(attribute.values.size());
+        values.insert(values.end(), attribute.values.begin(), attribute.values.end());
+    }
+    if (names.empty())
+        return;
+    POVMS_Message message(kPOVObjectClass_PixelData, kPOVMsgClass_ViewImage, pov_base::kPOVMsgIdent_LayerAttributes);
+    POVMS_Attribute numbers(values);
+    message.SetString(pov_base::kPOVAttrib_LayerNames, pov_base::JoinedNames(names).c_str());
+    message.SetIntVector(pov_base::kPOVAttrib_LayerSizes, sizes);
+    message.Set(pov_base::kPOVAttrib_LayerValues, numbers);
+    viewData.Post(message);
+}
+
+} // namespace pov

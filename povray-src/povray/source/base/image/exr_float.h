@@ -1,0 +1,44 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file exr_float.h
+/// OpenEXR files of 32-bit floating point numbers. POV-Ray's own writer knows 16 bits alone.
+
+#ifndef POVRAY_BASE_EXR_FLOAT_H
+#define POVRAY_BASE_EXR_FLOAT_H
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/configbase.h"
+#include "base/fileinputoutput.h"
+#include "base/image/image.h"
+
+namespace pov_base
+{
+
+namespace OpenEXR
+{
+
+/// The channels of a picture by name, each row by row from the top.
+typedef std::map<std::string, std::vector<float> > FloatChannels;
+
+/// An attribute of the file: one number, two, three or the sixteen of a matrix, row by row.
+typedef std::map<std::string, std::vector<float> > FloatAttributes;
+
+/// Writes channels of 32 bits. The attributes `screenWindowWidth` and `screenWindowCenter` go where
+/// OpenEXR wants them.
+/// @throws pov_base::Exception  the file cannot be written
+void WriteFloats(OStream& file, unsigned int width, unsigned int height, const FloatChannels& channels,
+                 const FloatAttributes& attributes);
+
+/// Writes a picture's colours with 32 bits; otherwise as POV-Ray writes them with 16.
+/// @throws pov_base::Exception  the file cannot be written
+void WriteFloatImage(OStream& file, const Image& image, const Image::WriteOptions& options);
+
+} // namespace OpenEXR
+
+} // namespace pov_base
+
+#endif

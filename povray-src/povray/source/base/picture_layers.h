@@ -1,0 +1,55 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file picture_layers.h
+/// What the renderer sends and the front end writes where `Output_Layers` is on.
+///
+/// Two messages of the class kPOVMsgClass_ViewImage:
+/// - kPOVMsgIdent_Layers, a tile: its rectangle, the names of the layers, and their values, one layer
+///   after the other. It is sent before the tile's colours, and kept with them in the state file of
+///   the render, so that a tile that is not rendered again has its layers.
+/// - kPOVMsgIdent_LayerAttributes, once a render: the camera's numbers, for the file's header.
+
+#ifndef POVRAY_BASE_PICTURE_LAYERS_H
+#define POVRAY_BASE_PICTURE_LAYERS_H
+
+#include <string>
+#include <vector>
+
+#include "base/configbase.h"
+#include "base/povms.h"
+
+namespace pov_base
+{
+
+enum
+{
+    kPOVMsgIdent_Layers          = 'LayT',
+    kPOVMsgIdent_LayerAttributes = 'LayA',
+
+    kPOVAttrib_OutputLayers = 'OuLa',
+    kPOVAttrib_LayerNames   = 'LayN',  ///< string: names, one a line
+    kPOVAttrib_LayerSizes   = 'LayS',  ///< of attributes: how many numbers each has
+    kPOVAttrib_LayerValues  = 'LayV'   ///< vector of floats
+};
+
+/// Names, one a line.
+inline std::string JoinedNames(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names)
+        text += name + "\n";
+    return text;
+}
+
+inline std::vector<std::string> SplitNames(const std::string& text)
+{
+    std::vector<std::string> names;
+    for (size_t from = 0, end; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
+        names.push_back(text.substr(from, end - from));
+    return names;
+}
+
+} // namespace pov_base
+
+#endif
