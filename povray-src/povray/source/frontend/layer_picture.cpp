@@ -68,10 +68,6 @@ shared_ptr<LayerPicture> LayerPicture::Create(POVMS_Object& options)
 std::string LayerPicture::Problem(POVMS_Object& options)
 {
     const bool toFile = options.TryGetBool(kPOVAttrib_OutputToFile, true);
-    const bool exr = options.TryGetInt(kPOVAttrib_OutputFileType, DEFAULT_OUTPUT_FORMAT) == kPOVList_FileType_OpenEXR;
-    if (toFile && !exr && options.TryGetInt(kPOVAttrib_BitsPerColor, 8) == kFloatBits)
-        return "Bits_Per_Color=32 with a file type other than OpenEXR. Only OpenEXR holds 32-bit colours; use +FE32 "
-               "(Output_File_Type=E), or at most 16 bits.";
     if (!options.TryGetBool(kPOVAttrib_OutputLayers, false))
         return std::string();
     if (options.TryGetBool(kPOVAttrib_RealTimeRaytracing, false))
@@ -83,6 +79,16 @@ std::string LayerPicture::Problem(POVMS_Object& options)
         return "Output_Layers with a picture that goes to standard output or error: the layers' file is named after the "
                "picture's. Give a file name (+O), or remove Output_Layers (+N).";
     return std::string();
+}
+
+std::string LayerPicture::Remark(POVMS_Object& options)
+{
+    const bool exr = options.TryGetInt(kPOVAttrib_OutputFileType, DEFAULT_OUTPUT_FORMAT) == kPOVList_FileType_OpenEXR;
+    if (exr || !options.TryGetBool(kPOVAttrib_OutputToFile, true) ||
+        options.TryGetInt(kPOVAttrib_BitsPerColor, 8) != kFloatBits)
+        return std::string();
+    return "Bits_Per_Color=32 with a file type other than OpenEXR: only OpenEXR holds 32-bit colours, others get 16 bits "
+           "at most, as they always did. Use +FE32 (Output_File_Type=E) for 32, or ask for 16.";
 }
 
 void LayerPicture::Take(const ViewData& view, POVMSType ident, POVMS_Object& message)

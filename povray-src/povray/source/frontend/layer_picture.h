@@ -30,9 +30,12 @@ class LayerPicture
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
-    /// What is wrong with these options, as a sentence or two; empty if nothing. Covers layers and the
-    /// bits of a colour.
+    /// What is wrong with the options for layers, as a sentence or two; empty if nothing.
     static std::string Problem(POVMS_Object& options);
+
+    /// What a user should know of these options though the program can go on: 32 bits of a colour in a file that
+    /// has no place for them. Empty if nothing.
+    static std::string Remark(POVMS_Object& options);
 
     /// Takes what concerns the layers of a message of the class kPOVMsgClass_ViewImage, for a view that
     /// has them, and keeps the layers of a tile in the state file.
