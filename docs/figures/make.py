@@ -15,6 +15,7 @@ oiiotool (Debian: openimageio-tools).
 import argparse
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -55,6 +56,7 @@ MADE = {
     **variants("lights", "lights.pov", "Shape", same((0, 1, 2))),
     **variants("denoise", "denoise.pov", "Denoise", same((0, 1))),
     **variants("aids", "aids.pov", "Aid", same((1, 2, 3))),
+    **{f"layers_{name}": ("aids.pov", ["Declare=Aid=0", "+N"], SMALL) for name in ("depth", "blur", "samples")},
     "miniature": ("miniature.pov", [], WIDE),
     **variants("table", "table.pov", "Tilted", same((0, 1)), WIDE),
     "facade_turned": ("facade.pov", ["Declare=Shifted=0", "+A0.05"], WIDE),
@@ -70,6 +72,12 @@ def scenes(folder):
     for example in pages.examples_of(pages.blocks_of(MANUAL.name, text)):
         if example.name:
             (folder / example.name).write_text(example.block.text)
+
+
+def layer_commands():
+    """What the manual types to see the layers of board.png: {name of the picture made: words}."""
+    lines = re.findall(r"^    (oiiotool board\.layers\.exr .* -o (\w+)\.png)$", MANUAL.read_text(), re.MULTILINE)
+    return {name: shlex.split(line) for line, name in lines}
 
 
 def render(povray, folder, scene, options, size, output):
@@ -96,8 +104,12 @@ def make_pictures(povray, names):
         for picture in names or MADE:
             scene, options, size = MADE[picture]
             smooth = ["+A0.05"] if scene in ANTIALIASED else []
-            render(povray, folder, scene, [*options, *smooth], size, "picture.png")
-            subprocess.run(["oiiotool", str(folder / "picture.png"), "--compression", "jpeg:88", "-o",
+            render(povray, folder, scene, [*options, *smooth], size, "board.png")
+            shown = folder / "board.png"
+            if picture.startswith("layers_"):
+                shown = folder / f"{picture.removeprefix('layers_')}.png"
+                subprocess.run(layer_commands()[shown.stem], cwd=folder, check=True)
+            subprocess.run(["oiiotool", str(shown), "--compression", "jpeg:88", "-o",
                             str(PICTURES / f"{picture}.jpg")], check=True)
             print(picture, flush=True)
 

@@ -45,7 +45,7 @@ _tilt_lens_reply()
 _tilt_lens_render()
 {
     local word=${COMP_WORDS[COMP_CWORD]}
-    local options='+W +H +A0.1 +FN16 +FE +O +L +WT +SR +ER +SC +EC +C +UA -GA Declare= --help --version'
+    local options='+W +H +A0.1 +FN16 +FE +FE32 +N +O +L +WT +SR +ER +SC +EC +C +UA -GA Output_Layers=on Declare= --help --version'
     _tilt_lens_reply <(
         compgen -W "$options" -- "$word"
         case $word in

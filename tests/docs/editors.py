@@ -135,6 +135,9 @@ class Completion(unittest.TestCase):
     def test_options(self):
         self.assertIn("+W", self.offered("./render a.pov +"))
         self.assertEqual(self.offered("./render a.pov Decl"), ["Declare="])
+        self.assertEqual(self.offered("./render a.pov Out"), ["Output_Layers=on"])
+        self.assertEqual(self.offered("./render a.pov +FE"), ["+FE", "+FE32"])
+        self.assertEqual(self.offered("./render a.pov +N"), ["+N"])
 
     def test_labels(self):
         self.assertEqual(self.offered("./check -L doc"), ["docs"])

@@ -6,6 +6,7 @@ import math
 import os
 import pathlib
 import re
+import shlex
 import signal
 import subprocess
 import tempfile
@@ -77,6 +78,20 @@ class Numbers(rendering.RenderTest):
                                   capture_output=True, check=True, text=True).stdout
         self.assertIn("67 x   45, 7 channel, float openexr", said)
         self.assertIn("tiltLens:tilt: 4", said)
+
+    def test_commands_of_the_manual(self):
+        """What the manual types to see the layers makes pictures in which there is something to be seen."""
+        manual = pathlib.Path(__file__).resolve().parents[2] / "docs" / "manual.md"
+        commands = [shlex.split(line) for line in re.findall(r"^    (oiiotool board\.layers\.exr .*)$", manual.read_text(), re.MULTILINE)]
+        self.assertGreaterEqual(len(commands), 4)
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            folder = pathlib.Path(name)
+            rendering.Job(TURNED, ("+N", "+Oboard.png"), **SIZE).start(folder).communicate(timeout=120)
+            for command in commands:
+                subprocess.run(command, cwd=folder, check=True, capture_output=True)
+                seen = rendering.read_picture(folder / command[-1], " ".join(command))
+                self.assertEqual((seen.width, seen.height), (67, 45))
+                self.assertGreater(len(set(seen.values)), 8, command)
 
     def test_picture_is_the_same(self):
         self.assert_same(self.turned.picture, rendering.render(TURNED, **SIZE), "with and without layers")
