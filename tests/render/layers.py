@@ -86,7 +86,9 @@ class Numbers(rendering.RenderTest):
         self.assertGreaterEqual(len(commands), 4)
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
-            rendering.Job(TURNED, ("+N", "+Oboard.png"), **SIZE).start(folder).communicate(timeout=120)
+            scene = TURNED.replace("aperture 0.3", "aperture 0.15")
+            self.assertNotEqual(scene, TURNED)
+            rendering.Job(scene, ("+N", "+Oboard.png"), **SIZE).start(folder).communicate(timeout=120)
             for command in commands:
                 subprocess.run(command, cwd=folder, check=True, capture_output=True)
                 seen = rendering.read_picture(folder / command[-1], " ".join(command))
@@ -279,7 +281,7 @@ class Files(rendering.RenderTest):
                                   env={**os.environ, "POVINI": str(folder / "none.ini")})
             said = re.sub(r"\s+", " ", done.stderr.decode(errors="replace"))
             self.assertNotEqual(done.returncode, 0, said)
-            self.assertEqual([p.name for p in (folder / "out").iterdir() if p.is_file() and not p.is_symlink()], [], said)
+            self.assertEqual([p.name for p in (folder / "out").iterdir() if p.is_file() and p.suffix != ".pov-state"], [], said)
             return said
 
     def test_standard_output(self):
@@ -293,21 +295,41 @@ class Files(rendering.RenderTest):
 
     def test_file_that_cannot_be_written(self):
         said = self.refused(prepare=lambda folder: (folder / "out" / "picture.layers.exr").mkdir())
-        self.assertIn("Cannot write the layers", said)
-        self.assertIn("out/picture.layers.exr", said)
+        self.assertIn("Cannot write the layers 'out/picture.layers.exr' (Is a directory)", said)
+
+    def test_continued_where_it_could_not_be_written(self):
+        """The state file is kept, and what is in it need not be rendered again."""
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            folder = pathlib.Path(name)
+            (folder / "picture.layers.exr").mkdir()
+            job = rendering.Job(TURNED, ("+N",), **SIZE)
+            process = job.start(folder)
+            process.communicate(timeout=120)
+            self.assertNotEqual(process.returncode, 0)
+            self.assertFalse((folder / "picture.png").exists())
+            (folder / "picture.layers.exr").rmdir()
+            said = rendering.Job(TURNED, ("+N", "+C"), **SIZE).run(folder)
+            whole = Rendered(TURNED)
+            self.assert_same(rendering.read_picture(folder / "picture.layers.exr", said), whole.layers, "layers")
+            self.assert_same(job.result(folder), whole.picture, "picture")
+            self.assertEqual(list(folder.glob("*.pov-state")), [])
 
     def test_links_lead_nowhere(self):
-        """A link of the file's name is replaced, not followed to where the program may not write."""
-        for link in ("picture.layers.exr", "picture.layers.exr.part"):
-            with self.subTest(link=link), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        """A link of the file's name is replaced, not followed, as that of a picture is."""
+        for exists in (True, False):
+            with self.subTest(exists=exists), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 folder = pathlib.Path(name)
                 (folder / "elsewhere").mkdir()
-                (folder / link).symlink_to(folder / "elsewhere" / link)
+                for file in ("picture.png", "picture.layers.exr"):
+                    (folder / file).symlink_to(folder / "elsewhere" / file)
+                    if exists:
+                        (folder / "elsewhere" / file).write_text("old")
                 rendering.Job(scenes.TILTED, ("+N",)).run(folder)
-                layers = folder / "picture.layers.exr"
-                self.assertTrue(layers.is_file() and not layers.is_symlink())
-                self.assertFalse((folder / "picture.layers.exr.part").exists())
-                self.assertEqual(os.listdir(folder / "elsewhere"), [])
+                for file in ("picture.png", "picture.layers.exr"):
+                    self.assertFalse((folder / file).is_symlink(), file)
+                    self.assertGreater((folder / file).stat().st_size, 100, file)
+                for path in (folder / "elsewhere").iterdir():
+                    self.assertEqual(path.read_text(), "old", path.name)
 
 
 class Interrupted(rendering.RenderTest):
@@ -316,6 +338,8 @@ class Interrupted(rendering.RenderTest):
 
     def stop(self, folder, signal_, *options):
         """Stops a render when part of it is on the disk."""
+        if "+N" in options:
+            (folder / "picture.layers.exr").write_text("of an older render")
         process = rendering.Job(self.SLOW, ("+WT1", "+BS8", *options), **self.HOW).start(folder)
         end = time.monotonic() + 60
         while process.poll() is None and time.monotonic() < end:
@@ -326,7 +350,7 @@ class Interrupted(rendering.RenderTest):
         process.send_signal(signal_)
         process.communicate(timeout=60)
         self.assertNotEqual(process.returncode, 0)
-        self.assertEqual(list(folder.glob("*.exr*")), [], "no half of a file")
+        self.assertEqual(list(folder.glob("*.exr*")), [], "no half of a file, and no older one")
 
     def test_continued(self):
         whole = Rendered(self.SLOW, **self.HOW).layers

@@ -61,6 +61,9 @@ shared_ptr<LayerPicture> LayerPicture::Create(POVMS_Object& options)
     const Path path = LayersBeside(Path(options.TryGetUCS2String(kPOVAttrib_OutputFile, "")));
     if (POV_ALLOW_FILE_WRITE(path().c_str(), POV_File_Image_EXR) == false)
         throw POV_EXCEPTION(kCannotOpenFileErr, "IO Restrictions prohibit write access to '" + Text(path) + "'");
+    // an older one goes now, as an older picture does: it is not to be taken for that of a render which was interrupted
+    if (!options.TryGetBool(kPOVAttrib_ContinueTrace, false))
+        POV_UCS2_REMOVE(path().c_str());
     return shared_ptr<LayerPicture>(new LayerPicture(path, options.TryGetInt(kPOVAttrib_Width, 160),
                                                      options.TryGetInt(kPOVAttrib_Height, 120)));
 }

@@ -26,7 +26,7 @@ class LayerPicture
 {
   public:
     /// The layers of the picture that these options describe, or NULL where they ask for none. All pixels
-    /// begin as zeros.
+    /// begin as zeros. Removes an older file, except where a render is continued.
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
