@@ -90,6 +90,17 @@ struct Aperture::Outline
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
         return {radius * (p.a + t * (q.a - p.a)), radius * (p.b + t * (q.b - p.b))};
     }
+
+    double Density(const AperturePoint& point) const
+    {
+        const double first = std::atan2(corner[0].b, corner[0].a);
+        double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
+        turns -= std::floor(turns);
+        const int edge = std::min(static_cast<int>(turns * blades), blades - 1);
+        const AperturePoint &p = corner[edge], &q = corner[edge + 1];
+        const double side = (q.a - p.a) * (point.b - p.b) - (q.b - p.b) * (point.a - p.a);
+        return side >= 0 ? 2 / (blades * std::sin(2 * pi / blades)) : 0.0;
+    }
 };
 
 namespace
@@ -140,6 +151,13 @@ class CellDistribution
             ++cell;
         const double low = bound[cell], high = bound[cell + 1];
         return {cell, (cell + (u - low) / (high - low)) * (1.0 / cells)};
+    }
+
+    /// Density at a position, 1 being that of an even distribution.
+    double Density(double position) const
+    {
+        const int cell = std::min(static_cast<int>(position * cells), cells - 1);
+        return (double(bound[cell + 1]) - bound[cell]) * cells;
     }
 
   private:
@@ -242,6 +260,15 @@ struct Aperture::Table
         const CellDistribution::Place row = conditional[column.cell].Invert(v);
         return {2 * column.position - 1, 1 - 2 * row.position};
     }
+
+    double Density(const AperturePoint& point) const
+    {
+        const double u = (point.a + 1) / 2, v = (1 - point.b) / 2;
+        if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1))
+            return 0.0;
+        const int column = std::min(static_cast<int>(u * cells), cells - 1);
+        return marginal.Density(u) * conditional[column].Density(v) / 4;
+    }
 };
 
 Aperture Aperture::Disc()
@@ -308,6 +335,25 @@ AperturePoint Aperture::operator()(double u, double v) const
         return table->Map(u, v);
     }
     return OnDisc(u, v);
+}
+
+double Aperture::Density(const AperturePoint& point) const
+{
+    switch (shape)
+    {
+    case Shape::Disc:
+        break;
+    case Shape::Polygon:
+        return outline->Density(point);
+    case Shape::Picture:
+        return table->Density(point);
+    }
+    return point.a * point.a + point.b * point.b <= 1 ? 1 / pi : 0.0;
+}
+
+double Aperture::Rim() const
+{
+    return shape == Shape::Picture ? std::sqrt(2.0) : 1.0;
 }
 
 }  // namespace tilt_lens

@@ -66,6 +66,13 @@ class Aperture
     /// @param u, v  in [0, 1)
     AperturePoint operator()(double u, double v) const;
 
+    /// Density of the points that uniform (u, v) give, per area of aperture coordinates; 0 outside the
+    /// opening. Its integral is 1.
+    double Density(const AperturePoint& point) const;
+
+    /// Radius of a circle around all of the opening.
+    double Rim() const;
+
   private:
     enum class Shape
     {

@@ -14,6 +14,10 @@ namespace tilt_lens
 namespace
 {
 
+/// Samples aimed at emitters that must have missed before they are believed hidden: an object fills only
+/// part of the sphere around it, and that may lie over two pixels.
+constexpr std::uint32_t kFewestAimed = 16;
+
 /// Least power of two that is not below n, but not above `most`.
 std::uint32_t RoundUp(std::uint32_t n, std::uint32_t most)
 {
@@ -166,6 +170,11 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
             sum[c] += value[c];
             pixel.squares[c] += Square(value[c]);
         }
+        if (traced.aimed)
+        {
+            AddTo(pixel.aimed, value);
+            pixel.aimedSamples++;
+        }
     }
     pixel.samples = until;
 }
@@ -200,7 +209,9 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
     for (const Judged& one : judged)
     {
         const double left = *std::max_element(one.variance.begin(), one.variance.end());
-        one.pixel->open = !(limits.variance > 0.0 && left <= allowed);
+        const std::uint32_t aimed = one.pixel->aimedSamples;
+        const bool tried = aimed == 0 || aimed >= kFewestAimed;
+        one.pixel->open = !(limits.variance > 0.0 && left <= allowed && tried);
         any = any || one.pixel->open;
     }
     return any;
@@ -301,9 +312,15 @@ std::array<float, kCell * kCell> Cell::Remains(const Neighbours& neighbours, con
 Radiance Cell::Spread(const Pixel& pixel)
 {
     Radiance variance{};
-    const double n = pixel.samples;
+    const double n = pixel.samples, aimed = pixel.aimedSamples;
     for (std::size_t c = 0; c < variance.size() && n > 1.0; c++)
-        variance[c] = std::max(0.0, pixel.squares[c] - Square(pixel.half[0][c] + pixel.half[1][c]) / n) / (n - 1.0);
+    {
+        const double sum = pixel.half[0][c] + pixel.half[1][c];
+        double between = Square(sum - pixel.aimed[c]) / (n - aimed);
+        if (aimed > 0.0)
+            between += Square(pixel.aimed[c]) / aimed;
+        variance[c] = std::max(0.0, pixel.squares[c] - between) / (n - 1.0);
+    }
     return variance;
 }
 

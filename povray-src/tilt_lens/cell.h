@@ -10,7 +10,9 @@
 /// A pixel's samples are a prefix of one low-discrepancy sequence, taken in rounds that double it.
 /// After each round three things are known of the pixel, for each channel:
 ///
-///     s^2 / n        variance of the mean if the n samples were independent (n - 1 in s^2);
+///     s^2 / n        variance of the mean if the n samples were independent (n - 1 in s^2); where some
+///                    are aimed at emitters, that is a fixed share, so that only differences among
+///                    these and among the others count;
 ///     (A - B)^2 / 4  with A and B the means of the two halves of the prefix: one number, but it sees
 ///                    what stratification gains. The halves of such a prefix fill each other's gaps,
 ///                    so that their difference overstates the error of their mean, never the reverse;
@@ -91,9 +93,11 @@ class Cell
     {
         std::array<Radiance, 2> half{};  ///< sums of the samples before and after the middle
         Radiance squares{};              ///< sum over both halves
+        Radiance aimed{};                ///< sum of the samples that were aimed
         Radiance blurredSpread{};        ///< as SpreadBlurred() notes it
         std::uint32_t samples = 0;
         std::uint32_t middle = 0;        ///< samples in the first half
+        std::uint32_t aimedSamples = 0;
         std::uint32_t notFinite = 0;
         double blur = 0.0;               ///< widest of the first round
         double gain = 1.0;               ///< of the last round

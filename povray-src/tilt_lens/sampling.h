@@ -24,12 +24,14 @@ using Radiance = std::array<double, 5>;
 struct Traced
 {
     Radiance light;
-    double blur = 0.0;  ///< radius in pixels over which the surface that was met is spread, at most
+    double blur = 0.0;   ///< radius in pixels over which the surface that was met is spread, at most
+    bool aimed = false;  ///< at an emitter (emitters.h); every fourth sample is, every second or none
 
     Traced& operator=(const Radiance& value)
     {
         light = value;
         blur = 0.0;
+        aimed = false;
         return *this;
     }
 };

@@ -64,15 +64,16 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 } // namespace
 
 /// Film point and lens point in, light out.
-void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, DBL width, DBL height, tilt_lens::Traced& traced)
+void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start& start, DBL width, tilt_lens::Traced& traced)
 {
-    // film point, in the picture's own directions
-    const double x = (id.x + sample.pixelX) / width - 0.5;
-    const double y = 0.5 - (id.y + sample.pixelY) / height;
-
+    if (start.weight == 0.0)
+    {
+        traced = Radiance{};
+        traced.aimed = start.aimed;
+        return;
+    }
     // from a point of the lens through the focus of that film point
-    const tilt_lens::AperturePoint point = tiltLens->aperture(sample.lensU, sample.lensV);
-    const tilt_lens::LensRay way = MakeRay(tiltLens->lens, x, y, point.a, point.b);
+    const tilt_lens::LensRay way = MakeRay(tiltLens->lens, start.x, start.y, start.point.a, start.point.b);
     Ray ray;
     ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
     Make_Vector(ray.Origin, camera.Location[X] + way.origin.x, camera.Location[Y] + way.origin.y,
@@ -81,7 +82,7 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, D
     Make_Vector(ray.Direction, way.direction.x / length, way.direction.y / length, way.direction.z / length);
     if (camera.Tnormal != NULL)
     {
-        VECTOR film = {x, y, 0.0};
+        VECTOR film = {start.x, start.y, 0.0};
         Perturb_Normal(ray.Direction, camera.Tnormal, film, NULL, NULL, threadData);
         VNormalizeEq(ray.Direction);
     }
@@ -94,7 +95,9 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const Sample& sample, D
     Colour colour;
     Trace::TraceTicket ticket(maxTraceLevel, adcBailout, sceneData->outputAlpha);
     const DBL distance = TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
-    traced.light = {colour[pRED], colour[pGREEN], colour[pBLUE], colour[pFILTER], colour[pTRANSM]};
+    traced.light = {start.weight * colour[pRED], start.weight * colour[pGREEN], start.weight * colour[pBLUE],
+                    start.weight * colour[pFILTER], start.weight * colour[pTRANSM]};
+    traced.aimed = start.aimed;
     traced.blur = tiltLens->BlurRadius(way.w, distance / length, width);
 }
 
@@ -162,7 +165,7 @@ void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colou
     for (id.index = 0; id.index < samples; id.index++)
     {
         tilt_lens::Traced traced;
-        TraceTiltLensSample(id, sampler(id.index), width, height, traced);
+        TraceTiltLensSample(id, tiltLens->emitters.Aim({}, id, sampler(id.index)), width, traced);
         colour += ToColour(traced.light);
     }
     colour /= samples;
@@ -180,8 +183,15 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::CellStore own(tiltLens->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *tiltLens->cells);
+    tilt_lens::Emitters::Targets targets;  // of the pixel before, as long as its samples go on
+    SampleId before{width, height, 0};
     sampler.Run(tile, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
-                { TraceTiltLensSample(id, sample, width, height, traced); });
+    {
+        if (id.x != before.x || id.y != before.y)
+            targets = tiltLens->emitters.Of(id.x, id.y);
+        before = id;
+        TraceTiltLensSample(id, tiltLens->emitters.Aim(targets, id, sample), width, traced);
+    });
 
     pixels.clear();
     tileEffort.clear();
@@ -210,9 +220,11 @@ void TracePixel::TryTiltLensWork(unsigned int width, unsigned int height)
         const tilt_lens::PixelSampler sampler(probe->x, probe->y, 0);
         std::vector<Radiance> tried;
         tilt_lens::Traced traced;
+        const tilt_lens::Emitters::Targets targets = tiltLens->emitters.Of(probe->x, probe->y);
         for (unsigned int index = 0; index < samples; index++)
         {
-            TraceTiltLensSample({probe->x, probe->y, index}, sampler(index), width, height, traced);
+            const SampleId id{probe->x, probe->y, index};
+            TraceTiltLensSample(id, tiltLens->emitters.Aim(targets, id, sampler(index)), width, traced);
             tried.push_back(traced.light);
         }
         tiltLens->work.SetWeight(probe->block, (rays() - before) * ExpectedSamples(limits, tried));

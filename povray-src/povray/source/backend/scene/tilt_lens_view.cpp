@@ -11,6 +11,7 @@
 #include "backend/scene/objects.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/threaddata.h"
+#include "backend/scene/tilt_lens_emitters.h"
 #include "backend/scene/view.h"
 #include "backend/texture/pigment.h"
 
@@ -92,6 +93,12 @@ std::vector<ObjectPtr> ObjectsAroundLens(const Camera& camera, const tilt_lens::
     return objects;
 }
 
+/// A camera normal bends rays, so that none can be aimed.
+std::vector<tilt_lens::Emitter> EmittersToAimAt(const Camera& camera, const SceneData& scene)
+{
+    return camera.Tnormal == NULL ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
+}
+
 } // namespace
 
 TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, ViewData& view) :
@@ -100,6 +107,7 @@ TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, 
     limits(LimitsOf(camera)),
     cells(new tilt_lens::CellStore(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, solved, *view.GetSceneData())),
+    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToAimAt(camera, *view.GetSceneData())),
     blurPerVergence(0.5 * solved.diameter / Length(solved.right))
 {
 }

@@ -20,6 +20,7 @@
 #include "base/povmscpp.h"
 #include "base/povmsgid.h"
 #include "tilt_lens/aperture.h"
+#include "tilt_lens/emitters.h"
 #include "tilt_lens/tile_sampler.h"
 #include "tilt_lens/optics.h"
 #include "tilt_lens/work_map.h"
@@ -67,6 +68,9 @@ class TiltLensView
 
     /// Objects that some lens point may lie in; rays from the lens ask no others.
     const std::vector<ObjectPtr> aroundLens;
+
+    /// Small bright objects that pixels aim at.
+    const tilt_lens::Emitters emitters;
 
     /// How much of the work is done, for the progress display.
     tilt_lens::WorkMap work;

@@ -1,0 +1,89 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/scene/tilt_lens_emitters.h"
+
+#include <algorithm>
+
+#include "backend/frame.h"
+#include "backend/colour/colour.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/scene.h"
+#include "backend/shape/csg.h"
+#include "backend/shape/spheres.h"
+#include "backend/texture/texture.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Vec3;
+
+namespace
+{
+
+/// How bright the texture is by itself.
+double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
+{
+    double brightest = 0.0;
+    for (; texture != NULL; texture = reinterpret_cast<const TEXTURE*>(texture->Next))
+    {
+        if (texture->Type != PLAIN_PATTERN || texture->Finish == NULL || texture->Pigment == NULL)
+            continue;
+        const PIGMENT& pigment = *texture->Pigment;
+        for (int c = pRED; c <= pBLUE; c++)
+        {
+            // a pattern's colours are seldom above white
+            const double colour = pigment.Type == PLAIN_PATTERN ? pigment.colour[c] : 1.0;
+            const double glow = texture->Finish->Emission[c] + texture->Finish->Ambient[c] * ambientLight[c];
+            brightest = std::max(brightest, colour * glow);
+        }
+    }
+    return brightest;
+}
+
+Vec3 Relative(const Vec3& point, const Camera& camera)
+{
+    return point - Vec3{camera.Location[X], camera.Location[Y], camera.Location[Z]};
+}
+
+/// A sphere around an object.
+tilt_lens::Emitter Around(ObjectPtr object, const Camera& camera, double light)
+{
+    const Sphere* sphere = dynamic_cast<const Sphere*>(object);
+    if (sphere != NULL && sphere->Trans == NULL)
+        return {Relative({sphere->Center[X], sphere->Center[Y], sphere->Center[Z]}, camera), sphere->Radius, light};
+    const BBOX& box = object->BBox;
+    const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y], 0.5 * box.Lengths[Z]};
+    const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
+    return {Relative(low + half, camera), Length(half), light};
+}
+
+void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, std::vector<tilt_lens::Emitter>& emitters)
+{
+    const CompoundObject* compound = dynamic_cast<const CompoundObject*>(object);
+    if (compound != NULL && dynamic_cast<const CSGIntersection*>(object) == NULL)
+    {
+        for (ObjectPtr part : compound->children)
+            Collect(part, scene, camera, emitters);
+        return;
+    }
+    if (object->BBox.Lengths[X] > CRITICAL_LENGTH)
+        return;  // infinite: nobody can miss it
+    const double light = LightOf(object->Texture, scene.ambientLight);
+    if (light > 1.0)
+        emitters.push_back(Around(object, camera, light));
+}
+
+} // namespace
+
+std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera)
+{
+    std::vector<tilt_lens::Emitter> emitters;
+    for (ObjectPtr object : scene.objects)
+        Collect(object, scene, camera, emitters);
+    return emitters;
+}
+
+} // namespace pov

@@ -1,0 +1,29 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file tilt_lens_emitters.h
+/// The bright objects of a scene, for the camera to aim at.
+
+#ifndef POVRAY_BACKEND_TILT_LENS_EMITTERS_H
+#define POVRAY_BACKEND_TILT_LENS_EMITTERS_H
+
+#include <vector>
+
+#include "backend/frame.h"
+#include "tilt_lens/emitters.h"
+
+namespace pov
+{
+
+class Camera;
+class SceneData;
+
+/// Every finite object that glows brighter than white by its own finish: `emission` and `ambient` with
+/// its pigment. Parts of unions count one by one, other CSG as a whole. Relative to the camera's location.
+/// Brightness is that of the brightest layer of a plain texture; texture maps are not looked into. It need
+/// not be right: it only decides how many rays are aimed.
+std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
+
+} // namespace pov
+
+#endif

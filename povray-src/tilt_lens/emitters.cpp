@@ -1,0 +1,263 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "emitters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+constexpr std::uint32_t kBlockOfFour = 4;
+constexpr std::size_t kMostOfBlock = 1024;  // of the brightest emitters: bounds time and memory
+constexpr double kLeastVariance = 1e-6;     // smaller ones are not asked for
+
+/// Film point of a direction, as MakeRay takes it; `up` may lean against `right`.
+void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
+{
+    const Vec3 offset = chief - lens.direction;
+    y = Dot(offset, lens.axisUp) / Dot(lens.up, lens.axisUp);
+    x = (Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight);
+}
+
+/// Samples that a pixel has after its first round, as Cell rounds them up.
+std::uint32_t FirstSamples(const SamplingLimits& limits)
+{
+    std::uint32_t samples = 1;
+    while (samples < limits.min && samples < limits.max)
+        samples *= 2;
+    return std::min(samples, limits.max);
+}
+
+} // namespace
+
+Emitters::Emitters(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
+                   std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all) :
+    lens(itsLens), aperture(itsAperture), width(itsWidth), height(itsHeight),
+    usable(limits.max / kBlockOfFour * kBlockOfFour)
+{
+    if (FirstSamples(limits) < kBlockOfFour)
+        return;
+    for (const Emitter& emitter : all)
+        Keep(emitter, limits.variance);
+    Distribute();
+}
+
+/// Where the ray through a point of the lens and `through` starts on the film; false where there is none
+/// in front. On the ray P = l + s (D - w l) with w = k.D; so Y = s D solves Y = P - l + (k.Y) l.
+bool Emitters::FilmPointOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
+{
+    const Vec3 l = point.a * lens.lensX + point.b * lens.lensY;
+    const double divisor = 1.0 - Dot(lens.focus, l);
+    const Vec3 way = through - l;
+    const Vec3 along = divisor * way + Dot(lens.focus, way) * l;
+    const double ahead = Dot(along, lens.axis);
+    if (!(divisor > 0.0 && ahead > 0.0))
+        return false;
+    ToFilm(lens, (Dot(lens.direction, lens.axis) / ahead) * along, x, y);
+    x = (x + 0.5) * width;
+    y = (0.5 - y) * height;
+    return true;
+}
+
+/// The box around a point's disc of confusion, from points of the rim; a little more, since they are few.
+Emitters::Box Emitters::ReachOf(const Vec3& centre, bool& whole) const
+{
+    constexpr int points = 16;
+    const double rim = aperture.Rim() / std::cos(pi / points);
+    Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+    whole = true;
+    for (int i = 0; i < points; i++)
+    {
+        double x, y;
+        const double turn = 2.0 * pi * i / points;
+        whole = whole && FilmPointOf(centre, {rim * std::cos(turn), rim * std::sin(turn)}, x, y);
+        if (!whole)
+            break;
+        box = {std::min(box.left, x), std::max(box.right, x), std::min(box.top, y), std::max(box.bottom, y)};
+    }
+    return box;
+}
+
+/// Takes an emitter into the list if it is worth it.
+bool Emitters::Keep(const Emitter& emitter, double variance)
+{
+    const double ahead = Dot(emitter.centre, lens.axis);
+    const double distance = Length(emitter.centre);
+    if (!(ahead > 0.0 && distance > lens.diameter + 2.0 * emitter.radius && emitter.light > 0.0))
+        return false;
+    bool whole;
+    Box covers = ReachOf(emitter.centre, whole);
+    if (!whole)
+        return false;
+
+    // a sphere's image is longer than wide, the more so the farther from the middle
+    const double pixels = std::max(width / Length(lens.right), height / Length(lens.up));
+    const double reach = emitter.radius * pixels * Dot(lens.direction, lens.axis) * distance / (ahead * ahead);
+    const double across = covers.right - covers.left, along = covers.bottom - covers.top;
+    const double chance = pi * reach * reach / std::max(1.0, pi / 4.0 * across * along);  // that a ray meets it
+    const double light = chance * emitter.light;
+    const bool findable = chance > 2.0, dim = chance * emitter.light * emitter.light < 0.05 || light * light < 0.25 * std::max(variance, kLeastVariance);
+    if (findable || dim)
+        return false;
+    covers = {covers.left - reach, covers.right + reach, covers.top - reach, covers.bottom + reach};
+    kept.push_back({emitter.centre, emitter.radius, reach, light, std::min(across, along) > 1.5, covers});
+    return true;
+}
+
+/// Notes in blocks of pixels who may be seen there, so that a pixel asks few.
+void Emitters::Distribute()
+{
+    constexpr double most = 64.0;  // blocks in a row or column: bounds the memory
+    block = std::max<std::uint32_t>(8, std::uint32_t(std::ceil(std::max(width, height) / most)));
+    columns = std::uint32_t(std::ceil(width / block));
+    const std::uint32_t rows = std::uint32_t(std::ceil(height / block));
+    blocks.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
+    // in the order of their light: who comes first is kept first
+    std::stable_sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.light > b.light; });
+    for (std::uint32_t i = 0; i < kept.size(); i++)
+    {
+        const Box& box = kept[i].covers;
+        if (!(box.right > 0.0 && box.bottom > 0.0 && box.left < width && box.top < height))
+            continue;
+        const std::uint32_t left = std::uint32_t(std::max(0.0, box.left)) / block;
+        const std::uint32_t right = std::uint32_t(std::min(width - 1.0, box.right)) / block;
+        const std::uint32_t top = std::uint32_t(std::max(0.0, box.top)) / block;
+        const std::uint32_t bottom = std::uint32_t(std::min(height - 1.0, box.bottom)) / block;
+        for (std::uint32_t row = top; row <= bottom; row++)
+            for (std::uint32_t column = left; column <= right; column++)
+                if (auto& list = blocks[std::size_t(row) * columns + column]; list.size() < kMostOfBlock)
+                    list.push_back(i);
+    }
+}
+
+/// Whether some film point of a pixel and some lens point see an emitter.
+bool Emitters::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
+{
+    const Box& box = emitter.covers;
+    if (x + 1.0 < box.left || x > box.right || y + 1.0 < box.top || y > box.bottom)
+        return false;
+    if (!emitter.throughLens)
+        return true;
+    // the part of the lens moves by the whole lens while the film point crosses the disc of confusion
+    const Disc part = PartOfLens(emitter, (x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height);
+    const double blur = std::min(box.right - box.left, box.bottom - box.top) - 2.0 * emitter.reach;
+    const double halfPixel = 2.0 * aperture.Rim() * std::sqrt(0.5) / blur;
+    return std::hypot(part.centre.a, part.centre.b) < aperture.Rim() + part.radius + halfPixel;
+}
+
+Emitters::Targets Emitters::Of(std::uint32_t x, std::uint32_t y) const
+{
+    Targets result;
+    if (kept.empty())
+        return result;
+    double light = 0.0;
+    for (const std::uint32_t i : blocks[std::size_t(y / block) * columns + x / block])
+    {
+        if (!Reaches(kept[i], x, y))
+            continue;
+        result.targets.push_back({i, kept[i].light});
+        light += kept[i].light;
+        if (result.targets.size() == kMost)
+            break;
+    }
+    if (result.targets.empty())
+        return result;
+    // the more of its light they bring, the less the rest matters
+    result.share = light > 0.1 ? 0.5 : 0.25;
+    for (Targets::Target& target : result.targets)
+        target.share *= result.share / light;
+    return result;
+}
+
+Start Emitters::Aim(const Targets& targets, const SampleId& id, const Sample& sample) const
+{
+    Start start{(id.x + sample.pixelX) / width - 0.5, 0.5 - (id.y + sample.pixelY) / height, {0.0, 0.0}, 1.0, false};
+    if (targets.targets.empty() || id.index >= usable)
+    {
+        start.point = aperture(sample.lensU, sample.lensV);
+        return start;
+    }
+    if (sample.lensU >= targets.share)
+        start.point = aperture((sample.lensU - targets.share) / (1.0 - targets.share), sample.lensV);
+    else
+    {
+        start.aimed = true;
+        double u = sample.lensU;
+        std::size_t i = 0;
+        while (i + 1 < targets.targets.size() && u >= targets.targets[i].share)
+            u -= targets.targets[i++].share;
+        u = std::min(u / targets.targets[i].share, std::nextafter(1.0, 0.0));
+        if (!AimAt(kept[targets.targets[i].emitter], u, sample.lensV, id, sample, start))
+        {
+            start.weight = 0.0;
+            return start;
+        }
+    }
+    double density = 1.0 - targets.share;  // of such samples, plain ones being 1
+    for (const Targets::Target& target : targets.targets)
+        density += target.share * Density(kept[target.emitter], start);
+    start.weight = 1.0 / density;
+    return start;
+}
+
+/// The lens points from which a film point sees an emitter, or a little more. On the ray
+/// l (1 - s w) = P - s D, and l lies in the lens plane.
+Emitters::Disc Emitters::PartOfLens(const Kept& emitter, double x, double y) const
+{
+    const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
+    const double along = Dot(chief, lens.normal), s = Dot(emitter.centre, lens.normal) / along;
+    const double divisor = 1.0 - s * Dot(lens.focus, chief);
+    const Vec3 point = (emitter.centre - s * chief) / divisor;
+    const double lensRadius = 0.5 * lens.diameter;
+    return {{Dot(point, lens.lensX) / (lensRadius * lensRadius), Dot(point, lens.lensY) / (lensRadius * lensRadius)},
+            emitter.radius * Length(chief) / std::fabs(along * divisor * lensRadius)};
+}
+
+/// Aims a sample with the coordinates u, v in [0, 1); false if it goes past the lens or the pixel.
+bool Emitters::AimAt(const Kept& emitter, double u, double v, const SampleId& id, const Sample& sample,
+                     Start& start) const
+{
+    if (emitter.throughLens)
+    {
+        const Disc part = PartOfLens(emitter, start.x, start.y);
+        const AperturePoint inDisc = Aperture::Disc()(u, v);
+        start.point = {part.centre.a + part.radius * inDisc.a, part.centre.b + part.radius * inDisc.b};
+        return aperture.Density(start.point) > 0.0;
+    }
+    start.point = aperture(u, v);
+    double x, y;
+    if (!FilmPointOf(emitter.centre, start.point, x, y))
+        return false;
+    const AperturePoint inDisc = Aperture::Disc()(sample.pixelX, sample.pixelY);
+    x += emitter.reach * inDisc.a;
+    y += emitter.reach * inDisc.b;
+    start.x = x / width - 0.5;
+    start.y = 0.5 - y / height;
+    return x >= id.x && x < id.x + 1.0 && y >= id.y && y < id.y + 1.0;
+}
+
+/// How much more often aiming at an emitter starts a ray so than plain sampling does.
+double Emitters::Density(const Kept& emitter, const Start& start) const
+{
+    if (emitter.throughLens)
+    {
+        const Disc part = PartOfLens(emitter, start.x, start.y);
+        if (!(std::hypot(start.point.a - part.centre.a, start.point.b - part.centre.b) <= part.radius))
+            return 0.0;
+        const double plain = aperture.Density(start.point);
+        return plain > 0.0 ? 1.0 / (pi * part.radius * part.radius * plain) : 0.0;
+    }
+    double x, y;
+    if (!FilmPointOf(emitter.centre, start.point, x, y))
+        return 0.0;
+    const double off = std::hypot((start.x + 0.5) * width - x, (0.5 - start.y) * height - y);
+    return off <= emitter.reach ? 1.0 / (pi * emitter.reach * emitter.reach) : 0.0;
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,271 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// Rays aimed at lamps: the mean stays that of plain rays, the variance falls, and only what is small and
+// bright is aimed at.
+
+#include "tilt_lens/emitters.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tile_results.h"
+#include "tilt_lens/ray.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+constexpr std::uint32_t kWidth = 64, kHeight = 48;
+constexpr double kBackground = 0.3;
+
+/// A lens one unit wide at the origin that looks along z and is focused at 10, the plane of focus turned
+/// by `turn` degrees.
+Lens LensOf(double turn)
+{
+    Statement statement;
+    statement.family = FocusFamily::FocusTurn;
+    statement.focusTilt = turn;
+    statement.focalPoint = {0.0, 0.0, 10.0};
+    statement.aperture = 2.0;
+    return Solve({{}, {0.0, 0.0, 1.0}, {4.0 / 3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
+}
+
+Aperture Window()
+{
+    return Aperture::Picture([](double u, double v) { return u < 0.4 || v > 0.7 ? 1.0 : 0.2; });
+}
+
+/// Spheres of light before an even background.
+struct World
+{
+    std::vector<Emitter> spheres;
+
+    double operator()(const LensRay& ray) const
+    {
+        const Vec3 way = Normalized(ray.direction);
+        for (const Emitter& sphere : spheres)
+        {
+            const Vec3 to = sphere.centre - ray.origin;
+            const double along = Dot(to, way);
+            if (along > 0.0 && Length(to - along * way) < sphere.radius)
+                return sphere.light;
+        }
+        return kBackground;
+    }
+};
+
+/// Mean of a pixel's first n samples and the variance of one.
+struct Pixel
+{
+    double mean, variance;
+};
+
+Pixel SampleOf(const Emitters& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y,
+               std::uint32_t n, std::uint32_t seed)
+{
+    const Emitters::Targets targets = emitters.Of(x, y);
+    const PixelSampler sampler(x, y, seed);
+    double sum = 0.0, squares = 0.0;
+    for (std::uint32_t i = 0; i < n; i++)
+    {
+        const Start start = emitters.Aim(targets, {x, y, i}, sampler(i));
+        const double light =
+            start.weight > 0.0
+                ? start.weight * world(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) : 0.0;
+        sum += light;
+        squares += light * light;
+    }
+    const double mean = sum / n;
+    return {mean, squares / n - mean * mean};
+}
+
+SamplingLimits Limits(std::uint32_t min = 8, std::uint32_t max = 1u << 20)
+{
+    SamplingLimits limits;
+    limits.min = min;
+    limits.max = max;
+    return limits;
+}
+
+struct Case
+{
+    const char* name;
+    double turn;
+    Aperture aperture;
+    std::vector<Emitter> lamps;
+};
+
+/// Lamps out of focus and in focus, alone and over one another, for every kind of opening.
+std::vector<Case> Cases()
+{
+    const Emitter far{{1.0, 0.5, 40.0}, 0.03, 40.0}, near{{-0.4, 0.3, 5.0}, 0.005, 40.0},
+        sharp{{0.7, -0.6, 10.0}, 0.03, 40.0}, nearlySharp{{0.7, 0.9, 10.4}, 0.02, 40.0};
+    const Emitter beside{{1.1, 0.55, 41.0}, 0.05, 20.0};
+    return {{"far", 0.0, Aperture::Disc(), {far}},
+            {"near", 0.0, Aperture::Disc(), {near}},
+            {"sharp", 0.0, Aperture::Disc(), {sharp}},
+            {"nearly sharp", 0.0, Aperture::Disc(), {nearlySharp}},
+            {"two", 0.0, Aperture::Disc(), {far, beside}},
+            {"tilted", 30.0, Aperture::Disc(), {far, near, sharp, nearlySharp}},
+            {"blades", 0.0, Aperture::Polygon(5, 0.3), {far, sharp}},
+            {"picture", 20.0, Window(), {far, near, sharp}}};
+}
+
+/// Pixels around the sharp images of all lamps.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& lens, const Case& one)
+{
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pixels;
+    for (const Emitter& lamp : one.lamps)
+    {
+        const double scale = lens.direction.z / lamp.centre.z;
+        const int x = int((lamp.centre.x * scale / lens.right.x + 0.5) * kWidth);
+        const int y = int((0.5 - lamp.centre.y * scale / lens.up.y) * kHeight);
+        for (int step = -3; step <= 3; step++)
+            pixels.push_back({std::uint32_t(x + step), std::uint32_t(y + step / 2)});
+    }
+    return pixels;
+}
+
+TEST(Emitters, LeaveEveryMeanAsItIs)
+{
+    for (const Case& one : Cases())
+    {
+        const Lens lens = LensOf(one.turn);
+        const World world{one.lamps};
+        const Emitters aimed(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps);
+        const Emitters plain(lens, one.aperture, Limits(), kWidth, kHeight, {});
+        ASSERT_FALSE(aimed.Empty()) << one.name;
+        double squares = 0.0;
+        int count = 0;
+        for (const auto& [x, y] : PixelsAround(lens, one))
+        {
+            const std::uint32_t n = 1u << 16;
+            const Pixel a = SampleOf(aimed, lens, world, x, y, n, 1), p = SampleOf(plain, lens, world, x, y, n, 2);
+            // low-discrepancy samples: far better than this bound for independent ones
+            const double error = std::sqrt((a.variance + p.variance) / n) + 1e-9;
+            EXPECT_LT(std::fabs(a.mean - p.mean), 3.5 * error) << one.name << " at " << x << ", " << y;
+            squares += std::pow((a.mean - p.mean) / error, 2);
+            count++;
+        }
+        EXPECT_LT(squares / count, 1.5) << one.name;
+    }
+}
+
+TEST(Emitters, LowerTheVarianceOfLamps)
+{
+    for (const Case& one : Cases())
+    {
+        const Lens lens = LensOf(one.turn);
+        const World world{one.lamps};
+        const Emitters aimed(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps);
+        const Emitters plain(lens, one.aperture, Limits(), kWidth, kHeight, {});
+        double with = 0.0, without = 0.0;
+        for (const auto& [x, y] : PixelsAround(lens, one))
+        {
+            with += SampleOf(aimed, lens, world, x, y, 1u << 14, 1).variance;
+            without += SampleOf(plain, lens, world, x, y, 1u << 14, 2).variance;
+        }
+        EXPECT_LT(with, without / 8.0) << one.name;
+    }
+}
+
+/// A lamp behind something costs samples, but leaves no trace.
+TEST(Emitters, HiddenLampsLeaveEvenLightEven)
+{
+    const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
+    const Lens lens = LensOf(0.0);
+    const Emitters aimed(lens, Aperture::Disc(), Limits(), kWidth, kHeight, {lamp});
+    int reached = 0;
+    for (std::uint32_t y = 0; y < kHeight; y++)
+        for (std::uint32_t x = 0; x < kWidth; x++)
+        {
+            const Pixel pixel = SampleOf(aimed, lens, {{}}, x, y, 64, 1);
+            EXPECT_NEAR(pixel.mean, kBackground, 0.1 * kBackground) << x << ", " << y;
+            reached += aimed.Of(x, y).share > 0.0;
+        }
+    EXPECT_GT(reached, 4);
+    EXPECT_LT(reached, 100);
+}
+
+TEST(Emitters, ReachEveryPixelThatSeesThem)
+{
+    for (const Case& one : Cases())
+    {
+        const Lens lens = LensOf(one.turn);
+        const World world{one.lamps};
+        const Emitters aimed(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps);
+        const Emitters plain(lens, one.aperture, Limits(), kWidth, kHeight, {});
+        for (std::uint32_t y = 0; y < kHeight; y++)
+            for (std::uint32_t x = 0; x < kWidth; x++)
+            {
+                const bool seen = SampleOf(plain, lens, world, x, y, 1024, 2).variance > 1e-9;
+                EXPECT_TRUE(!seen || aimed.Of(x, y).share > 0.0) << one.name << " at " << x << ", " << y;
+            }
+    }
+}
+
+TEST(Emitters, AimOnlyAtWhatIsSmallAndBrightAndBefore)
+{
+    const Lens lens = LensOf(0.0);
+    const auto empty = [&](const Emitter& emitter, const SamplingLimits& limits = Limits())
+    { return Emitters(lens, Aperture::Disc(), limits, kWidth, kHeight, {emitter}).Empty(); };
+    EXPECT_FALSE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}));
+    EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 3.0, 40.0})) << "large: found by chance";
+    EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 1.0})) << "dim";
+    EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 1e-5, 40.0})) << "too small to matter";
+    EXPECT_TRUE(empty({{0.0, 0.0, -40.0}, 0.03, 40.0})) << "behind the camera";
+    EXPECT_TRUE(empty({{0.0, 0.0, 0.1}, 0.03, 40.0})) << "at the lens";
+    EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}, Limits(1, 2))) << "fewer samples than a block of four";
+}
+
+TEST(Emitters, AimAFixedShareOfEveryBlockOfFour)
+{
+    const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
+    const Lens lens = LensOf(0.0);
+    const Emitters aimed(lens, Aperture::Disc(), Limits(8, 39), kWidth, kHeight, {lamp});
+    for (std::uint32_t y = 0; y < kHeight; y++)
+        for (std::uint32_t x = 0; x < kWidth; x++)
+        {
+            const Emitters::Targets targets = aimed.Of(x, y);
+            const PixelSampler sampler(x, y, 0);
+            for (std::uint32_t from = 0; from < 40; from += 4)
+            {
+                int count = 0;
+                for (std::uint32_t i = from; i < from + 4; i++)
+                    count += aimed.Aim(targets, {x, y, i}, sampler(i)).aimed;
+                EXPECT_EQ(count, from + 4 > 39 ? 0 : int(4 * targets.share)) << x << ", " << y << " from " << from;
+            }
+        }
+}
+
+TEST(ApertureDensity, IsThatOfThePoints)
+{
+    for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(3, 0.2), Aperture::Polygon(8, 2.0), Window()})
+    {
+        constexpr int side = 400, boxes = 8;
+        std::vector<double> expected(boxes * boxes), found(boxes * boxes);
+        const auto box = [&](const AperturePoint& p)
+        { return int((p.a + 1.5) / 3.0 * boxes) * boxes + int((p.b + 1.5) / 3.0 * boxes); };
+        double farthest = 0.0;
+        for (int i = 0; i < side; i++)
+            for (int j = 0; j < side; j++)
+            {
+                const double u = (i + 0.5) / side, v = (j + 0.5) / side;
+                const AperturePoint grid{3.0 * u - 1.5, 3.0 * v - 1.5}, point = aperture(u, v);
+                expected[box(grid)] += aperture.Density(grid) * 9.0 / (side * side);
+                found[box(point)] += 1.0 / (side * side);
+                EXPECT_GT(aperture.Density(point), 0.0);
+                farthest = std::max(farthest, std::hypot(point.a, point.b));
+            }
+        for (int i = 0; i < boxes * boxes; i++)
+            EXPECT_NEAR(found[i], expected[i], 2e-3) << i;
+        EXPECT_LE(farthest, aperture.Rim());
+    }
+}
+
+} // namespace
+} // namespace tilt_lens
