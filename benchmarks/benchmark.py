@@ -17,6 +17,7 @@ import instructions  # noqa: E402
 import pan_focus  # noqa: E402
 import plots  # noqa: E402
 import post  # noqa: E402
+import reconstruction  # noqa: E402
 import report  # noqa: E402
 import suite  # noqa: E402
 import tilt_cost  # noqa: E402
@@ -24,7 +25,7 @@ import tilted  # noqa: E402
 import versus_stock  # noqa: E402
 from lab import HERE, Failed, Lab  # noqa: E402
 
-PARTS = ("stock", "tilted", "pan", "tilt", "instructions", "loops", "growth", "contract")
+PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract")
 NAMES = [scene.name for scene in suite.SCENES]
 
 
@@ -63,7 +64,7 @@ def arguments():
 
 
 def measure_scenes(lab, args, results, runs):
-    """Parts stock and tilted, scene by scene; comparisons into results, records into runs."""
+    """Parts stock, tilted and denoise, scene by scene; comparisons into results, records into runs."""
     for scene in (scene for scene in suite.SCENES if scene.name in args.scenes):
         untilted = versus_stock.measure(lab, scene)
         lines = versus_stock.compare(untilted)
@@ -72,18 +73,22 @@ def measure_scenes(lab, args, results, runs):
         if "stock" in args.parts:
             runs += untilted + accumulation.measure(lab, scene, 0) + post.measure(lab, scene, 0)
             results.setdefault("stock", {})[scene.name] = lines
+        errors = {line["target"]: line["rmse"] for line in lines}
         if "tilted" in args.parts:
-            errors = {line["target"]: line["rmse"] for line in lines}
             records = tilted.measure(lab, scene, errors)
             runs += records
             results.setdefault("tilted", {})[scene.name] = tilted.compare(records, errors)
+        if "denoise" in args.parts:
+            records = reconstruction.measure(lab, scene, errors)
+            results.setdefault("denoise", {})[scene.name] = reconstruction.compare(records, errors)
+            results.setdefault("bias", []).append(reconstruction.bias(lab, scene))
 
 
 def measure(lab, args):
     done = subprocess.run([lab.ours, "--version"], capture_output=True, text=True, check=False)
     version = next((line.strip() for line in (done.stdout + done.stderr).splitlines() if "patch series" in line), "?")
     results, runs = {"version": version}, []
-    if {"stock", "tilted"} & set(args.parts):
+    if {"stock", "tilted", "denoise"} & set(args.parts):
         measure_scenes(lab, args, results, runs)
     scenes = [scene for scene in suite.SCENES if scene.name in args.scenes]
     if "pan" in args.parts:
@@ -115,7 +120,7 @@ def draw(folder, results, runs):
         plots.growth(folder / f"growth_{name.replace(' ', '_')}.svg", name, rows)
     if runs:
         report.write_csv(folder / "runs.csv", runs, report.COLUMNS)
-    for part in ("growth", "contract", "pan", "tilt", "instructions"):
+    for part in ("growth", "contract", "pan", "tilt", "instructions", "bias"):
         if results.get(part):
             report.write_csv(folder / f"{part}.csv", results[part])
 

@@ -66,6 +66,15 @@ class Shot:
                 "-C", "-A", f"+WT{self.threads}", *[f"Declare={name}={value}" for name, value in settings],
                 *self.options]
 
+    def independent(self, number):
+        """The same picture through samples that have nothing in common with those of other numbers, 1 and more:
+        the inner part of a larger one."""
+        border, (width, height) = 8*number, self.size
+        return dataclasses.replace(
+            self, size=(width + 2*border, height + 2*border), declare=(*self.declare, ("Batch", border)),
+            options=(*self.options, f"+SC{border + 1}", f"+EC{border + width}", f"+SR{border + 1}",
+                     f"+ER{border + height}"))
+
     def sources(self):
         """The scene with all that it includes from here."""
         found, wanted = {}, [f"{self.scene}.pov"]
@@ -148,15 +157,11 @@ class Lab:
                  f"{batches} times {samples} samples a pixel")
         width, height = shot.size
         pictures = []
-        for batch in range(8, 8*batches + 8, 8):
-            bordered = dataclasses.replace(
-                shot, size=(width + 2*batch, height + 2*batch), threads=2,
-                declare=(*shot.declare, ("Batch", batch), ("Min", samples), ("Max", samples),
-                         ("Variance", 0)),
-                options=(*shot.options, f"+SC{batch + 1}", f"+EC{batch + width}", f"+SR{batch + 1}",
-                         f"+ER{batch + height}"))
+        even = dataclasses.replace(shot, threads=2, declare=(*shot.declare, ("Min", samples), ("Max", samples),
+                                                             ("Variance", 0)))
+        for batch in range(1, batches + 1):
             pictures.append(self.work / "references" / f"{path.stem}-{batch}.png")
-            self.render(self.ours, bordered, pictures[-1], low_priority=True)
+            self.render(self.ours, even.independent(batch), pictures[-1], low_priority=True)
         unfinished = path.with_suffix(".part.exr")
         self.tool("noise", "reference", unfinished, *pictures, "--size", width, height)
         unfinished.rename(path)

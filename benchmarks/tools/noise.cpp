@@ -134,9 +134,7 @@ void PrintPrefixes(const Arguments& arguments)
     std::fill(sum.values.begin(), sum.values.end(), 0.0);
     for (std::size_t i = 0; i < arguments.pictures.size(); ++i)
     {
-        const Picture picture = witness::ReadPicture(arguments.pictures[i]);
-        if (!picture.SameSize(sum))
-            throw std::runtime_error(arguments.pictures[i] + " has not the reference's size");
+        const Picture picture = Inner(witness::ReadPicture(arguments.pictures[i]), sum.width, sum.height);
         for (std::size_t k = 0; k < sum.Size(); ++k)
             sum.values[k] += picture.values[k];
         if (std::find(arguments.counts.begin(), arguments.counts.end(), i + 1) == arguments.counts.end())
