@@ -8,16 +8,23 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <type_traits>
+
+#include <boost/format.hpp>
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/scene.h"
 #include "base/povms.h"
+#include "frontend/shelloutprocessing.h"
 #include "tilt_lens/ray.h"
 
 namespace
 {
+
+// the program deletes a class of its own through this one, which sanitizers call an error
+static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::value);
 
 ParseOutcome* current = nullptr;  ///< one scene is parsed at a time
 int sceneFile = -1;               ///< its text, in memory
@@ -59,8 +66,6 @@ class Finish
     std::condition_variable changed;
     bool done = false;
 };
-
-tilt_lens::Vec3 FromPov(const pov::VECTOR v) { return {v[0], v[1], v[2]}; }
 
 /// The rays through the frame's corners and middle, from the middle of the lens and its rim.
 std::string BrokenRay(const tilt_lens::Lens& lens)
