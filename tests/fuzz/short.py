@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The short fuzz run of ./check: short.py solver|blocks|regressions. `tests/stress/run fuzz` is the long one."""
+"""The short fuzz run of ./check: short.py solver|blocks|frames|regressions. `tests/stress/run fuzz` is the long one."""
 
 import argparse
 import pathlib
@@ -9,10 +9,14 @@ import sys
 import tempfile
 
 import blocks
+import frames
 import seeds
 
 HERE = pathlib.Path(__file__).resolve().parent
-RUNS, BLOCKS = 30_000, 1500
+RUNS, BLOCKS, FRAMES = 30_000, 1500, 60
+# a block that the parser refuses, and one with light past what the file can hold behind it
+BAD = ("tilt",
+       "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
 
 
 def run_solver(program, *arguments):
@@ -43,6 +47,18 @@ def grammar_blocks(settings):
             sys.exit(f"hardly any '{answer}': the grammar has lost its point: {found['counts']}")
 
 
+def grammar_frames(settings):
+    """Some accepted blocks as pictures; bad ones among them are found, and do not keep the others from being rendered."""
+    accepted = [o.text for o in blocks.run(settings.parser, 2, 3 * FRAMES) if o.answer == "lens"][:FRAMES]
+    if len(accepted) < FRAMES:
+        sys.exit(f"only {len(accepted)} of {3 * FRAMES} blocks accepted")
+    half = FRAMES // 2
+    wrong = frames.render(settings.povray, accepted[:half] + [BAD[0]] + accepted[half:] + [BAD[1]])
+    print("\n".join(f"{w['answer']}\n{w['text']}\n---" for w in wrong))
+    if [w["text"] for w in wrong] != list(BAD):
+        sys.exit("not just the two that are meant to be found")
+
+
 def regressions(settings):
     """What once went wrong, and the kept corpus."""
     kept = sorted((HERE / "regressions").glob("solver/*")) + sorted((HERE / "corpus").glob("solver/*"))
@@ -61,11 +77,12 @@ def regressions(settings):
 
 def main():
     """One part."""
-    parts = {"solver": solver, "blocks": grammar_blocks, "regressions": regressions}
+    parts = {"solver": solver, "blocks": grammar_blocks, "frames": grammar_frames, "regressions": regressions}
     parser = argparse.ArgumentParser()
     parser.add_argument("part", choices=parts)
     parser.add_argument("--solver", required=True, type=pathlib.Path)
     parser.add_argument("--parser", required=True)
+    parser.add_argument("--povray", required=True)
     settings = parser.parse_args()
     parts[settings.part](settings)
 

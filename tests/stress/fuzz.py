@@ -12,6 +12,7 @@ import common
 
 sys.path.insert(0, str(common.ROOT / "tests" / "fuzz"))
 import blocks  # noqa: E402
+import frames  # noqa: E402
 import seeds  # noqa: E402
 
 BLOCKS, SHARD, RUNS = 20_000, 1000, 2_000_000
@@ -19,7 +20,7 @@ BLOCKS, SHARD, RUNS = 20_000, 1000, 2_000_000
 
 def libfuzzer(program, corpus, runs, length):
     """Runs and new coverage; a finding ends in words."""
-    settings = {"ASAN_OPTIONS": "new_delete_type_mismatch=0:detect_leaks=0", **os.environ}
+    settings = {"ASAN_OPTIONS": "detect_leaks=0", **os.environ}
     done = subprocess.run([str(program), f"-runs={runs}", f"-max_len={length}", "-seed=1", "-rss_limit_mb=4000",
                            f"-artifact_prefix={corpus}-finding-", str(corpus)], capture_output=True, text=True, check=False,
                           env=settings)
@@ -28,20 +29,34 @@ def libfuzzer(program, corpus, runs, length):
             "finding": "" if done.returncode == 0 else done.stderr[-1500:]}
 
 
+def grammar(setup, work, tree, count):
+    """Blocks parsed, and the accepted ones rendered. A frame mostly waits, so many processes run at a time."""
+    parser, povray = tree / "tests" / "fuzz" / "parse_blocks", tree / "bin" / "povray"
+
+    def shard(seed):
+        outcomes = blocks.run(str(parser), seed, min(SHARD, count))
+        accepted = [o.text for o in outcomes if o.answer == "lens"]
+        return {**blocks.tally(outcomes), "pictures": len(accepted), "bad_pictures": frames.render(povray, accepted)}
+
+    tallies = common.in_parallel(4 * setup.jobs, lambda seed: common.once(work, f"blocks-{count}-{seed}", povray,
+                                                                          lambda: shard(seed)),
+                                 range(1, 1 + max(1, count // SHARD)))
+    total = {"blocks": 0, "pictures": 0, "counts": {}, "bad": [], "sanitized": tree != setup.build}
+    for tally in tallies:
+        total["blocks"] += tally["blocks"]
+        total["pictures"] += tally["pictures"]
+        total["bad"] += tally["bad"] + tally["bad_pictures"]
+        for key, n in tally["counts"].items():
+            total["counts"][key] = total["counts"].get(key, 0) + n
+    return total
+
+
 def measure(setup, count=BLOCKS, runs=RUNS):
     """Programs of the presets asan and fuzz are used where they are built, else the release build's."""
     work = setup.work("fuzz")
-    sanitized = setup.build / "asan" / "tests" / "fuzz" / "parse_blocks"
-    parser = sanitized if sanitized.is_file() else setup.build / "tests" / "fuzz" / "parse_blocks"
-    tallies = common.in_parallel(setup.jobs, lambda seed: blocks.tally(blocks.run(str(parser), seed, min(SHARD, count))),
-                                 range(1, 1 + max(1, count // SHARD)))
-    total = {"blocks": 0, "counts": {}, "bad": [], "sanitized": parser == sanitized}
-    for tally in tallies:
-        total["blocks"] += tally["blocks"]
-        total["bad"] += tally["bad"]
-        for key, n in tally["counts"].items():
-            total["counts"][key] = total["counts"].get(key, 0) + n
-    found = {"grammar": total}
+    sanitized = setup.build / "asan"
+    built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()
+    found = {"grammar": grammar(setup, work, sanitized if built else setup.build, count)}
     seeds.write(work / "solver")
     found["solver"] = libfuzzer(setup.build / "tests" / "fuzz" / "solver_fuzz", work / "solver", runs, 320)
     fuzzer = setup.build / "fuzz" / "tests" / "fuzz" / "parser_fuzz"

@@ -6,6 +6,7 @@ import subprocess
 
 import common
 import rays
+import sanitizers
 
 TITLES = {
     "random": "what people photograph", "corners": "corners of a picture 100,000 pixels wide",
@@ -78,22 +79,24 @@ def rays_section(result):
         rest = max((int(power) for power in o["by_power"] if power != "30"), default=None)
         text += (f"| {TITLES[name]} | {o['count'] + result[name]['obvious_broken']:,} | {reversed_:,} | "
                  f"{result[name]['obvious_broken']:,} | {'-' if rest is None else f'below 1e{rest + 1}'} |\n")
-    plot_ulps(result)
+    text += "\n![Share of rays by error in pixels, of the camera and of the obvious formula](numerics/pixels.svg)\n"
+    sets = ("random", "tilt", "through_view", "aperture", "several")
+    plot("ulps.svg", "error, power of ten of a unit of the last place", range(-4, 4),
+         [(TITLES[name], result[name]["ulps"]) for name in sets])
+    plot("pixels.svg", "error, power of ten of a pixel of 100,000 across", range(-14, 6),
+         [(f"{who}: {TITLES[name]}", result[name][spread]) for name in ("random", "parallel", "several")
+          for who, spread in (("camera", "pixels"), ("obvious", "obvious_pixels"))])
     return text
 
 
-def plot_ulps(result):
-    """Shares of rays by powers of ten of the error, for a few sets."""
-    sets = ("random", "tilt", "through_view", "aperture", "several")
-    lines = []
-    for name in sets:
-        spread = result[name]["ulps"]
-        lines.append("\n".join(f"{power} {spread['by_power'].get(str(power), 0) / max(1, spread['count'])}"
-                               for power in range(-4, 4)))
-    plots = ", ".join(f"'-' with linespoints lw 2 title '{TITLES[name]}'" for name in sets)
-    script = ("set terminal svg size 720,380 dynamic background 'white'\nset output '" +
-              str(common.RESULTS / "ulps.svg") + "'\nset logscale y\nset yrange [1e-7:2]\nset format y '10^{%T}'\n"
-              "set xlabel 'error, power of ten of a unit of the last place'\nset ylabel 'share of rays'\nset key bottom left\n"
+def plot(name, label, powers, spreads):
+    """Shares of rays by powers of ten of the error."""
+    lines = ["\n".join(f"{power} {spread['by_power'].get(str(power), 0) / max(1, spread['count'])}" for power in powers)
+             for _, spread in spreads]
+    plots = ", ".join(f"'-' with linespoints lw 2 title '{title}'" for title, _ in spreads)
+    script = ("set terminal svg size 720,380 dynamic background 'white'\nset output '" + str(common.RESULTS / name) + "'\n"
+              "set logscale y\nset yrange [1e-7:2]\nset format y '10^{%T}'\n"
+              f"set xlabel '{label}'\nset ylabel 'share of rays'\nset key outside below\n"
               f"plot {plots}\n" + "\ne\n".join(lines) + "\ne\n")
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
 
@@ -180,7 +183,8 @@ def fuzz_section(result):
     grammar = result["grammar"]
     text = (f"\n## Fuzzing\n\n{grammar['blocks']:,} blocks of a grammar (`tests/fuzz/grammar.py`) through POV-Ray's own parser, "
             f"500 a process, {'built with ASan and UBSan' if grammar['sanitized'] else 'release build'}; each must end in a lens "
-            f"with finite rays or in one error: {len(grammar['bad'])} did not.\n\n| made as: became | blocks |\n| --- | --: |\n")
+            f"with finite rays or in one error. The program then renders what was accepted, {grammar['pictures']:,} blocks, as frames "
+            f"of 8 by 6 pixels, 250 a process; each must be a picture of finite numbers. {len(grammar['bad'])} went wrong.\n\n| made as: became | blocks |\n| --- | --: |\n")
     text += "".join(f"| {key} | {n:,} |\n" for key, n in sorted(grammar["counts"].items())) + "\n"
     for name, title in (("solver", "the solver"), ("parser", "the block's parser")):
         if name in result:
@@ -191,11 +195,15 @@ def fuzz_section(result):
 
 
 def sanitizers_section(result):
-    """Programs under sanitizers."""
-    text = ("\n## Sanitizers\n\n| what | tool | runs | findings in our files | upstream's, suppressed by name |\n"
-            "| --- | --- | --: | --: | --: |\n")
+    """Programs under sanitizers, and what of upstream's is suppressed."""
+    text = ("\n## Sanitizers\n\nThe whole program. A finding is ours where a frame of its stack lies in one of our files.\n\n"
+            "| what | tool | runs | findings in our files | upstream's, not suppressed |\n| --- | --- | --: | --: | --: |\n")
     for row in result["rows"]:
-        text += f"| {row['what']} | {row['tool']} | {row['runs']} | {row['ours']} | {row['suppressed']} |\n"
+        text += f"| {row['what']} | {row['tool']} | {row['runs']} | {row['ours']} | {row['others']} |\n"
+    text += "\nSuppressed by name, in `tests/stress/suppressions`:\n\n| tool | name | reason |\n| --- | --- | --- |\n"
+    for tool in ("ubsan", "tsan", "valgrind"):
+        for name, reason in sanitizers.suppressed(tool):
+            text += f"| {tool} | `{name}` | {reason} |\n"
     return text
 
 

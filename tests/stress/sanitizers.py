@@ -22,13 +22,25 @@ TUTORIAL = sorted((common.ROOT / "scenes" / "tutorial").glob("*.pov"))
 MODULES = ("light", "noise", "cameras")  # of tests/render: radiosity, photons, media, interiors, bokeh
 
 
-def environment(log):
-    """Each sanitizer writes to files of its own, goes on after a finding, and knows upstream's."""
+def environment(tool_suppressions=True):
+    """Each sanitizer goes on after a finding and knows upstream's, or is to tell of those as well."""
+    def named(tool):
+        return f":suppressions={SUPPRESSIONS}/{tool}.txt" if tool_suppressions else ""
+
     return {**os.environ,
-            "ASAN_OPTIONS": f"log_path={log}.asan:detect_leaks=0:halt_on_error=0:suppressions={SUPPRESSIONS}/asan.txt:"
-                            "new_delete_type_mismatch=0",
-            "UBSAN_OPTIONS": f"log_path={log}.ubsan:print_stacktrace=1:suppressions={SUPPRESSIONS}/ubsan.txt",
-            "TSAN_OPTIONS": f"log_path={log}.tsan:halt_on_error=0:suppressions={SUPPRESSIONS}/tsan.txt:second_deadlock_stack=1"}
+            # what upstream has parsed stays until the end: tests/stress/soak.py looks at what stays behind
+            "ASAN_OPTIONS": "detect_leaks=0:halt_on_error=0",
+            "UBSAN_OPTIONS": f"print_stacktrace=1{named('ubsan')}",
+            "TSAN_OPTIONS": f"halt_on_error=0:second_deadlock_stack=1:exitcode=0{named('tsan')}"}
+
+
+def listener(program, folder):
+    """A command in place of the program, which keeps what it writes to standard error: not every sanitizer of gcc heeds
+    log_path, and the render tests take standard error for themselves."""
+    script = folder / "povray"
+    script.write_text(f'#!/bin/bash\nexec "{program}" "$@" 2> >(tee "{folder}/log.$$" >&2)\n')
+    script.chmod(0o755)
+    return script
 
 
 def findings(folder):
@@ -40,6 +52,22 @@ def findings(folder):
     return ours, others
 
 
+def suppressed(tool):
+    """The names in a tool's file, each with the reason that stands above it."""
+    pairs, reason = [], []
+    lines = (SUPPRESSIONS / f"{tool}.txt").read_text().splitlines()[2:]
+    for number, line in enumerate(lines):
+        if line.startswith("#"):
+            reason.append(line[1:].strip())
+        elif not line.strip():
+            reason = []
+        elif tool != "valgrind":
+            pairs.append((line, " ".join(reason)))
+        elif line == "{":
+            pairs.append((lines[number + 1].strip(), " ".join(reason)))
+    return pairs
+
+
 def build(setup, preset):
     """The program and what the tests need."""
     for command in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "-j", str(setup.jobs),
@@ -48,13 +76,13 @@ def build(setup, preset):
     return common.ROOT / "build" / preset
 
 
-def watched(what, tool, commands, folder, work):
+def watched(what, tool, commands, folder, work, suppressions=True):
     """Runs commands with the logs in a folder; a row."""
-    codes = [subprocess.run(command, cwd=work, env=environment(folder / "log"), stdin=subprocess.DEVNULL,
-                            capture_output=True, check=False).returncode for command in commands]
+    codes = [subprocess.run(command, cwd=work, env=environment(suppressions), stdin=subprocess.DEVNULL, capture_output=True,
+                            check=False).returncode for command in commands]
     ours, others = findings(folder)
     return {"what": what, "tool": tool, "runs": len(commands), "failed": sum(code != 0 for code in codes),
-            "ours": len(ours), "suppressed": 0, "others": len(others), "first": (ours + others)[:3]}
+            "ours": len(ours), "others": len(others), "first": (ours + others)[:3]}
 
 
 def tutorial(povray, threads):
@@ -63,25 +91,40 @@ def tutorial(povray, threads):
              f"+L{common.ROOT / 'scenes' / 'include'}"] for scene in TUTORIAL]
 
 
-def battery(tree, module):
+def battery(povray, tree, module):
     """A module of the render tests."""
-    return [["python3", "-B", str(common.ROOT / "tests" / "render" / f"{module}.py"), "--povray",
-             str(tree / "bin" / "povray"), "--compare", str(tree / "tests" / "tools" / "compare")]]
+    return [["python3", "-B", str(common.ROOT / "tests" / "render" / f"{module}.py"), "--povray", str(povray), "--compare",
+             str(tree / "tests" / "tools" / "compare")]]
 
 
-def parser(tree):
+def parser(povray):
     """The parser battery: every file of cases."""
     cases = sorted((common.ROOT / "tests" / "parse" / "cases").glob("*.txt"))
-    return [["python3", "-B", str(common.ROOT / "tests" / "parse" / "check_messages.py"), "--povray",
-             str(tree / "bin" / "povray"), str(path)] for path in cases]
+    return [["python3", "-B", str(common.ROOT / "tests" / "parse" / "check_messages.py"), "--povray", str(povray), str(path)]
+            for path in cases]
 
 
 def valgrind(setup, folder, work):
     """memcheck on one tutorial scene, in the release build."""
     log = folder / "log.valgrind"
-    command = ["valgrind", f"--log-file={log}", f"--suppressions={SUPPRESSIONS}/valgrind.supp", "--error-exitcode=0",
+    command = ["valgrind", f"--log-file={log}", f"--suppressions={SUPPRESSIONS}/valgrind.txt", "--error-exitcode=0",
                *tutorial(setup.povray, 1)[0]]
     return watched(TUTORIAL[0].name, "valgrind", [command], folder, work)
+
+
+def program_rows(tree, tool, threads, work):
+    """All runs of one sanitized program. The first one without suppressions shows that findings are seen at all."""
+    groups = [("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1]),
+              ("tutorial scenes", lambda povray: tutorial(povray, threads)), ("parser battery", parser),
+              *((f"tests/render/{module}.py", lambda povray, module=module: battery(povray, tree, module))
+                for module in MODULES)]
+    rows = []
+    for number, (what, commands) in enumerate(groups):
+        folder = work / f"{tree.name}{number}"
+        folder.mkdir()
+        povray = listener(tree / "bin" / "povray", folder)
+        rows.append(watched(what, tool, commands(povray), folder, work, suppressions=number > 0))
+    return rows
 
 
 def measure(setup):
@@ -89,18 +132,8 @@ def measure(setup):
     rows = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         work = pathlib.Path(name)
-
-        def row(what, tool, commands):
-            folder = work / f"logs{len(rows)}"
-            folder.mkdir()
-            rows.append(watched(what, tool, commands, folder, work))
-
         for preset, tool, threads in (("asan", "ASan, UBSan", 2), ("tsan", "TSan", 4)):
-            tree = build(setup, preset)
-            row("tutorial scenes", tool, tutorial(tree / "bin" / "povray", threads))
-            row("parser battery", tool, parser(tree))
-            for module in MODULES:
-                row(f"tests/render/{module}.py", tool, battery(tree, module))
+            rows += program_rows(build(setup, preset), tool, threads, work)
         folder = work / "valgrind"
         folder.mkdir()
         rows.append(valgrind(setup, folder, work))
@@ -108,5 +141,11 @@ def measure(setup):
 
 
 def faults(result):
-    """Findings that nothing suppresses, and runs that failed."""
-    return [f"{row['what']}, {row['tool']}: {row}" for row in result["rows"] if row["ours"] or row["others"] or row["failed"]]
+    """Findings that nothing suppresses, runs that failed, and a sanitizer that nobody hears."""
+    found = []
+    for row in result["rows"]:
+        if row["what"].endswith("nothing suppressed"):
+            found += [f"{row['tool']} finds nothing where it must"] if not row["others"] else []
+        elif row["ours"] or row["others"] or row["failed"]:
+            found.append(f"{row['what']}, {row['tool']}: {row}")
+    return found

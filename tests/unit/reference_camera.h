@@ -17,6 +17,26 @@
 namespace tilt_lens
 {
 
+/// Square root by Newton's steps from that of the double: 53 digits, 107, 215. Boost's own goes digit by
+/// digit, and would be most of the time that ten million cameras take.
+template <typename Real>
+Real Root(const Real& a)
+{
+    if (!(a > 0))
+        return sqrt(a);
+    int power = 0;
+    Real m = frexp(a, &power);
+    if (power % 2 != 0)
+    {
+        m *= 2;
+        power--;
+    }
+    Real root = std::sqrt(double(m));
+    for (int step = 0; step < 2; step++)
+        root = (root + m / root) / 2;
+    return ldexp(root, power / 2);
+}
+
 template <typename Real>
 struct Vec
 {
@@ -34,11 +54,7 @@ struct Vec
     {
         return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
     }
-    Real Length() const
-    {
-        using std::sqrt;
-        return sqrt(Dot(*this));
-    }
+    Real Length() const { return Root(Dot(*this)); }
     Vec Unit() const { return *this * (Real(1) / Length()); }
 };
 
@@ -111,7 +127,7 @@ class ReferenceCamera
     {
         using std::atan;
         using std::tan;
-        const Real degree = atan(Real(1)) / 45;
+        static const Real degree = atan(Real(1)) / 45;
         return (
             axis - up * tan(Real(tiltDegrees) * degree) - right * tan(Real(swingDegrees) * degree))
             .Unit();
@@ -134,12 +150,11 @@ class ReferenceCamera
 
     void SolvePlane()
     {
-        using std::sqrt;
         GivenPlane();
         if (given.focalLength)
         {
             const V across = (n - axis * n.Dot(axis)) * (f / d);
-            t = across + axis * sqrt(Real(1) - across.Dot(across));
+            t = across + axis * Root(Real(1) - across.Dot(across));
             s = Real(1) / (t.Dot(axis) / f - n.Dot(axis) / d);
             return;
         }
