@@ -89,6 +89,10 @@ class Progress(rendering.RenderTest):
         first = shown(said)[0][1]
         self.assertGreater(first, 15, said)
         self.assertEqual(shown(said)[-1][1], 100, said)
+        skipped = re.search(r"Skipped\.+(\d+) pixels, done before the render was continued", said)
+        self.assertIsNotNone(skipped, said)
+        rendered = re.search(r"^Pixels: +(\d+)", said, re.MULTILINE)
+        self.assertEqual(int(skipped[1]) + int(rendered[1]), 128 * 96, said)
 
 
 class Summary(rendering.RenderTest):
@@ -108,6 +112,19 @@ class Summary(rendering.RenderTest):
         self.assertRegex(said, r"Standard error\.+[\d.e-]+ of white \(estimated\), 0\.0071 asked for")
         said = rendering.render_and_listen(HALVES.replace("variance 1/20000", "variance 0").replace("8, 256", "9"), **SIZE)[1]
         self.assertRegex(said, r"of white \(estimated\), all samples asked for")
+
+    def test_what_was_left_out(self):
+        """Pixels at MAX, which the statistics of all samples bound; nothing where there is nothing to tell."""
+        said = rendering.render_and_listen(HALVES.replace("8, 256", "8, 32"), **SIZE)[1]
+        stopped = re.search(r"Stopped by MAX\.+(\d+) pixels \(([\d.]+)%\), at 32 samples", said)
+        self.assertIsNotNone(stopped, said)
+        self.assertAlmostEqual(100 * int(stopped[1]) / (128 * 96), float(stopped[2]), delta=0.06 * float(stopped[2]))
+        samples = int(re.search(r"Samples: +(\d+)", said)[1])
+        self.assertLessEqual(int(stopped[1]) * 32, samples)
+        self.assertLessEqual(samples, int(stopped[1]) * 32 + (128 * 96 - int(stopped[1])) * 16)
+        for scene in (HALVES.replace("variance 1/20000", "variance 0"), HALVES.replace("variance 1/20000", "variance 1")):
+            said = rendering.render_and_listen(scene, **SIZE)[1]
+            self.assertNotRegex(said, r"Stopped by MAX|Skipped\.")
 
 
 if __name__ == "__main__":

@@ -66,7 +66,7 @@ std::string TiltLensView::Summary(const TiltLensCost& cost) const
                  cost.threads);
     text += Line("  Rays.................%.0f, and %.0f tests for shadow\n", cost.rays, cost.shadowTests);
     if (aids)
-        return text + "  Samples per pixel....1, through the lens centre (focus aids)\n";
+        return text + "  Samples per pixel....1, through the lens centre (focus aids)\n" + Skipped();
     const double pixels = std::max<double>(1.0, account.Pixels());
     text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", account.Samples() / pixels,
                  account.Quantile(0.99), account.Most());
@@ -76,10 +76,16 @@ std::string TiltLensView::Summary(const TiltLensCost& cost) const
     return text + Skipped();
 }
 
-/// What the render had not to do or could not use, a line each.
+/// What the render left out, had not to do or could not use, a line each.
 std::string TiltLensView::Skipped() const
 {
     std::string text;
+    const auto stopped = account.pixelsBySamples.find(limits.max);
+    if (limits.variance > 0.0 && stopped != account.pixelsBySamples.end())
+        text += Line("  Stopped by MAX.......%.0f pixels (%.2g%%), at %.0f samples\n", stopped->second,
+                     100.0 * stopped->second / account.Pixels(), limits.max);
+    if (pixelsBefore > 0)
+        text += Line("  Skipped..............%.0f pixels, done before the render was continued\n", pixelsBefore);
     if (account.notFinite > 0)
         text += Line("  Not finite...........%.0f samples, counted as black\n", account.notFinite);
     return text;

@@ -193,8 +193,10 @@ void View::PlanTiltLensWork()
         {
             unsigned int x, y;
             viewData.getBlockXY(block, x, y);
-            const unsigned int size = viewData.blockSize;
-            work.Finish({area.left + x * size, area.top + y * size, size, size});
+            const unsigned int size = viewData.blockSize, left = area.left + x * size, top = area.top + y * size;
+            work.Finish({left, top, size, size});
+            viewData.tiltLens->pixelsBefore += std::min<std::uint64_t>(size, area.right + 1 - left) *
+                                               std::min<std::uint64_t>(size, area.bottom + 1 - top);
         }
 }
 

@@ -9,6 +9,7 @@
 #define POVRAY_BACKEND_TILT_LENS_VIEW_H
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,9 @@ class TiltLensView
 
     /// How much of the work is done, for the progress display.
     tilt_lens::WorkMap work;
+
+    /// Pixels that a continued render has already; set before the first tile.
+    std::uint64_t pixelsBefore = 0;
 
     /// What is drawn in place of the lens's picture, or NULL.
     shared_ptr<const TiltLensAids> aids;
