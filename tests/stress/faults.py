@@ -20,7 +20,7 @@ import scenes  # noqa: E402
 
 KILLS = 50
 SIZE = {"width": 96, "height": 72}
-LIMITS = "blur_samples 64, 300 variance 1e-7 "
+LIMITS = "blur_samples 64, 300 variance 1/10000 "
 # as many samples for each pixel; as many as its noise asks for, with and without a look at its neighbours
 SLOW = scenes.camera(samples="blur_samples 300 variance 0 ") + scenes.WORLD
 WAYS = (SLOW, scenes.camera(samples=LIMITS) + scenes.WORLD,

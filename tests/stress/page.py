@@ -84,7 +84,7 @@ def rays_section(result):
     plot("ulps.svg", "error, power of ten of a unit of the last place", range(-4, 4),
          [(TITLES[name], result[name]["ulps"]) for name in sets])
     plot("pixels.svg", "error, power of ten of a pixel of 100,000 across", range(-14, 6),
-         [(f"{who}: {TITLES[name]}", result[name][spread]) for name in ("random", "parallel", "several")
+         [(f"{who}: {TITLES[name]}", result[name][spread]) for name in ("random", "through_view", "several")
           for who, spread in (("camera", "pixels"), ("obvious", "obvious_pixels"))])
     return text
 

@@ -52,7 +52,7 @@ struct Spread
     void Add(double value)
     {
         const double inside = value == value ? value : HUGE_VAL;
-        byPower[inside == 0.0 ? -30 : std::max(-30, std::min(30, int(std::floor(std::log10(inside)))))]++;
+        byPower[int(std::floor(std::log10(std::min(std::max(inside, 1e-30), 1e30))))]++;
         worst = std::max(worst, inside);
         sum += inside;
         count++;

@@ -19,7 +19,7 @@ HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 MOVING = (HEAD + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4 blades 5, 10", samples="blur_samples 8, 32 ",
                                tail="bokeh { pigment { gradient x } }").replace("blades 5, 10", "") + scenes.WORLD)
 LARGE = """camera { right x*image_width/image_height location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aperture 0.3
-  blur_samples 64, 512 confidence 0.9 variance 1/20000 tilt_lens { tilt 4 swing 2 blades 7 } }
+  blur_samples 64, 512 confidence 0.9 variance 1/15000 tilt_lens { tilt 4 swing 2 blades 7 } }
 plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> scale 0.5 } normal { bumps 0.1 scale 0.05 }
   finish { ambient 0.1 diffuse 0.8 reflection 0.05 } }
 sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } finish { reflection 0.3 phong 0.5 } }
