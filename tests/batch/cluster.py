@@ -56,7 +56,7 @@ SelectTypeParameters=CR_CPU
 SlurmdParameters=config_overrides
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
-# Version 1's plugin touches no control group until asked to; the one that Slurm finds by itself does at its start.
+# Version 1's plugin touches no control group until asked to; Slurm's own choice does when it starts.
 NO_CONTROL_GROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}/cgroup\n"
 
 
@@ -142,7 +142,8 @@ class Cluster:
         port = free_ports(1 + len(self.nodes))
         user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True).stdout.strip()
         lines = [
-            f"NodeName={node} NodeHostname={HOST} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 RealMemory=1000 State=UNKNOWN\n"
+            f"NodeName={node} NodeHostname={HOST} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 "
+            "RealMemory=1000 State=UNKNOWN\n"
             for i, node in enumerate(self.nodes)
         ]
         head, partition = CONFIGURATION.format(host=HOST, port=port, user=user, folder=self.folder).split(
@@ -151,7 +152,8 @@ class Cluster:
         (self.folder / "slurm.conf").write_text(
             head + "".join(lines) + "PartitionName=" + partition, encoding="ascii"
         )
-        (self.folder / "cgroup.conf").write_text(NO_CONTROL_GROUPS.format(folder=self.folder), encoding="ascii")
+        groups = NO_CONTROL_GROUPS.format(folder=self.folder)
+        (self.folder / "cgroup.conf").write_text(groups, encoding="ascii")
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
@@ -227,8 +229,9 @@ class Cluster:
                 raise AssertionError(f"waited {seconds} s in vain for {what}\n{logs}")
             time.sleep(0.1)
 
-    def job_processes(self, node):
-        """Numbers of the processes of jobs on a node, and of the step daemons that started them."""
+    def job_processes(self, node, daemon):
+        """Numbers of the processes of jobs on a node, and of the step daemons that started them; `daemon` is
+        the number of the node's own."""
         mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
         jobs = [
             int(name)
@@ -236,7 +239,6 @@ class Cluster:
             if name.isdigit() and mine <= set(environment_of(name))
         ]
         parents = {parent_of(pid) for pid in jobs} - set(jobs) - {0, 1, os.getpid()}
-        daemon = self.processes[node][0].pid
         steps = [
             pid
             for pid in parents
@@ -245,22 +247,14 @@ class Cluster:
         return steps + jobs
 
     def kill_node(self, node):
-        """What a power failure of one node does: everything on it is gone at once."""
+        """What a power failure of one node does: everything on it is gone at once. Returns what jobs lost."""
         process, _ = self.processes.pop(node)
-        found = self.job_processes_of_daemon(node, process.pid)
+        found = self.job_processes(node, process.pid)
         for pid in [process.pid, *found]:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
         process.wait()
         return found
-
-    def job_processes_of_daemon(self, node, daemon):
-        """As job_processes, for a daemon that is no longer in the list."""
-        self.processes[node] = (type("Known", (), {"pid": daemon})(), None)
-        try:
-            return self.job_processes(node)
-        finally:
-            del self.processes[node]
 
     def stop(self):
         """Jobs first, so that none is left; then nodes, controller, munge."""

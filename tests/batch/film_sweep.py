@@ -39,7 +39,8 @@ class Film(BatchTest):
 
 class Progress(BatchTest):
     def test_one_line_on_a_terminal(self):
-        words = self.words("film", self.scene(LENS), "--frames", 5, "--workers", 1, *SIZE, "Declare=Samples=200")
+        scene = self.scene(LENS)
+        words = self.words("film", scene, "--frames", 5, "--workers", 1, *SIZE, "Declare=Samples=200")
         terminal, end = pty.openpty()
         process = common.subprocess.Popen(words, cwd=self.folder, env=self.env, stderr=end)
         os.close(end)
@@ -51,10 +52,8 @@ class Progress(BatchTest):
         self.assertEqual(process.wait(timeout=30), 0, said)
         lines = said.decode().split("\r\x1b[K")
         self.assertGreater(len(lines), 3, "each overwrites the one before")
-        self.assertTrue(
-            any(re.match(r"[1-4] of 5 pictures done, 1 running, 0 failed, \d+ s left$", line) for line in lines),
-            lines,
-        )
+        told = re.compile(r"[1-4] of 5 pictures done, 1 running, 0 failed, \d+ s left$")
+        self.assertTrue(any(map(told.match, lines)), lines)
         self.assertIn("5 of 5 pictures done, 0 running, 0 failed", lines[-1])
 
 

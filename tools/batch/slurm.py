@@ -98,8 +98,8 @@ def ranges(numbers):
 
 
 def log_name(work, name):
-    """The value of sbatch's --output for a file in the log folder, whatever the folder's name holds. A backslash
-    switches the %-marks of Slurm off, so then all tasks share a file."""
+    """The value of sbatch's --output for a file in the log folder, whatever the folder's name holds. A
+    backslash switches the %-marks of Slurm off, so then all tasks share a file."""
     folder = str(work.logs)
     if "\\" in folder:
         return folder.replace("\\", "\\\\") + "/slurm.out"
