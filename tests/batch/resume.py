@@ -104,6 +104,21 @@ class Changed(BatchTest):
         self.scene("#declare Own = 1;\n", "own.inc")
         self.refused("is there now, and would be found before", words=words)
 
+    def test_a_file_that_changes_while_the_batch_runs(self):
+        self.scene('#include "own.inc"\n' + LENS)
+        own = self.scene("#declare Own = 1;\n", "own.inc")
+        words = ("film", "scene.pov", "--frames", 4, "--workers", 1, *SIZE, "Declare=Samples=300")
+        process = self.start(*words)
+        done = self.folder / "scene_film.batch" / "done"
+        self.until("the first frame", lambda: done.is_dir() and list(done.iterdir()))
+        own.write_text("#declare Own = 2;\n")
+        self.assertEqual(process.wait(timeout=100), 1, self.said())
+        self.assertIn(f"file {str(own)!r} has changed since the batch began", self.said())
+        self.assertFalse((self.folder / "scene_film" / "scene0004.png").exists())
+        self.assertIn(f"file {str(own)!r} has changed", self.batch(*words, code=1))
+        own.write_text("#declare Own = 1;\n")
+        self.assertIn("4 of 4 pictures", self.batch(*words))
+
     def test_an_include_file_of_one_frame(self):
         scene = self.scene('#if (frame_number = 3) #include "third.inc" #end\n' + LENS)
         self.scene("#declare Third = 1;\n", "third.inc")
