@@ -11,10 +11,10 @@ import tempfile
 
 import common
 from cluster import Cluster, environment_of
-from common import LENS, SETTINGS, SLOW, BatchTest, processes
+from common import LENS, SETTINGS, SLOW, BatchTest, picture, processes
 
-SMALL = ("+W48", "+H40", "+WT1")
-SLOWER = ("+W192", "+H128", "Declare=Samples=800")  # so that a band on each node is half done at one time
+SMALL = ("+W48", "+H40", "+WT1", "Output_Layers=on")
+SLOWER = (*SLOW[:2], "Declare=Samples=800", "Output_Layers=on")  # so that a band on each node is half done at one time
 
 
 class OnSlurm(BatchTest):
@@ -53,7 +53,8 @@ class OnSlurm(BatchTest):
                 self.batch(
                     *words, "--on", "slurm", "--partition", "main", "--time", "10", "--sbatch=--mem=100"
                 )
-        self.assert_same(self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN", *SMALL))
+        whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL)
+        self.assert_same_with_layers(self.folder / "scene.png", whole)
         self.compare_film_and_sweep()
         # begun on Slurm, taken up with GNU parallel
         (self.folder / "scene_film" / "scene0003.png").unlink()
@@ -65,13 +66,19 @@ class OnSlurm(BatchTest):
         scene = self.folder / "scene.pov"
         for tilt in (2, 4):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL, f"Declare=Tilt={tilt}")
-            self.assert_same(self.folder / "scene_sweep" / f"scene_Tilt={tilt}.png", whole)
+            self.assert_same_with_layers(self.folder / "scene_sweep" / f"scene_Tilt={tilt}.png", whole)
         self.assertTrue((self.folder / "scene_sweep" / "scene_sheet.png").exists())
         self.whole(scene, self.folder / "f.png", "+FN", *SMALL, "+KFI1", "+KFF4")
         for n in range(1, 5):
-            self.assert_same(
+            self.assert_same_with_layers(
                 self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png"
             )
+
+    def assert_same_with_layers(self, path, whole):
+        """The picture and the file of layers beside it are those of the single render."""
+        self.assert_same(path, whole)
+        layers, wanted = (name.with_name(f"{name.stem}.layers.exr") for name in (path, whole))
+        self.assertEqual(picture(layers), picture(wanted))
 
     def test_detached_then_watched(self):
         self.scene(LENS)
@@ -120,10 +127,8 @@ class OnSlurm(BatchTest):
         log = "".join(path.read_text(errors="replace") for path in (work / "log").glob("task-*"))
         self.assertIn("continued from", log)
         self.assertIn("was ended by signal 9", log)
-        self.assert_same(
-            self.folder / "scene.png",
-            self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOWER),
-        )
+        whole = self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOWER)
+        self.assert_same_with_layers(self.folder / "scene.png", whole)
         self.compare_film_and_sweep()
 
     def test_anything_in_names(self):

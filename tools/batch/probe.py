@@ -42,6 +42,8 @@ class Probe:
         status = process.wait()
         seconds = time.monotonic() - begun
         text = log.read_text(encoding="utf-8", errors="replace")
+        if status < 0:
+            raise BatchError(f"POV-Ray was ended by signal {-status} at its first look at the scene; call again.")
         if status != 0:
             raise BatchError(
                 f"POV-Ray cannot render the scene (exit code {status}); nothing was started. It said:\n"
