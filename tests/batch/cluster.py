@@ -157,7 +157,7 @@ class Cluster:
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
-        """Starts a daemon in the foreground of its own session."""
+        """Starts a daemon in the foreground of its own session; even where this process is killed, it ends."""
         env = dict(
             self.env,
             LD_PRELOAD="libnss_wrapper.so",
@@ -166,7 +166,7 @@ class Cluster:
         )
         with open(self.folder / "log" / f"{name}.out", "ab") as log:
             process = subprocess.Popen(
-                command,
+                ["setpriv", "--pdeathsig", "TERM", *command],
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=log,

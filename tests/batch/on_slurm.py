@@ -153,7 +153,7 @@ def node_of(pid):
 def main():
     """As an ordinary user where root may become one who can run what is tested: a cluster must not need root."""
     rest = common.read_settings()
-    user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+    user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
     program = ["python3", "-B", os.path.abspath(__file__), "--povray", SETTINGS.povray]
     if os.getuid() != 0 or not can_run([*user, *program, "--help"], [*user, SETTINGS.povray, "--version"]):
         common.main()
