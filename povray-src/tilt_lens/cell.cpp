@@ -18,15 +18,6 @@ namespace
 /// part of the sphere around it, and that may lie over two pixels.
 constexpr std::uint32_t kFewestAimed = 16;
 
-/// Least power of two that is not below n, but not above `most`.
-std::uint32_t RoundUp(std::uint32_t n, std::uint32_t most)
-{
-    std::uint32_t power = 1;
-    while (power < n && power < most)
-        power *= 2;
-    return std::min(power, most);
-}
-
 double Square(double x) { return x * x; }
 
 bool IsLight(const Radiance& value)
@@ -88,7 +79,7 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
         return;
     pixels.assign(area.width * area.height, Pixel());  // a step that was broken off begins anew
     first.clear();
-    const std::uint32_t until = RoundUp(limits.min, limits.max);
+    const std::uint32_t until = limits.First();
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
         {
@@ -117,7 +108,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
         if (limits.variance > 0.0)  // else nobody asks
             SpreadBlurred(neighbours);
 
-        std::uint32_t until = RoundUp(limits.min, limits.max);
+        std::uint32_t until = limits.First();
         while (Judge(neighbours, limits, until) && until < limits.max)
         {
             until = std::min(2 * until, limits.max);
@@ -133,7 +124,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
         throw;
     }
     for (const Pixel& pixel : pixels)
-        final.push_back({pixel.variance, MeanOf(pixel), pixel.samples, pixel.notFinite});
+        final.push_back({pixel.variance, MeanOf(pixel), pixel.samples, pixel.notFinite, pixel.aimedSamples});
     if (limits.Denoises())
         finalEstimates = Estimates();
     pixels = std::vector<Pixel>();

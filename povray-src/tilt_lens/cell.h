@@ -62,7 +62,8 @@ class Cell
     {
         double variance = 0.0;  ///< of the mean, worst channel; relative to the square of what is above 1
         Radiance mean{};
-        std::uint32_t samples = 0, notFinite = 0;
+        std::uint32_t samples = 0, notFinite = 0, aimed = 0;
+        bool rebuilt = false;  ///< by the reconstruction
     };
 
     /// The cell and its eight neighbours, row by row; null outside the picture.

@@ -25,15 +25,6 @@ void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
     x = (Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight);
 }
 
-/// Samples that a pixel has after its first round, as Cell rounds them up.
-std::uint32_t FirstSamples(const SamplingLimits& limits)
-{
-    std::uint32_t samples = 1;
-    while (samples < limits.min && samples < limits.max)
-        samples *= 2;
-    return std::min(samples, limits.max);
-}
-
 } // namespace
 
 Emitters::Emitters(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
@@ -41,7 +32,7 @@ Emitters::Emitters(const Lens& itsLens, const Aperture& itsAperture, const Sampl
     lens(itsLens), aperture(itsAperture), width(itsWidth), height(itsHeight),
     usable(limits.max / kBlockOfFour * kBlockOfFour)
 {
-    if (FirstSamples(limits) < kBlockOfFour)
+    if (limits.First() < kBlockOfFour)
         return;
     for (const Emitter& emitter : all)
         Keep(emitter, limits.variance);

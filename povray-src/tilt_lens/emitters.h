@@ -65,6 +65,7 @@ class Emitters
              std::uint32_t height, const std::vector<Emitter>& all);
 
     bool Empty() const { return kept.empty(); }
+    std::size_t Count() const { return kept.size(); }
 
     /// What one pixel may see.
     struct Targets

@@ -3,10 +3,19 @@
 
 #include "sampling.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tilt_lens
 {
+
+std::uint32_t SamplingLimits::First() const
+{
+    std::uint32_t power = 1;
+    while (power < min && power < max)
+        power *= 2;
+    return std::min(power, max);
+}
 
 void SamplingAccount::Add(const SamplingAccount& other)
 {
@@ -14,6 +23,10 @@ void SamplingAccount::Add(const SamplingAccount& other)
         pixelsBySamples[entry.first] += entry.second;
     variance += other.variance;
     notFinite += other.notFinite;
+    aimed += other.aimed;
+    rebuilt += other.rebuilt;
+    lightPoints += other.lightPoints;
+    lightPointsLeft += other.lightPointsLeft;
 }
 
 std::uint64_t SamplingAccount::Pixels() const
@@ -30,6 +43,14 @@ std::uint64_t SamplingAccount::Samples() const
     for (const auto& entry : pixelsBySamples)
         samples += entry.first * entry.second;
     return samples;
+}
+
+std::uint64_t SamplingAccount::PixelsUpTo(std::uint32_t samples) const
+{
+    std::uint64_t pixels = 0;
+    for (const auto& entry : pixelsBySamples)
+        pixels += entry.first <= samples ? entry.second : 0;
+    return pixels;
 }
 
 std::uint32_t SamplingAccount::Most() const

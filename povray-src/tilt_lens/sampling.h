@@ -44,6 +44,9 @@ struct SamplingLimits
     double confidence = 0.9;            ///< that the variance is below, (0, 1)
     bool denoise = false;               ///< average pixels that see the same (reconstruction.h)
 
+    /// Samples that every pixel gets before it is judged: min, rounded up to a power of two that max allows.
+    std::uint32_t First() const;
+
     /// Averaging pays where the noise that is asked for is larger than the detail that it falsifies: measured at
     /// equal time it helps on every scene tried down to this variance, below it not on all.
     static constexpr double kFinestDenoised = 5e-5;
@@ -79,10 +82,16 @@ struct SamplingAccount
     std::map<std::uint32_t, std::uint64_t> pixelsBySamples;  ///< samples of a pixel -> pixels
     double variance = 0.0;                                   ///< sum over pixels, worst channel each
     std::uint64_t notFinite = 0;                             ///< samples that were no light
+    std::uint64_t aimed = 0;                                 ///< samples that were aimed at emitters
+    std::uint64_t rebuilt = 0;                               ///< pixels that the reconstruction looked at
+    std::uint64_t lightPoints = 0;                           ///< points of area lights that were asked for
+    std::uint64_t lightPointsLeft = 0;                       ///< and those beside them that were not
 
     void Add(const SamplingAccount& other);
     std::uint64_t Pixels() const;
     std::uint64_t Samples() const;
+    /// Pixels with that many samples or fewer.
+    std::uint64_t PixelsUpTo(std::uint32_t samples) const;
     std::uint32_t Most() const;
     /// Samples that `share` of the pixels did not exceed.
     std::uint32_t Quantile(double share) const;

@@ -63,6 +63,7 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
         for (std::size_t c = 0; c < pixel.mean.size(); c++)
             pixel.mean[c] = rebuilt.mean[c][i];
         pixel.variance *= rebuilt.remains[i];
+        pixel.rebuilt = true;
     });
 }
 
@@ -74,6 +75,8 @@ SamplingAccount TileSampler::Account() const
         account.pixelsBySamples[pixel.samples]++;
         account.variance += pixel.variance;
         account.notFinite += pixel.notFinite;
+        account.aimed += pixel.aimed;
+        account.rebuilt += pixel.rebuilt;
     }
     return account;
 }

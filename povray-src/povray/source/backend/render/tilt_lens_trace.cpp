@@ -110,6 +110,8 @@ bool TracePixel::ChooseAreaLightPoint(const LightSource& light, const TraceTicke
         return false;
     const tilt_lens::Pair point =
         tilt_lens::PixelSampler(tiltLensSample.x, tiltLensSample.y, 0).Further(tiltLensSample.index, areaLightsMet++);
+    areaLightPointsLeft += std::uint64_t(light.Area_Size1) * light.Area_Size2 - 1;
+    areaLightPoints++;
     u = PointOfRow(light.Area_Size1, point.u);
     v = PointOfRow(light.Area_Size2, point.v);
     return true;
@@ -185,6 +187,7 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
     tilt_lens::TileSampler sampler(alone ? own : *tiltLens->cells);
     tilt_lens::Emitters::Targets targets;  // of the pixel before, as long as its samples go on
     SampleId before{width, height, 0};
+    areaLightPoints = areaLightPointsLeft = 0;
     sampler.Run(tile, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
     {
         if (id.x != before.x || id.y != before.y)
@@ -201,7 +204,9 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
             pixels.push_back(ToColour(sampler.Mean(x, y)));
             tileEffort.push_back({sampler.Samples(x, y), sampler.Variance(x, y)});
         }
-    const tilt_lens::SamplingAccount account = sampler.Account();
+    tilt_lens::SamplingAccount account = sampler.Account();
+    account.lightPoints = areaLightPoints;
+    account.lightPointsLeft = areaLightPointsLeft;
     tiltLens->Add(account);
     threadData->Stats()[Number_Of_Pixels] += account.Pixels();
     threadData->Stats()[Number_Of_Samples] += account.Samples();

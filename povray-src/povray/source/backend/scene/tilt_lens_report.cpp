@@ -79,13 +79,28 @@ std::string TiltLensView::Summary(const TiltLensCost& cost) const
 /// What the render left out, had not to do or could not use, a line each.
 std::string TiltLensView::Skipped() const
 {
+    const double pixels = account.Pixels();
     std::string text;
     const auto stopped = account.pixelsBySamples.find(limits.max);
     if (limits.variance > 0.0 && stopped != account.pixelsBySamples.end())
         text += Line("  Stopped by MAX.......%.0f pixels (%.2g%%), at %.0f samples\n", stopped->second,
-                     100.0 * stopped->second / account.Pixels(), limits.max);
+                     100.0 * stopped->second / pixels, limits.max);
     if (pixelsBefore > 0)
         text += Line("  Skipped..............%.0f pixels, done before the render was continued\n", pixelsBefore);
+    if (limits.variance > 0.0)
+        text += Line("  Ended at the minimum.%.0f of %.0f pixels, after %.0f samples\n",
+                     account.PixelsUpTo(limits.First()), pixels, limits.First());
+    if (limits.Denoises())
+        text += Line("  Reconstruction.......of %.0f pixels, %.0f had no noise around them\n", account.rebuilt,
+                     pixels - account.rebuilt);
+    if (account.lightPoints > 0)
+        text += Line("  Area lights..........%.0f points asked for light, %.0f beside them left out\n",
+                     account.lightPoints, account.lightPointsLeft);
+    if (!emitters.Empty())
+        text += Line("  Aimed at lamps.......%.0f samples, lamps in view: %.0f\n", account.aimed, emitters.Count());
+    if (objectsWithInterior > 0)
+        text += Line("  Around the lens......%.0f of %.0f objects with an interior, asked by each ray\n",
+                     aroundLens.size(), objectsWithInterior);
     if (account.notFinite > 0)
         text += Line("  Not finite...........%.0f samples, counted as black\n", account.notFinite);
     return text;

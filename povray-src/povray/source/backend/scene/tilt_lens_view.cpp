@@ -93,6 +93,12 @@ std::vector<ObjectPtr> ObjectsAroundLens(const Camera& camera, const tilt_lens::
     return objects;
 }
 
+std::size_t ObjectsWithInterior(const SceneData& scene)
+{
+    return std::count_if(scene.objects.begin(), scene.objects.end(),
+                         [](ObjectPtr object) { return object->interior != NULL; });
+}
+
 /// A camera normal bends rays, so that none can be aimed.
 std::vector<tilt_lens::Emitter> EmittersToAimAt(const Camera& camera, const SceneData& scene)
 {
@@ -107,6 +113,7 @@ TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, 
     limits(LimitsOf(camera)),
     cells(new tilt_lens::CellStore(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, solved, *view.GetSceneData())),
+    objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
     emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToAimAt(camera, *view.GetSceneData())),
     blurPerVergence(0.5 * solved.diameter / Length(solved.right))
 {

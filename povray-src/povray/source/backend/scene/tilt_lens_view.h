@@ -70,6 +70,9 @@ class TiltLensView
     /// Objects that some lens point may lie in; rays from the lens ask no others.
     const std::vector<ObjectPtr> aroundLens;
 
+    /// Of the scene: what would be asked for each ray if it were not known where the lens is.
+    const std::size_t objectsWithInterior;
+
     /// Small bright objects that pixels aim at.
     const tilt_lens::Emitters emitters;
 

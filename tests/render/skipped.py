@@ -1,0 +1,86 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What a scene does not need is not done, and the summary counts it."""
+
+import re
+
+import rendering
+import scenes
+
+SIZE = {"width": 64, "height": 48, "extension": "exr"}
+EVEN = "background { rgb 0.5 }\n"
+FLOOR = "plane { y, 0 pigment { checker rgb 1 rgb 0.2 scale 0.1 } finish { ambient 1 diffuse 0 } }\n"
+GRID = "light_source { <4, 6, -4>, rgb 1 area_light x*3, z*3, 7, 5 adaptive 0 }\nplane { y, 0 pigment { rgb 0.7 } }\n"
+LAMP = "sphere { <0, 0.5, 6>, 0.01 pigment { rgb 1 } finish { emission 50 ambient 0 } }\n"
+GLASS = "sphere { SPHERE pigment { rgbt 1 } interior { ior 1.3 } }\n"
+
+
+def numbers(line, said):
+    """The numbers of a line of the summary; None if it is not there."""
+    found = re.search(rf"^  {line}\.+(.*)$", said, re.M)
+    return [int(number) for number in re.findall(r"\d+", found.group(1))] if found else None
+
+
+def said_of(world, samples="blur_samples 8, 256 variance 1/2000 ", aperture=0.3, lens="scene_unit 100"):
+    return rendering.render_and_listen(scenes.camera(lens, aperture, samples) + world, **SIZE)[1]
+
+
+class Skipped(rendering.RenderTest):
+    def test_even_pixels_end_at_the_minimum(self):
+        self.assertEqual(numbers("Ended at the minimum", said_of(EVEN)), [64 * 48, 64 * 48, 8])
+        ended = numbers("Ended at the minimum", said_of(FLOOR + EVEN))
+        self.assertGreater(ended[0], 300)
+        self.assertLess(ended[0], 2500)
+
+    def test_minimum_is_a_power_of_two(self):
+        self.assertEqual(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 256 variance 1/2000 "))[2], 16)
+        self.assertIsNone(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 16 variance 0 ")))
+
+    def test_sharp_picture_takes_the_minimum_but_at_edges(self):
+        """A lens that blurs nothing: pixels within a field of the board need no more."""
+        board = "plane { y, 0 pigment { checker rgb 1 rgb 0.2 scale 20 } finish { ambient 1 diffuse 0 } }\n"
+        ended = numbers("Ended at the minimum", said_of(board + EVEN, aperture=1e-6))
+        self.assertLess(ended[0], 64 * 48)
+        self.assertGreater(ended[0], 0.7 * 64 * 48)
+
+    def test_pixels_without_noise_are_not_rebuilt(self):
+        self.assertEqual(numbers("Reconstruction", said_of(EVEN)), [0, 64 * 48])
+        ball = "sphere { <0, 0.5, 0.5>, 0.3 pigment { checker rgb 1 rgb 0 scale 0.1 } finish { ambient 1 diffuse 0 } }\n"
+        rebuilt = numbers("Reconstruction", said_of(ball + EVEN))
+        self.assertGreater(rebuilt[0], 100)
+        self.assertGreater(rebuilt[1], 1000)
+        self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, lens="denoise off")))
+        self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, "blur_samples 8, 16 variance 1/100000 ")))
+
+    def test_area_light_is_asked_for_one_point(self):
+        said = said_of(GRID, "blur_samples 8, 8 variance 0 ")
+        asked, left_out = numbers("Area lights", said)
+        self.assertEqual(left_out, asked * (7 * 5 - 1))
+        self.assertLessEqual(asked, 64 * 48 * 8)
+        self.assertGreater(asked, 64 * 48 * 3)
+        self.assertIsNone(numbers("Area lights", said_of(EVEN)))
+
+    def test_lamps_are_aimed_at_only_where_they_may_be_seen(self):
+        samples, lamps = numbers("Aimed at lamps", said_of(LAMP, "blur_samples 8, 8 variance 1/1000 "))
+        self.assertEqual(lamps, 1)
+        self.assertGreater(samples, 0)
+        self.assertLess(samples, 64 * 48)
+        self.assertIsNone(numbers("Aimed at lamps", said_of(EVEN)))
+        large = LAMP.replace("0.01 pigment", "1 pigment")
+        self.assertIsNone(numbers("Aimed at lamps", said_of(large)))
+
+    def test_objects_away_from_the_lens_are_not_asked(self):
+        away = GLASS.replace("SPHERE", "<0, 0.5, 1>, 0.3") + GLASS.replace("SPHERE", "<1, 0.5, 1>, 0.3")
+        around = GLASS.replace("SPHERE", "<0.4, 1.5, -4>, 0.5")
+        self.assertEqual(numbers("Around the lens", said_of(EVEN + away)), [0, 2])
+        self.assertEqual(numbers("Around the lens", said_of(EVEN + away + around)), [1, 3])
+        self.assertIsNone(numbers("Around the lens", said_of(EVEN)))
+
+    def test_pinhole_takes_one_ray_a_pixel(self):
+        said = said_of(FLOOR + EVEN, aperture=0)
+        self.assertNotIn("Tilt Lens Sampling", said)
+        self.assertRegex(said, r"Rays:\s+3072\b")
+
+
+if __name__ == "__main__":
+    rendering.main()
