@@ -91,10 +91,10 @@ std::string TiltLensView::Skipped() const
         text += Line("  Ended at the minimum.%.0f of %.0f pixels, after %.0f samples\n",
                      account.PixelsUpTo(limits.First()), pixels, limits.First());
     if (limits.Denoises())
-        text += Line("  Reconstruction.......of %.0f pixels, %.0f had no noise around them\n", account.rebuilt,
+        text += Line("  Reconstruction.......%.0f pixels, %.0f without noise left alone\n", account.rebuilt,
                      pixels - account.rebuilt);
     if (account.lightPoints > 0)
-        text += Line("  Area lights..........%.0f points asked for light, %.0f beside them left out\n",
+        text += Line("  Area lights..........%.0f points asked, %.0f more left out\n",
                      account.lightPoints, account.lightPointsLeft);
     if (!emitters.Empty())
         text += Line("  Aimed at lamps.......%.0f samples, lamps in view: %.0f\n", account.aimed, emitters.Count());
