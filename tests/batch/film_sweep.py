@@ -3,11 +3,6 @@
 """Films and sweeps: each picture equals the one of a single call; the contact sheet; what the command
 line refuses."""
 
-import contextlib
-import os
-import pty
-import re
-
 import common
 from common import LENS, BatchTest, picture
 
@@ -35,26 +30,6 @@ class Film(BatchTest):
             self.assert_same(
                 self.folder / "scene_film" / f"scene000{n}.exr", self.folder / "whole" / f"f{n}.exr"
             )
-
-
-class Progress(BatchTest):
-    def test_one_line_on_a_terminal(self):
-        scene = self.scene(LENS)
-        words = self.words("film", scene, "--frames", 5, "--workers", 1, *SIZE, "Declare=Samples=200")
-        terminal, end = pty.openpty()
-        process = common.subprocess.Popen(words, cwd=self.folder, env=self.env, stderr=end)
-        os.close(end)
-        said = b""
-        with contextlib.suppress(OSError):  # what reading a closed terminal is
-            while piece := os.read(terminal, 1000):
-                said += piece
-        os.close(terminal)
-        self.assertEqual(process.wait(timeout=30), 0, said)
-        lines = said.decode().split("\r\x1b[K")
-        self.assertGreater(len(lines), 3, "each overwrites the one before")
-        told = re.compile(r"[1-4] of 5 pictures done, 1 running, 0 failed, \d+ s left$")
-        self.assertTrue(any(map(told.match, lines)), lines)
-        self.assertIn("5 of 5 pictures done, 0 running, 0 failed", lines[-1])
 
 
 class Sweep(BatchTest):

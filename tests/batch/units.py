@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Parts of ./batch without POV-Ray: bands, values, options, state files, lists, messages."""
 
+import contextlib
+import io
 import os
 import pathlib
 import re
@@ -10,6 +12,7 @@ import struct
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 
 import common
 
@@ -18,6 +21,7 @@ import key
 import plan
 import povray
 import pov_options
+import progress
 import slurm
 import store
 
@@ -222,6 +226,44 @@ class Documents(unittest.TestCase):
             )
             for option in set(re.findall(r"--[a-z]+", done.stdout)) - {"--help", "--mem"}:
                 self.assertIn(f"`{option}", page)
+
+
+class Terminal(io.StringIO):
+    """A terminal as wide as the tests say."""
+
+    def isatty(self):
+        return True
+
+    def fileno(self):
+        return 2
+
+
+class ProgressLine(unittest.TestCase):
+    description = {"key": {"bands": [[1, 9]], "pictures": [{}] * 5}}
+
+    def told(self, columns, stream):
+        """What is shown with one picture done, one running, one failed, after ten seconds."""
+        with tempfile.TemporaryDirectory() as name, contextlib.redirect_stderr(stream):
+            work = store.Work(name)
+            work.make()
+            line = progress.Progress(work, self.description)
+            for number, state in enumerate(("done", "running", "failed")):
+                store.write_json(work.record(state, plan.unit_name(number, 1)), {})
+            line.begun -= 10
+            size = os.terminal_size((columns, 24))
+            with unittest.mock.patch.object(os, "get_terminal_size", lambda _: size):
+                line.show()
+                line.show()  # too soon after the other
+                line.show(final=True)
+        return stream.getvalue()
+
+    def test_one_line_that_is_overwritten(self):
+        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left"
+        self.assertEqual(self.told(80, Terminal()), f"\r\033[K{text}\r\033[K{text}\n")
+        self.assertEqual(self.told(20, Terminal()), f"\r\033[K{text[:19]}\r\033[K{text[:19]}\n")
+
+    def test_a_line_now_and_then_in_a_file(self):
+        self.assertEqual(self.told(80, io.StringIO()), "1 of 5 pictures done, 1 running, 1 failed, 40 s left\n")
 
 
 class Records(unittest.TestCase):
