@@ -96,7 +96,7 @@ def plot(name, label, powers, spreads):
     plots = ", ".join(f"'-' with linespoints lw 2 title '{title}'" for title, _ in spreads)
     script = ("set terminal svg size 720,480 dynamic background 'white'\nset output '" + str(common.RESULTS / name) + "'\n"
               "set logscale y\nset yrange [1e-7:2]\nset format y '10^{%T}'\n"
-              f"set xlabel '{label}'\nset ylabel 'share of rays'\nset key outside below maxcols 1\n"
+              f"set xlabel '{label}'\nset ylabel 'share of rays'\nset key outside below maxcols 1 Left reverse width -30\n"
               f"plot {plots}\n" + "\ne\n".join(lines) + "\ne\n")
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
 
