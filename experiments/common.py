@@ -120,7 +120,7 @@ class Laboratory:
         made = self.results / picture.with_suffix(".png").name
         made.parent.mkdir(parents=True, exist_ok=True)
         self.run(["oiiotool", picture, "--ch", "R,G,B", "--colorconvert", "linear", "sRGB",
-                  *drawing, "-d", "uint8", "-o", made])
+                  *drawing, "--nosoftwareattrib", "-d", "uint8", "-o", made])
         return made
 
     def moments(self, picture, windows):

@@ -109,7 +109,7 @@ def make_pictures(povray, names):
             if picture.startswith("layers_"):
                 shown = folder / f"{picture.removeprefix('layers_')}.png"
                 subprocess.run(layer_commands()[shown.stem], cwd=folder, check=True)
-            subprocess.run(["oiiotool", str(shown), "--compression", "jpeg:88", "-o",
+            subprocess.run(["oiiotool", str(shown), "--nosoftwareattrib", "--compression", "jpeg:88", "-o",
                             str(PICTURES / f"{picture}.jpg")], check=True)
             print(picture, flush=True)
 
