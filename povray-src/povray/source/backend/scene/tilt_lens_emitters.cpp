@@ -43,21 +43,17 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
     return brightest;
 }
 
-Vec3 Relative(const Vec3& point, const Camera& camera)
-{
-    return point - Vec3{camera.Location[X], camera.Location[Y], camera.Location[Z]};
-}
-
 /// A sphere around an object.
 tilt_lens::Emitter Around(ObjectPtr object, const Camera& camera, double light)
 {
+    const Vec3 location = FromPov(camera.Location);
     const Sphere* sphere = dynamic_cast<const Sphere*>(object);
     if (sphere != NULL && sphere->Trans == NULL)
-        return {Relative({sphere->Center[X], sphere->Center[Y], sphere->Center[Z]}, camera), sphere->Radius, light};
+        return {FromPov(sphere->Center) - location, sphere->Radius, light};
     const BBOX& box = object->BBox;
     const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y], 0.5 * box.Lengths[Z]};
     const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
-    return {Relative(low + half, camera), Length(half), light};
+    return {low + half - location, Length(half), light};
 }
 
 void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, std::vector<tilt_lens::Emitter>& emitters)
