@@ -62,12 +62,14 @@ def inner_loops(lab):
     def call(name, arguments_drawn=True):
         return medians[name]["cpu_time"] - (empty if arguments_drawn else 0.0)
 
-    tile = {most: 1e9*medians[f"TilePerSample/{most}"]["per_sample"] for most in (64, 1024)}
+    def tile(most, denoise):
+        return 1e9*medians[f"TilePerSample/samples:{most}/denoise:{denoise}"]["per_sample"]
+
     point = call("SamplePoint", False)
     return [("ray from film point and lens point (MakeRay)", call("Ray")),
             ("sample of lens and pixel (PixelSampler)", point),
             ("a pixel's sampler made anew", call("NewPixel", False)),
             ("round aperture", call("Map/disc")), ("aperture of 7 blades", call("Map/polygon")),
             ("aperture from a picture", call("Map/picture")),
-            ("bookkeeping a sample, 64 samples a pixel (TileSampler, without the sample itself)", tile[64] - point),
-            ("bookkeeping a sample, 1024 samples a pixel", tile[1024] - point)]
+            *[(f"bookkeeping a sample, {most} samples a pixel, denoise {'on' if denoise else 'off'} (TileSampler, without"
+               " the sample itself)", tile(most, denoise) - point) for most in (64, 1024) for denoise in (0, 1)]]

@@ -14,9 +14,11 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
 import accumulation  # noqa: E402
 import contract  # noqa: E402
+import instructions  # noqa: E402
 import pan_focus  # noqa: E402
 import plots  # noqa: E402
 import post  # noqa: E402
+import reconstruction  # noqa: E402
 import report  # noqa: E402
 import suite  # noqa: E402
 import tilted  # noqa: E402
@@ -73,6 +75,18 @@ class SmallRun(unittest.TestCase):
         for tilt in (0, 1):
             record, = post.measure(self.lab, SCENE, tilt)
             self.assertLess(record["rmse"], 0.08, f"tilted {tilt}")
+
+    def test_reconstruction_brings_a_ratio_and_a_small_bias(self):
+        errors = {line["target"]: line["rmse"] for line in self.lines}
+        lines = reconstruction.compare(reconstruction.measure(self.lab, SCENE, errors), errors)
+        self.assertTrue(any(line["ratio"] for line in lines))
+        figures = reconstruction.bias(self.lab, SCENE)
+        self.assertLess(figures["bias"], 0.7*figures["rmse"])
+
+    def test_inner_loops_are_timed(self):
+        loops = instructions.inner_loops(self.lab)
+        self.assertEqual(len(loops), len({name for name, _ in loops}))
+        self.assertTrue(all(-5 < ns < 1e5 for _, ns in loops), loops)
 
     def test_what_was_measured_is_not_measured_again(self):
         again = Lab(self.lab.ours, self.lab.stock, self.lab.tools, self.lab.work, quick=True)
