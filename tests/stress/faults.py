@@ -34,13 +34,14 @@ def use(setup):
     rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
 
 
-def run(folder, scene, *options, limit=300, **how):
-    """Renders in a folder with any extras for Popen; the exit code and what was said."""
+def run(folder, scene, *options, limit=300, through=(), **how):
+    """Renders in a folder, through a command that starts others, with any extras for Popen; the exit code and what
+    was said."""
     job = rendering.Job(scene, options, **how.pop("size", SIZE))
     (folder / "scene.pov").write_text(rendering.HEAD + scene)
     (folder / "none.ini").write_text("")
     settings = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, **how}
-    process = subprocess.Popen(job.command(), cwd=folder, env={**os.environ, "POVINI": str(folder / "none.ini")}, **settings)
+    process = subprocess.Popen([*through, *job.command()], cwd=folder, env={**os.environ, "POVINI": str(folder / "none.ini")}, **settings)
     try:
         said = process.communicate(timeout=limit)[0]
     except subprocess.TimeoutExpired:
@@ -179,17 +180,11 @@ def _small_files():
 
 
 def read_only(folder, whole):
-    """An output folder that must not be written to. Root may write anywhere, so it becomes nobody first."""
-    folder.chmod(0o755)
-    folder.parent.chmod(0o755)
-    if os.geteuid() == 0:
-        def drop():
-            os.setgid(65534)
-            os.setuid(65534)
-        extra = {"preexec_fn": drop}
-    else:
-        extra = {}
-    code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", **extra)
+    """An output folder that must not be written to. Root may write anywhere, so it gives up that power first: another
+    user might not be able to read the program."""
+    powers = "-dac_override,-dac_read_search"
+    through = ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.geteuid() == 0 else []
+    code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", through=through)
     return case("read-only output folder", code, said, whole, folder, ("cannot", "denied", "not permitted", "failed"))
 
 
