@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ray.h"
+
 namespace tilt_lens
 {
 
@@ -201,9 +203,10 @@ Start Emitters::Aim(const Targets& targets, const SampleId& id, const Sample& sa
 /// l (1 - s w) = P - s D, and l lies in the lens plane.
 Emitters::Disc Emitters::PartOfLens(const Kept& emitter, double x, double y) const
 {
-    const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
+    const LensRay middle = MakeRay(lens, x, y, 0.0, 0.0);
+    const Vec3& chief = middle.direction;
     const double along = Dot(chief, lens.normal), s = Dot(emitter.centre, lens.normal) / along;
-    const double divisor = 1.0 - s * Dot(lens.focus, chief);
+    const double divisor = 1.0 - s * middle.w;
     const Vec3 point = (emitter.centre - s * chief) / divisor;
     const double lensRadius = 0.5 * lens.diameter;
     return {{Dot(point, lens.lensX) / (lensRadius * lensRadius), Dot(point, lens.lensY) / (lensRadius * lensRadius)},

@@ -8,6 +8,8 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "ray.h"
+
 namespace tilt_lens
 {
 
@@ -400,7 +402,7 @@ double BlurPerVergence(const Lens& lens, double width) { return lens.diameter * 
 
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
 {
-    return (1.0 / T - Dot(lens.focus, chief)) * BlurPerVergence(lens, width);
+    return BlurVergence(lens, chief, T) * BlurPerVergence(lens, width);
 }
 
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)

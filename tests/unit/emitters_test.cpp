@@ -115,6 +115,21 @@ std::vector<Case> Cases()
             {"picture", 20.0, Window(), {far, near, sharp}}};
 }
 
+/// A case ready to be sampled, with its lamps aimed at and without.
+struct Prepared
+{
+    Lens lens;
+    World world;
+    Emitters aimed, plain;
+};
+
+Prepared Ready(const Case& one)
+{
+    const Lens lens = LensOf(one.turn);
+    return {lens, {one.lamps}, Emitters(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps),
+            Emitters(lens, one.aperture, Limits(), kWidth, kHeight, {})};
+}
+
 /// Pixels around the sharp images of all lamps.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& lens, const Case& one)
 {
@@ -134,10 +149,7 @@ TEST(Emitters, LeaveEveryMeanAsItIs)
 {
     for (const Case& one : Cases())
     {
-        const Lens lens = LensOf(one.turn);
-        const World world{one.lamps};
-        const Emitters aimed(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps);
-        const Emitters plain(lens, one.aperture, Limits(), kWidth, kHeight, {});
+        const auto [lens, world, aimed, plain] = Ready(one);
         ASSERT_FALSE(aimed.Empty()) << one.name;
         double squares = 0.0;
         int count = 0;
@@ -159,10 +171,7 @@ TEST(Emitters, LowerTheVarianceOfLamps)
 {
     for (const Case& one : Cases())
     {
-        const Lens lens = LensOf(one.turn);
-        const World world{one.lamps};
-        const Emitters aimed(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps);
-        const Emitters plain(lens, one.aperture, Limits(), kWidth, kHeight, {});
+        const auto [lens, world, aimed, plain] = Ready(one);
         double with = 0.0, without = 0.0;
         for (const auto& [x, y] : PixelsAround(lens, one))
         {
@@ -195,10 +204,7 @@ TEST(Emitters, ReachEveryPixelThatSeesThem)
 {
     for (const Case& one : Cases())
     {
-        const Lens lens = LensOf(one.turn);
-        const World world{one.lamps};
-        const Emitters aimed(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps);
-        const Emitters plain(lens, one.aperture, Limits(), kWidth, kHeight, {});
+        const auto [lens, world, aimed, plain] = Ready(one);
         for (std::uint32_t y = 0; y < kHeight; y++)
             for (std::uint32_t x = 0; x < kWidth; x++)
             {

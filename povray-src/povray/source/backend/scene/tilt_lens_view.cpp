@@ -115,7 +115,7 @@ TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, 
     aroundLens(ObjectsAroundLens(camera, solved, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
     emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToAimAt(camera, *view.GetSceneData())),
-    blurPerVergence(0.5 * solved.diameter / Length(solved.right))
+    blurPerVergence(0.5 * BlurPerVergence(solved, 1.0))
 {
 }
 
