@@ -28,11 +28,6 @@ namespace
 
 const int kFloatBits = 32;
 
-bool IsStandardStream(const std::string& name)
-{
-    return name == "-" || name == "stdout" || name == "stderr";
-}
-
 /// The picture's name with `.layers.exr` for its extension.
 Path LayersBeside(const Path& picture)
 {

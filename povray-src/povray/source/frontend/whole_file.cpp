@@ -46,20 +46,20 @@ bool MayBeReplaced(const std::string& name)
     return access(folder.c_str(), W_OK) == 0;
 }
 
-bool IsStream(const std::string& name)
-{
-    return strcasecmp(name.c_str(), "stdout") == 0 || strcasecmp(name.c_str(), "stderr") == 0;
-}
-
 } // namespace
+
+bool IsStandardStream(const std::string& name)
+{
+    return name == "-" || strcasecmp(name.c_str(), "stdout") == 0 || strcasecmp(name.c_str(), "stderr") == 0;
+}
 
 WholeFile::WholeFile(const UCS2String& filename)
     : target(pov_base::UCS2toASCIIString(filename))
 {
-    if (!IsStream(target))
+    if (!IsStandardStream(target))
         target = Resolved(target);
     // two programs may write the same picture
-    place = IsStream(target) || !MayBeReplaced(target) ? target : target + "." + std::to_string(getpid()) + ".part";
+    place = IsStandardStream(target) || !MayBeReplaced(target) ? target : target + "." + std::to_string(getpid()) + ".part";
     errno = 0;  // from here on it tells of the writing
 }
 
@@ -82,7 +82,7 @@ void WholeFile::Finish(boost::scoped_ptr<OStream>& file)
     const POV_LONG size = file->tellg();
     const bool failed = !*file;
     file.reset();
-    if (IsStream(target))
+    if (IsStandardStream(target))
         return;
     struct stat found;
     const bool ordinary = stat(place.c_str(), &found) == 0 && S_ISREG(found.st_mode);

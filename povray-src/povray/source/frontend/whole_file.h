@@ -48,6 +48,9 @@ class WholeFile
     bool finished = false;
 };
 
+/// Whether an output's name means standard output or error: `-`, `stdout`, `stderr`, in any case.
+bool IsStandardStream(const std::string& name);
+
 /// Closes and removes the state file of a picture that is written; none may be open.
 void RemoveState(std::shared_ptr<pov_base::OStream>& file, const pov_base::Path& name);
 
