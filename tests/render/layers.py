@@ -285,7 +285,7 @@ class Files(rendering.RenderTest):
             return said
 
     def test_standard_output(self):
-        for name in ("-", "stdout", "stderr"):
+        for name in ("-", "stdout", "stderr", "STDOUT"):
             said = self.refused(f"+O{name}")
             self.assertEqual(said.count("Output_Layers with a picture that goes to standard output or error"), 1, said)
 
