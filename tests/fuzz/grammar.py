@@ -6,7 +6,8 @@ import random
 
 FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",))
 FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "denoise")
-WORDS = tuple(word for family in FAMILIES for word in family) + FREE
+AIDS = ("focus_peaking", "show_planes", "focus_map")  # the last one stands alone
+WORDS = tuple(word for family in FAMILIES for word in family) + FREE + AIDS
 ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
                "1e-12", "0.1+0.2", "1/3", "pi", "2147483648", "1e12", "-7", "12345678901234567890")
 STRANGE = ("{", "}", "<", ">", ",", ";", "(", ")", "[", "]", "+", "-", "*", "/", "=", "!", "tlit", "TILT", "angle",
@@ -32,6 +33,13 @@ class Grammar:
         separator = self.random.choice((", ", ",", " , ", ",\n"))
         return "<" + separator.join(self.number(low, high) for _ in range(size)) + ">"
 
+    def colour(self):
+        """A colour, in the ways the scene language has."""
+        r = self.random
+        return r.choice((f"rgb {self.vector(3, 0, 1)}", f"rgb {self.number(0, 1)}", f"rgbf {self.vector(4, 0, 1)}",
+                         f"color rgb {self.vector(3, 0, 2)}", f"red {self.number(0, 1)} green 0.5", self.vector(3, -1, 1),
+                         f"srgb {self.vector(3, 0, 1)}"))
+
     def value(self, word):
         """What belongs behind a word, mostly in a range that makes a lens."""
         r = self.random
@@ -49,6 +57,10 @@ class Grammar:
             return str(r.randint(3, 12)) + (f", {self.number(-90, 90)}" if r.random() < 0.5 else "")
         if word == "denoise":
             return r.choice(("on", "off", "yes", "no", "true", "1", "0", "0.5", "2 > 1"))
+        if word == "focus_peaking":
+            return self.colour() + (f", {self.number(0.1, 20)}" if r.random() < 0.5 else "")
+        if word in AIDS:
+            return ""
         return {"film_width": lambda: self.number(1, 300), "focal_length": lambda: self.number(5, 500),
                 "scene_unit": lambda: self.number(0.1, 2000), "f_stop": lambda: self.number(0.5, 32)}[word]()
 
@@ -61,6 +73,8 @@ class Grammar:
         if r.random() < 0.9:
             family = r.choice(FAMILIES)
             words += [word for word in family if len(family) == 1 or r.random() < 0.7]
+        if r.random() < 0.2:
+            words += r.choice((AIDS[:1], AIDS[1:2], AIDS[:2], AIDS[2:]))
         r.shuffle(words)
         return [(word, self.value(word)) for word in words]
 

@@ -4,12 +4,15 @@
 
 import argparse
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 import blocks
 import frames
+import grammar
+import kept
 import seeds
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -33,11 +36,21 @@ def solver(settings):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         seeds.write(folder / "corpus")
+        kept.unpack("solver", folder / "corpus")
         run_solver(settings.solver, f"-runs={RUNS}", "-seed=1", "-max_len=320", f"-artifact_prefix={name}/", folder / "corpus")
+
+
+def known_words():
+    """The words of the block, from the parser's own table."""
+    table = (HERE.parents[1] / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp").read_text()
+    return set(re.findall(r'^    \{"(\w+)", ', table, re.MULTILINE))
 
 
 def grammar_blocks(settings):
     """Blocks of the grammar through the parser: each is a lens or one clear error, and there are many of both."""
+    missing = known_words() ^ set(grammar.WORDS)
+    if missing:
+        sys.exit(f"the grammar and the parser know different words: {sorted(missing)}")
     found = blocks.tally(blocks.run(settings.parser, 1, BLOCKS))
     print(found["counts"])
     if found["bad"]:
@@ -61,18 +74,18 @@ def grammar_frames(settings):
 
 def regressions(settings):
     """What once went wrong, and the kept corpus."""
-    kept = sorted((HERE / "regressions").glob("solver/*")) + sorted((HERE / "corpus").glob("solver/*"))
-    if kept:
-        run_solver(settings.solver, *kept)
-    texts = [path.read_text() for path in sorted((HERE / "regressions").glob("parser/*")) +
-             sorted((HERE / "corpus").glob("parser/*"))]
-    if not texts:
-        sys.exit("no kept blocks")
-    bad = [(text, answer) for text, answer in zip(texts, blocks.parse(settings.parser, texts))
+    cameras, texts = (kept.load("corpus", name) + kept.load("regressions", name) for name in ("solver", "parser"))
+    if not cameras or not texts:
+        sys.exit("no kept cameras or blocks")
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        kept.unpack("solver", pathlib.Path(name))
+        run_solver(settings.solver, *sorted(pathlib.Path(name).iterdir()))
+    blocks_ = [text.decode() for text in texts]
+    bad = [(text, answer) for text, answer in zip(blocks_, blocks.parse(settings.parser, blocks_))
            if answer.split()[0] in ("wrong", "crash")]
     if bad:
         sys.exit("\n".join(f"{answer}\n{text}\n---" for text, answer in bad))
-    print(f"{len(kept)} cameras, {len(texts)} blocks")
+    print(f"{len(cameras)} cameras, {len(texts)} blocks")
 
 
 def main():

@@ -3,7 +3,6 @@
 """The long fuzz run: libFuzzer on the solver and the parser, and the grammar's blocks against the sanitized parser."""
 
 import os
-import pathlib
 import re
 import subprocess
 import sys
@@ -13,19 +12,33 @@ import common
 sys.path.insert(0, str(common.ROOT / "tests" / "fuzz"))
 import blocks  # noqa: E402
 import frames  # noqa: E402
+import grammar as grammar_of_blocks  # noqa: E402
+import kept  # noqa: E402
 import seeds  # noqa: E402
 
-BLOCKS, SHARD, RUNS = 20_000, 1000, 2_000_000
+BLOCKS, SHARD, SECONDS = 20_000, 1000, 600
+# what an outcome depends on besides the two programs
+SCRIPTS = sorted((common.ROOT / "tests" / "fuzz").glob("*.py"))
 
 
-def libfuzzer(program, corpus, runs, length):
-    """Runs and new coverage; a finding ends in words."""
+def libfuzzer(name, program, corpus, length, runs, seconds):
+    """Runs, time and coverage, from the kept corpus on; a finding ends in words. Without a number of runs for some time,
+    and then what was found new is kept."""
+    kept.unpack(name, corpus)
+    words = corpus.parent / f"{name}.dict"
+    words.write_text("".join(f'"{word}"\n' for word in (*grammar_of_blocks.WORDS, "rgb", "<", ">", "{", "}", ", ", "1e309")))
+    ends = [f"-runs={runs}", "-seed=1"] if runs else [f"-max_total_time={seconds}"]
+    dictionary = [f"-dict={words}"] if name == "parser" else []
     settings = {"ASAN_OPTIONS": "detect_leaks=0", **os.environ}
-    done = subprocess.run([str(program), f"-runs={runs}", f"-max_len={length}", "-seed=1", "-rss_limit_mb=4000",
+    done = subprocess.run([str(program), *ends, *dictionary, f"-max_len={length}", "-rss_limit_mb=4000",
                            f"-artifact_prefix={corpus}-finding-", str(corpus)], capture_output=True, text=True, check=False,
                           env=settings)
     covered = re.findall(r"cov: (\d+)", done.stderr)
-    return {"runs": runs, "exit": done.returncode, "coverage": int(covered[-1]) if covered else 0,
+    told = re.search(r"Done (\d+) runs in (\d+) second", done.stderr)
+    if not runs and done.returncode == 0:
+        kept.minimise(name, program, corpus)
+    return {"runs": int(told[1]) if told else 0, "seconds": int(told[2]) if told else 0, "exit": done.returncode,
+            "coverage": int(covered[-1]) if covered else 0, "kept": len(kept.load("corpus", name)),
             "finding": "" if done.returncode == 0 else done.stderr[-1500:]}
 
 
@@ -38,8 +51,8 @@ def grammar(setup, work, tree, count):
         accepted = [o.text for o in outcomes if o.answer == "lens"]
         return {**blocks.tally(outcomes), "pictures": len(accepted), "bad_pictures": frames.render(povray, accepted)}
 
-    tallies = common.in_parallel(4 * setup.jobs, lambda seed: common.once(work, f"blocks-{count}-{seed}", povray,
-                                                                          lambda: shard(seed)),
+    tallies = common.in_parallel(4 * setup.jobs, lambda seed: common.once(work, f"blocks-{count}-{seed}",
+                                                                          [povray, parser, *SCRIPTS], lambda: shard(seed)),
                                  range(1, 1 + max(1, count // SHARD)))
     total = {"blocks": 0, "pictures": 0, "counts": {}, "bad": [], "sanitized": tree != setup.build}
     for tally in tallies:
@@ -51,21 +64,22 @@ def grammar(setup, work, tree, count):
     return total
 
 
-def measure(setup, count=BLOCKS, runs=RUNS):
+def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
     """Programs of the presets asan and fuzz are used where they are built, else the release build's."""
     work = setup.work("fuzz")
     sanitized = setup.build / "asan"
     built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()
     found = {"grammar": grammar(setup, work, sanitized if built else setup.build, count)}
+    targets = [("solver", setup.build / "tests" / "fuzz" / "solver_fuzz", 320, runs),
+               ("parser", setup.build / "fuzz" / "tests" / "fuzz" / "parser_fuzz", 2000, runs // 20)]
     seeds.write(work / "solver")
-    found["solver"] = libfuzzer(setup.build / "tests" / "fuzz" / "solver_fuzz", work / "solver", runs, 320)
-    fuzzer = setup.build / "fuzz" / "tests" / "fuzz" / "parser_fuzz"
-    if fuzzer.is_file():
-        corpus = work / "parser"
-        corpus.mkdir(exist_ok=True)
-        for path in pathlib.Path(common.ROOT / "tests" / "fuzz" / "corpus" / "parser").iterdir():
-            (corpus / path.name).write_bytes(path.read_bytes())
-        found["parser"] = libfuzzer(fuzzer, corpus, runs // 20, 2000)
+
+    def fuzz(target):
+        name, program, length, count_ = target
+        return libfuzzer(name, program, work / name, length, count_, seconds)
+
+    present = [target for target in targets if target[1].is_file()]
+    found.update(zip([target[0] for target in present], common.in_parallel(setup.jobs, fuzz, present)))
     return found
 
 

@@ -1,0 +1,43 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The kept inputs: corpus/ is what libFuzzer needs to reach all the code it has reached so far, regressions/ what once went
+wrong. Each has solver.json, bytes in base 64, and parser.json, the texts of blocks."""
+
+import base64
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+FORMS = {"solver": (lambda data: base64.b64encode(data).decode(), base64.b64decode), "parser": (bytes.decode, str.encode)}
+
+
+def load(where, name):
+    """Inputs of `corpus` or `regressions`, as bytes."""
+    path = HERE / where / f"{name}.json"
+    return [FORMS[name][1](text) for text in json.loads(path.read_text())] if path.is_file() else []
+
+
+def save(where, name, inputs):
+    """Keeps inputs; the same ones give the same bytes."""
+    texts = sorted({FORMS[name][0](data) for data in inputs}, key=lambda text: (len(text), text))
+    (HERE / where).mkdir(exist_ok=True)
+    (HERE / where / f"{name}.json").write_text(json.dumps(texts, indent=0, ensure_ascii=False) + "\n")
+
+
+def unpack(name, folder):
+    """All kept inputs of a target as files, which is what libFuzzer reads."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for where in ("corpus", "regressions"):
+        for number, data in enumerate(load(where, name)):
+            (folder / f"{where}{number:04}").write_bytes(data)
+
+
+def minimise(name, program, found):
+    """Makes the kept corpus of all inputs found: the fewest that reach the same code."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
+        subprocess.run([str(program), "-set_cover_merge=1", folder, str(found)], capture_output=True, check=True,
+                       env={"ASAN_OPTIONS": "detect_leaks=0", **os.environ})
+        save("corpus", name, [path.read_bytes() for path in pathlib.Path(folder).iterdir()])
