@@ -55,10 +55,12 @@ def load(part):
     return json.loads(path.read_text()) if path.is_file() else None
 
 
-def once(folder, name, program, make):
-    """make()'s result, taken from the disk where this build of the program has made it before."""
-    build = hashlib.sha256(pathlib.Path(program).read_bytes()).hexdigest()[:12]
-    path = folder / f"{name}-{build}.json"
+def once(folder, name, made_with, make):
+    """make()'s result, taken from the disk where the same program and scripts have made it before."""
+    digest = hashlib.sha256()
+    for path in made_with:
+        digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())
+    path = folder / f"{name}-{digest.hexdigest()[:12]}.json"
     if not path.is_file():
         part = path.with_suffix(".part")
         part.write_text(json.dumps(make()))

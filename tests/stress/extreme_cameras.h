@@ -146,6 +146,16 @@ inline void PullFilm(Random& random, Request& r, FilmPoint&)
         r.given.focalLength = *r.given.focalLength * ratio;
 }
 
+/// A telescope's angle of view, and far less.
+inline void PullNarrow(Random& random, Request& r, FilmPoint&)
+{
+    const double share = random.Power(-9.0, -4.0);
+    r.camera.right = share * r.camera.right;
+    r.camera.up = share * r.camera.up;
+    // it would set the angle of view
+    r.given.focalLength.reset();
+}
+
 inline void PullNothing(Random&, Request&, FilmPoint&) {}
 
 inline void PullCorners(Random& random, Request&, FilmPoint& at)
@@ -201,6 +211,7 @@ const ExtremeSet kExtremeSets[] = {
     {"unit", "scene_unit from 1e-9 to 1e9 mm", PullUnit},
     {"aperture", "aperture from 0 to 1000 times the distance", PullAperture},
     {"film", "film from 0.1 mm to 10 m", PullFilm},
+    {"narrow", "angle of view 1e-4 to 1e-9 of a usual one", PullNarrow},
     {"odd_numbers", "zeros of both signs, denormals, the largest numbers, infinities, NaN", PullOddNumbers},
     {"several", "three of these at once", PullSeveral},
 };

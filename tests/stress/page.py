@@ -6,7 +6,7 @@ import subprocess
 
 import common
 import rays
-import sanitizers
+import reports
 
 TITLES = {
     "random": "what people photograph", "corners": "corners of a picture 100,000 pixels wide",
@@ -15,6 +15,7 @@ TITLES = {
     "behind": "focus behind the camera", "far_focus": "focus 1e9 to 1e15 away", "far_camera": "scene 1e7 from the origin",
     "farther_camera": "scene 1e12 from the origin", "scale": "whole scene 1e-9 to 1e9 times as large",
     "unit": "`scene_unit` 1e-9 to 1e9 mm", "aperture": "aperture 0 to 1000 distances", "film": "film 0.1 mm to 10 m",
+    "narrow": "angle of view 1e-9 to 1e-4 of a usual one",
     "odd_numbers": "signed zeros, denormals, the largest numbers, infinities, NaN", "several": "three of these at once"}
 
 HEAD = """<!--
@@ -40,17 +41,41 @@ A lens is solved in 113 bits from the numbers as the scene gives them, and round
 - *pixels*: in a picture 100,000 pixels wide, how far from the film point asked for the one lies that truly has
   the computed direction; or the angle between the directions in pixels, where that is less.
 - *narrow*: angles of view so small (under about 0.0013 degrees in that picture) that a pixel's millionth is less than
-  the last place of a direction: no double could be nearer. *Reaches the film*: lenses whose rim passes through the
-  film, of which the program warns.
+  the last place of a direction of length 1. A table of their own, below. *Reaches the film*: lenses whose rim passes
+  through the film, of which the program warns.
 
-| cameras | accepted | refused | worst ulp, well-posed | worst ulp | worst pixels | narrow | reaches the film | no numbers |
-| --- | --: | --: | --: | --: | --: | --: | --: | --: |
+| cameras | accepted | refused | worst ulp, well-posed | worst ulp | worst pixels | reaches the film | no numbers |
+| --- | --: | --: | --: | --: | --: | --: | --: |
+"""
+
+NARROW = """
+### Narrow pictures
+
+Here not every ray is within 1e-6 pixels, and no program that keeps a direction as three doubles can promise that: the
+true direction with its three numbers rounded to nearest is off as well. *Roundings*: the angle by which the camera's
+ray is off, over the most that such a rounding turns a direction of these numbers by (half a last place of each). It
+is {roundings:.1f} at most. In all other pictures the worst ray is {others:.1e} pixels off.
+
+| cameras | narrow | worst pixels | of the true direction, rounded | worst roundings |
+| --- | --: | --: | --: | --: |
 """
 
 
 def number(value, form="{:.2g}"):
     """A figure, or a dash."""
     return "-" if value is None or value == 0 else form.format(value)
+
+
+def narrow_table(result):
+    """Rays of narrow pictures beside correctly rounded ones."""
+    sets = [name for name in ("random", *rays.SETS) if result[name]["narrow_pixels"]["count"]]
+    text = NARROW.format(roundings=max((result[name]["narrow_roundings"]["worst"] for name in sets), default=0.0),
+                         others=max(tally["pixels"]["worst"] for tally in result.values()))
+    for name in sets:
+        t = result[name]
+        text += (f"| {TITLES[name]} | {t['narrow_pixels']['count']:,} | {number(t['narrow_pixels']['worst'])} | "
+                 f"{number(t['narrow_rounded']['worst'])} | {number(t['narrow_roundings']['worst'], '{:.1f}')} |\n")
+    return text
 
 
 def rays_section(result):
@@ -60,9 +85,10 @@ def rays_section(result):
         t = result[name]
         text += (f"| {TITLES[name]} | {t['cameras'] - t['refused']:,} | {t['refused']:,} | "
                  f"{number(t['well_posed']['worst'], '{:.1f}')} | {number(t['ulps']['worst'], '{:.1f}')} | "
-                 f"{number(t['pixels']['worst'])} | {number(t['narrow_pixels']['worst'])} | "
+                 f"{number(t['pixels']['worst'])} | "
                  f"{number(t['reach_pixels']['worst'])} | {t['broken']} |\n")
-    text += ("\nEvery refusal has its message:\n\n| message begins | times |\n| --- | --: |\n")
+    text += narrow_table(result)
+    text += ("\n### Refusals\n\nEvery refusal has its message:\n\n| message begins | times |\n| --- | --: |\n")
     refusals = {}
     for t in result.values():
         for words, count in t["refusals"].items():
@@ -157,7 +183,8 @@ def soak_section(result):
     """Memory over time."""
     text = "\n## Memory over time\n\n| run | seconds | processor | peak | growth, last quarter |\n| --- | --: | --: | --: | --: |\n"
     for title, row in ((f"{result['animation']['frames']} frames of 16 by 12", result["animation"]),
-                       (f"one picture of {result['large']['width']} by {result['large']['height']}, stopped after its time",
+                       (f"one picture of {result['large']['width']} by {result['large']['height']}"
+                        f"{', ended there' if result['large']['exit'] else ''}",
                         result["large"])):
         text += (f"| {title} | {row['seconds']} | {row['processor_seconds']} s | {row['peak_kib'] / 1024:.1f} MiB | "
                  f"{row['growth_kib']} KiB |\n")
@@ -189,7 +216,7 @@ def fuzz_section(result):
     for name, title in (("solver", "the solver"), ("parser", "the block's parser")):
         if name in result:
             row = result[name]
-            text += (f"libFuzzer on {title}: {row['runs']:,} runs, {row['coverage']} edges, "
+            text += (f"libFuzzer on {title}: {row['runs']:,} runs in {row['seconds']:,} s, {row['coverage']} edges, {row['kept']} inputs kept; "
                      f"{'nothing found' if row['exit'] == 0 else 'a finding'}.\n")
     return text
 
@@ -202,13 +229,20 @@ def sanitizers_section(result):
         text += f"| {row['what']} | {row['tool']} | {row['runs']} | {row['ours']} | {row['others']} |\n"
     text += "\nSuppressed by name, in `tests/stress/suppressions`:\n\n| tool | name | reason |\n| --- | --- | --- |\n"
     for tool in ("ubsan", "tsan", "valgrind"):
-        for name, reason in sanitizers.suppressed(tool):
+        for name, reason in reports.suppressed(tool):
             text += f"| {tool} | `{name}` | {reason} |\n"
     return text
 
 
+def shortly_section(result):
+    """The short form's time."""
+    return (f"\n## The short form\n\n`./check -L \"stress|fuzz\"`, once built: {result['tests']} tests in {result['seconds']} s on "
+            f"{result['cores']} {'core' if result['cores'] == 1 else 'cores'}, {len(result['failed'])} failed.\n")
+
+
 SECTIONS = {"rays": rays_section, "sampler": sampler_section, "pictures": pictures_section, "fuzz": fuzz_section,
-            "sanitizers": sanitizers_section, "faults": faults_section, "soak": soak_section, "scale": scale_section}
+            "sanitizers": sanitizers_section, "faults": faults_section, "soak": soak_section, "scale": scale_section,
+            "shortly": shortly_section}
 
 
 def write():

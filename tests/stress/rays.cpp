@@ -10,6 +10,10 @@
 /// how far on the film the film point lies whose true ray has the direction that was computed. Where
 /// a lens reaches to the film that map turns over (its determinant 1 - k.l passes 0), and the angle
 /// between the two directions in pixels of the chief ray counts where it is smaller.
+///
+/// A direction is three doubles, and in a narrow picture their last places alone are more than a millionth of a
+/// pixel. There the error is held against what rounding leaves: that of the true direction with its three
+/// numbers rounded to nearest, and the most that such a rounding can turn a direction of these numbers by.
 
 #include <cstdio>
 #include <fstream>
@@ -22,6 +26,7 @@
 
 #include "../unit/reference_camera.h"
 #include "extreme_cameras.h"
+#include "spread.h"
 #include "tilt_lens/ray.h"
 
 namespace tilt_lens
@@ -42,34 +47,12 @@ const double kNarrow = 1e-6 / 0x1p-52;
 /// The obvious formula is looked at in one camera of so many.
 const std::uint64_t kObviousEvery = 8;
 
-/// Counts by powers of ten and the worst.
-struct Spread
-{
-    std::map<int, std::uint64_t> byPower;  ///< floor(log10), -30 for 0
-    std::uint64_t count = 0;
-    double worst = 0.0, sum = 0.0;
-
-    void Add(double value)
-    {
-        const double inside = value == value ? value : HUGE_VAL;
-        byPower[int(std::floor(std::log10(std::min(std::max(inside, 1e-30), 1e30))))]++;
-        worst = std::max(worst, inside);
-        sum += inside;
-        count++;
-    }
-    json Report() const
-    {
-        json powers = json::object();
-        for (const auto& [power, n] : byPower)
-            powers[std::to_string(power)] = n;
-        return {{"count", count}, {"worst", worst}, {"sum", sum}, {"by_power", powers}};
-    }
-};
-
 /// What is looked at in one ray.
 struct Errors
 {
     double ulps, pixels, origin, condition, pixelsPerRadian;
+    double roundedPixels;  ///< of the true direction, rounded to nearest
+    double roundings;      ///< angle between the directions, over the most that rounding to nearest turns one by
 };
 
 double AsDouble(const Exact& value) { return value.convert_to<double>(); }
@@ -87,25 +70,45 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
     return std::hypot(dx, dy) * kPictureWidth;
 }
 
+/// Sine of the angle between two directions: the angle itself, where it is small.
+Exact AngleBetween(const V& a, const V& b) { return a.Cross(b).Length() / (a.Length() * b.Length()); }
+
+/// The most that rounding each of its numbers to nearest turns a direction by: half a last place of each. Numbers
+/// below the least normal one round no finer than it.
+Exact MostByRounding(const V& direction)
+{
+    Exact sum = 0;
+    for (const Exact& number : {direction.x, direction.y, direction.z})
+    {
+        const double size = std::max(std::abs(AsDouble(number)), DBL_MIN);
+        const Exact half = std::ldexp(0.5, std::ilogb(size) - 52);
+        sum += half * half;
+    }
+    return Root(sum) / direction.Length();
+}
+
 Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& camera, const LensRay& ray, double x,
                 double y, double a, double b)
 {
     const ReferenceRay<Exact> truth = reference.Ray(x, y, a, b);
     const V k = reference.Focus(), l = truth.origin, direction(ray.direction), right(camera.right), up(camera.up);
-    const V chief = reference.Chief(x, y);
-
+    const V rounded(Vec3{AsDouble(truth.direction.x), AsDouble(truth.direction.y), AsDouble(truth.direction.z)});
     const Exact size = truth.direction.Length();
-    const Exact angle = truth.direction.Cross(direction).Length() / (size * direction.Length());
-    const Exact perRadian = chief.Length() / right.Length() * kPictureWidth;
-    const double byAngle = truth.direction.Dot(direction) > 0 ? AsDouble(angle * perRadian) : HUGE_VAL;
-    const double byFilm = FilmOffset(right - l * k.Dot(right), up - l * k.Dot(up), truth.direction, direction);
+    const Exact perRadian = reference.Chief(x, y).Length() / right.Length() * kPictureWidth;
+    const auto pixelsOff = [&](const V& found) {
+        const bool forward = truth.direction.Dot(found) > 0;
+        return std::min(forward ? AsDouble(AngleBetween(truth.direction, found) * perRadian) : HUGE_VAL,
+                        FilmOffset(right - l * k.Dot(right), up - l * k.Dot(up), truth.direction, found));
+    };
     const Exact radius = reference.Radius();
     const double origin =
         radius == 0 ? 0.0 : AsDouble((V(ray.origin) - l).Length() / (radius + Exact(DBL_MIN))) * 0x1p52;
     const Exact sum = reference.Chief(0, 0).Length() + abs(Exact(x)) * right.Length() + abs(Exact(y)) * up.Length();
     const Exact condition = sum * (1 + k.Length() * l.Length()) / size;
-    return {AsDouble((direction - truth.direction).Length() / size) * 0x1p52, std::min(byAngle, byFilm), origin,
-            AsDouble(condition), AsDouble(perRadian)};
+    const bool narrow = AsDouble(perRadian) > kNarrow;
+    return {AsDouble((direction - truth.direction).Length() / size) * 0x1p52, pixelsOff(direction), origin,
+            AsDouble(condition), AsDouble(perRadian), narrow ? pixelsOff(rounded) : 0.0,
+            narrow ? AsDouble(AngleBetween(truth.direction, direction) / MostByRounding(truth.direction)) : 0.0};
 }
 
 /// The obvious formula: the point of sharp focus, less the lens point, normalised.
@@ -127,7 +130,7 @@ bool ReachesFilm(const Lens& lens)
 struct Run
 {
     std::uint64_t cameras = 0, refused = 0, rays = 0, broken = 0, obviousBroken = 0, reachFilm = 0;
-    Spread ulps, wellPosed, pixels, narrowPixels, reachPixels, obviousPixels, origin;
+    Spread ulps, wellPosed, pixels, narrowPixels, narrowRounded, narrowRoundings, reachPixels, obviousPixels, origin;
     std::map<std::string, std::uint64_t> refusals;  ///< by the first words of the message
     json worst = json::object();
 
@@ -174,6 +177,11 @@ void Run::Ray(const Request& request, const Lens& lens, const ReferenceCamera<Ex
     if (e.condition <= 4.0)
         wellPosed.Add(e.ulps);
     picture.Add(e.pixels);
+    if (&picture == &narrowPixels)
+    {
+        narrowRounded.Add(e.roundedPixels);
+        narrowRoundings.Add(e.roundings);
+    }
     origin.Add(e.origin);
 
     if (rays % kObviousEvery != 0)
@@ -209,7 +217,8 @@ json Report(const Run& run)
     return {{"cameras", run.cameras}, {"refused", run.refused}, {"rays", run.rays}, {"broken", run.broken},
             {"reach_film", run.reachFilm}, {"obvious_broken", run.obviousBroken}, {"ulps", run.ulps.Report()},
             {"well_posed", run.wellPosed.Report()}, {"pixels", run.pixels.Report()},
-            {"narrow_pixels", run.narrowPixels.Report()},
+            {"narrow_pixels", run.narrowPixels.Report()}, {"narrow_rounded", run.narrowRounded.Report()},
+            {"narrow_roundings", run.narrowRoundings.Report()},
             {"reach_pixels", run.reachPixels.Report()}, {"origin", run.origin.Report()},
             {"obvious_pixels", run.obviousPixels.Report()}, {"refusals", run.refusals}, {"worst", run.worst}};
 }

@@ -6,8 +6,9 @@ import common
 
 RANDOM, SHARD, EXTREME = 10_000_000, 100_000, 20_000
 SETS = ("corners", "tilt", "parallel", "through_view", "behind", "far_focus", "far_camera", "farther_camera", "scale",
-        "unit", "aperture", "film", "odd_numbers", "several")
-SPREADS = ("ulps", "well_posed", "pixels", "narrow_pixels", "reach_pixels", "origin", "obvious_pixels")
+        "unit", "aperture", "film", "narrow", "odd_numbers", "several")
+SPREADS = ("ulps", "well_posed", "pixels", "narrow_pixels", "narrow_rounded", "narrow_roundings", "reach_pixels", "origin",
+           "obvious_pixels")
 COUNTS = ("cameras", "refused", "rays", "broken", "reach_film", "obvious_broken")
 
 
@@ -38,7 +39,7 @@ def measure(setup, cameras=RANDOM, extreme=EXTREME, shard=SHARD):
 
     def run(job):
         name, count, seed = job
-        return common.once(work, f"{name}-{count}-{seed}", tool, lambda: common.output([tool, name, count, seed]))
+        return common.once(work, f"{name}-{count}-{seed}", [tool], lambda: common.output([tool, name, count, seed]))
 
     tallies = common.in_parallel(setup.jobs, run, jobs)
     result = {"random": merge([t for j, t in zip(jobs, tallies) if j[0] == "random"])}
@@ -58,6 +59,10 @@ def faults(result):
             found.append(f"{name}: {tally['well_posed']['worst']} ulp in a well-posed camera")
         if tally["pixels"]["worst"] is None or not tally["pixels"]["worst"] <= 1e-6:
             found.append(f"{name}: {tally['pixels']['worst']} pixels")
+        if tally["narrow_roundings"]["worst"] is None or not tally["narrow_roundings"]["worst"] <= 4.0:
+            found.append(f"{name}: a narrow picture's ray off by {tally['narrow_roundings']['worst']} roundings")
+        if name == "behind" and not tally["obvious_pixels"]["by_power"].get("30"):
+            found.append("behind: the reversed rays of the obvious formula are not seen")
         if name == "random" and tally["refused"]:
             found.append(f"{name}: {tally['refused']} cameras refused")
     return found

@@ -8,7 +8,7 @@ import common
 def measure(setup, log2_samples=20):
     """What the program finds."""
     tool = setup.tool("stress_sampler")
-    return common.once(setup.work("sampler"), str(log2_samples), tool, lambda: common.output([tool, log2_samples]))
+    return common.once(setup.work("sampler"), str(log2_samples), [tool], lambda: common.output([tool, log2_samples]))
 
 
 def faults(result):

@@ -3,69 +3,45 @@
 """The whole program under AddressSanitizer with UndefinedBehaviorSanitizer, ThreadSanitizer and valgrind.
 
 The presets asan and tsan are built first. What is upstream's is suppressed by name in tests/stress/suppressions,
-with a reason each; a finding counts as ours where a frame of its stack lies in one of our files.
+with a reason each.
 """
 
 import os
 import pathlib
-import re
 import subprocess
+import sys
 import tempfile
 
 import common
+import reports
 
-SUPPRESSIONS = common.ROOT / "tests" / "stress" / "suppressions"
-OURS = re.compile(r"tilt_lens|install_folders|whole_file")
-BLOCKS = re.compile(r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$|^==\d+== (?:Invalid|Conditional|Use of|Syscall).*$)"
-                    r"(?:\n(?:\s+#\d+|==\d+==    |\s*$|  ).*)*", re.MULTILINE)
+sys.path.insert(0, str(common.ROOT / "tests" / "render"))
+import light  # noqa: E402
+import scenes  # noqa: E402
+
 TUTORIAL = sorted((common.ROOT / "scenes" / "tutorial").glob("*.pov"))
-MODULES = ("light", "noise", "cameras")  # of tests/render: radiosity, photons, media, interiors, bokeh
+MODULES = ("light", "noise", "cameras", "layers", "focus_aids", "interrupted")  # of tests/render
+LIT = {name: light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
 
 
 def environment(tool_suppressions=True):
     """Each sanitizer goes on after a finding and knows upstream's, or is to tell of those as well."""
-    def named(tool):
-        return f":suppressions={SUPPRESSIONS}/{tool}.txt" if tool_suppressions else ""
-
+    named = f":suppressions={reports.SUPPRESSIONS}/ubsan.txt" if tool_suppressions else ""
     return {**os.environ,
             # what upstream has parsed stays until the end: tests/stress/soak.py looks at what stays behind
             "ASAN_OPTIONS": "detect_leaks=0:halt_on_error=0",
-            "UBSAN_OPTIONS": f"print_stacktrace=1{named('ubsan')}",
-            "TSAN_OPTIONS": f"halt_on_error=0:second_deadlock_stack=1:exitcode=0{named('tsan')}"}
+            "UBSAN_OPTIONS": f"print_stacktrace=1{named}",
+            # long stacks, and a memory that forgets the other side of a race late
+            "TSAN_OPTIONS": "halt_on_error=0:second_deadlock_stack=1:exitcode=0:history_size=4"}
 
 
-def listener(program, folder):
+def listener(program, folder, options=""):
     """A command in place of the program, which keeps what it writes to standard error: not every sanitizer of gcc heeds
-    log_path, and the render tests take standard error for themselves."""
+    log_path, and the render tests take standard error for themselves. Options come last, where they win."""
     script = folder / "povray"
-    script.write_text(f'#!/bin/bash\nexec "{program}" "$@" 2> >(tee "{folder}/log.$$" >&2)\n')
+    script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
     return script
-
-
-def findings(folder):
-    """Blocks of all logs: (ours, others)."""
-    ours, others = [], []
-    for path in folder.glob("log.*"):
-        for block in BLOCKS.findall(path.read_text(errors="replace")):
-            (ours if OURS.search(block) else others).append(block[:1500])
-    return ours, others
-
-
-def suppressed(tool):
-    """The names in a tool's file, each with the reason that stands above it."""
-    pairs, reason = [], []
-    lines = (SUPPRESSIONS / f"{tool}.txt").read_text().splitlines()[2:]
-    for number, line in enumerate(lines):
-        if line.startswith("#"):
-            reason.append(line[1:].strip())
-        elif not line.strip():
-            reason = []
-        elif tool != "valgrind":
-            pairs.append((line, " ".join(reason)))
-        elif line == "{":
-            pairs.append((lines[number + 1].strip(), " ".join(reason)))
-    return pairs
 
 
 def build(setup, preset):
@@ -78,17 +54,32 @@ def build(setup, preset):
 
 def watched(what, tool, commands, folder, work, suppressions=True):
     """Runs commands with the logs in a folder; a row."""
-    codes = [subprocess.run(command, cwd=work, env=environment(suppressions), stdin=subprocess.DEVNULL, capture_output=True,
-                            check=False).returncode for command in commands]
-    ours, others = findings(folder)
-    return {"what": what, "tool": tool, "runs": len(commands), "failed": sum(code != 0 for code in codes),
-            "ours": len(ours), "others": len(others), "first": (ours + others)[:3]}
+    failed = []
+    for command in commands:
+        done = subprocess.run(command, cwd=work, env=environment(suppressions), stdin=subprocess.DEVNULL, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if done.returncode != 0:
+            failed.append(f"exit code {done.returncode}: {done.stdout.decode(errors='replace')[-1500:]}")
+    ours, others, met = reports.findings(folder, suppressions)
+    return {"what": what, "tool": tool, "runs": len(commands), "failed": len(failed), "ours": len(ours), "others": len(others),
+            "known": met, "first": (ours + others)[:3], "said": failed[:3]}
 
 
 def tutorial(povray, threads):
     """Each tutorial scene, small."""
     return [[str(povray), f"+I{scene}", "+Op.png", "+W48", "+H36", "-D", "-P", "-A", f"+WT{threads}", "+BS8",
              f"+L{common.ROOT / 'scenes' / 'include'}"] for scene in TUTORIAL]
+
+
+def lit(povray, threads, work):
+    """Radiosity, photons, media and fog behind a tilted lens, by all threads."""
+    commands = []
+    for name, world in LIT.items():
+        scene = work / f"{name}.pov"
+        scene.write_text("#version 3.7; global_settings { assumed_gamma 1 }\n" +
+                         scenes.camera("tilt 4 swing 2", samples="blur_samples 16, 64 ") + world + scenes.WORLD)
+        commands.append([str(povray), f"+I{scene}", "+Op.png", "+W64", "+H48", "-D", "-P", "-A", f"+WT{threads}", "+BS8"])
+    return commands
 
 
 def battery(povray, tree, module):
@@ -107,36 +98,44 @@ def parser(povray):
 def valgrind(setup, folder, work):
     """memcheck on one tutorial scene, in the release build."""
     log = folder / "log.valgrind"
-    command = ["valgrind", f"--log-file={log}", f"--suppressions={SUPPRESSIONS}/valgrind.txt", "--error-exitcode=0",
+    command = ["valgrind", f"--log-file={log}", f"--suppressions={reports.SUPPRESSIONS}/valgrind.txt", "--error-exitcode=0",
                *tutorial(setup.povray, 1)[0]]
     return watched(TUTORIAL[0].name, "valgrind", [command], folder, work)
 
 
-def program_rows(tree, tool, threads, work):
-    """All runs of one sanitized program. The first one without suppressions shows that findings are seen at all."""
-    groups = [("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1]),
-              ("tutorial scenes", lambda povray: tutorial(povray, threads)), ("parser battery", parser),
-              *((f"tests/render/{module}.py", lambda povray, module=module: battery(povray, tree, module))
-                for module in MODULES)]
-    rows = []
-    for number, (what, commands) in enumerate(groups):
-        folder = work / f"{tree.name}{number}"
-        folder.mkdir()
-        povray = listener(tree / "bin" / "povray", folder)
-        rows.append(watched(what, tool, commands(povray), folder, work, suppressions=number > 0))
+def groups(tree, tool, threads, work):
+    """What is run with one sanitized program: (words, commands for a program, options that win). The first one, without
+    suppressions, shows that findings are seen at all."""
+    return [("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
+            ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
+            ("parser battery", parser, f"+WT{threads}"),
+            (", ".join(LIT), lambda povray: lit(povray, threads, work), ""),
+            *((f"tests/render/{module}.py", lambda povray, module=module: battery(povray, tree, module), "")
+              for module in MODULES)]
+
+
+def program_rows(setup, tree, tool, threads):
+    """All runs of one sanitized program."""
+    rows, program = [], tree / "bin" / "povray"
+    for number, (what, commands, options) in enumerate(groups(tree, tool, threads, setup.work("sanitizers"))):
+        def run(what=what, commands=commands, options=options, number=number):
+            with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+                folder = pathlib.Path(name)
+                povray = listener(program, folder, options)
+                return watched(what, tool, commands(povray), folder, folder, suppressions=number > 0)
+
+        rows.append(common.once(setup.work("sanitizers"), f"{tree.name}{number}",
+                                [program, __file__, reports.__file__, *sorted(reports.SUPPRESSIONS.iterdir())], run))
     return rows
 
 
 def measure(setup):
     """A row for each group of runs."""
     rows = []
+    for preset, tool, threads in (("asan", "ASan, UBSan", 2), ("tsan", "TSan", 4)):
+        rows += program_rows(setup, build(setup, preset), tool, threads)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        work = pathlib.Path(name)
-        for preset, tool, threads in (("asan", "ASan, UBSan", 2), ("tsan", "TSan", 4)):
-            rows += program_rows(build(setup, preset), tool, threads, work)
-        folder = work / "valgrind"
-        folder.mkdir()
-        rows.append(valgrind(setup, folder, work))
+        rows.append(valgrind(setup, pathlib.Path(name), pathlib.Path(name)))
     return {"rows": rows}
 
 

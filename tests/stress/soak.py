@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Memory over time: an animation of many tiny frames, and one large picture, each in one process."""
+"""Memory over time: an animation of many tiny frames, and one large picture, each in one process. What counts for the
+large one is the processor's time, since a waiting program allocates nothing."""
 
 import re
 import subprocess
@@ -64,7 +65,7 @@ def animation(setup, frames):
 
 
 def large_picture(setup, seconds):
-    """One picture, stopped after so long if it is not done: what counts is the time."""
+    """One picture, stopped after so many seconds of processor time if it is not done."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(HEAD + LARGE)
@@ -94,8 +95,13 @@ def measure(setup, frames=FRAMES, seconds=SECONDS, heap_frames=50):
     """All of it; without heaptrack where the number of its frames is 0."""
     work = setup.work("soak")
     parts = {"large": (seconds, large_picture), "animation": (frames, animation), "heap": (heap_frames, heap)}
-    return {name: common.once(work, f"{name}-{size}", setup.povray, lambda run=run, size=size: run(setup, size))
-            for name, (size, run) in parts.items() if size}
+    wanted = [(name, size, run) for name, (size, run) in parts.items() if size]
+
+    def made(part):
+        name, size, run = part
+        return common.once(work, f"{name}-{size}", [setup.povray, __file__], lambda: run(setup, size))
+
+    return dict(zip([name for name, _, _ in wanted], common.in_parallel(setup.jobs, made, wanted)))
 
 
 def faults(result):

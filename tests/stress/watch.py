@@ -44,7 +44,8 @@ def processor_seconds(pid):
 
 
 def watch(command, log, interval=1.0, limit=None, on_sample=None, **how):
-    """Runs the command with its output in the file `log`, measured every `interval` seconds; `limit` seconds at most."""
+    """Runs the command with its output in the file `log`, measured every `interval` seconds; ended after `limit` seconds
+    of processor time."""
     course = []
     begin = time.monotonic()
     with open(log, "wb") as out:
@@ -62,7 +63,7 @@ def watch(command, log, interval=1.0, limit=None, on_sample=None, **how):
                         course.append((round(now - begin, 2), cpu, memory))
                         if on_sample:
                             on_sample(course[-1])
-                if pid == 0 and limit is not None and now - begin > limit:
+                if pid == 0 and limit is not None and course and course[-1][1] > limit:
                     process.kill()
                     limit = None
                 if pid == 0:

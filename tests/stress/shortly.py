@@ -1,0 +1,30 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""How long ./check takes for its short form of all parts: under five minutes, or nobody would run it."""
+
+import os
+import re
+import subprocess
+
+LIMIT = 300  # seconds
+
+
+def measure(setup):
+    """One run of those tests, built before."""
+    cores = len(os.sched_getaffinity(0))
+    done = subprocess.run(["ctest", "-L", "stress|fuzz", "-j", str(cores)], cwd=setup.build, capture_output=True, text=True,
+                          check=False)
+    counts = re.search(r"(\d+) tests failed out of (\d+)", done.stdout)
+    seconds = re.search(r"Total Test time \(real\) = +([\d.]+)", done.stdout)
+    if not counts or not seconds:
+        raise RuntimeError(done.stdout[-800:] + done.stderr[-800:])
+    failed = re.findall(r"^\s+\d+ - (\S+) \(", done.stdout, re.MULTILINE)
+    return {"tests": int(counts[2]), "failed": failed, "seconds": round(float(seconds[1])), "cores": cores}
+
+
+def faults(result):
+    """Tests that failed, and too long a time."""
+    found = [f"short form: {name} fails" for name in result["failed"]]
+    if not result["tests"] or result["seconds"] > LIMIT:
+        found.append(f"short form: {result['tests']} tests take {result['seconds']} s")
+    return found
