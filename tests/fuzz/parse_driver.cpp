@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <type_traits>
@@ -25,6 +26,9 @@ namespace
 
 // the program deletes a class of its own through this one, which sanitizers call an error
 static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::value);
+
+// a thread that sees it destroys what the task's own thread has written
+static_assert(std::is_same<decltype(pov::Task::done), std::atomic<bool>>::value);
 
 ParseOutcome* current = nullptr;  ///< one scene is parsed at a time
 int sceneFile = -1;               ///< its text, in memory
