@@ -1,0 +1,41 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file slow_tasks.cpp
+/// The whole program as on a busy machine: its start takes four seconds, and whoever hands a task over sleeps
+/// afterwards, so that the task gets far before anything else is done. Tells how many light sources the task that
+/// bounds the scene has copied.
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include <boost/function.hpp>
+#include <boost/thread.hpp>
+
+#include "backend/frame.h"
+#include "backend/bounding/boundingtask.h"
+#include "backend/scene/threaddata.h"
+#include "backend/support/taskqueue.h"
+
+// The linker sends all calls of povray_init() and TaskQueue::AppendTask() to the first of each pair (--wrap).
+boost::thread* Start(const boost::function0<void>& closed, void** address) __asm__("__wrap__Z11povray_initRKN5boost9function0IvEEPPv");
+boost::thread* RealStart(const boost::function0<void>& closed, void** address) __asm__("__real__Z11povray_initRKN5boost9function0IvEEPPv");
+pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task) __asm__("__wrap__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");
+pov::Task::TaskData* RealAppend(pov::TaskQueue* queue, pov::Task* task) __asm__("__real__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");
+
+boost::thread* Start(const boost::function0<void>& closed, void** address)
+{
+    std::this_thread::sleep_for(std::chrono::seconds(4));
+    return RealStart(closed, address);
+}
+
+pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task)
+{
+    if (dynamic_cast<pov::BoundingTask*>(task) != nullptr)
+        std::fprintf(stderr, "Bounding has copied %zu light sources\n",
+                     dynamic_cast<pov::SceneThreadData&>(*task->GetDataPtr()).lightSources.size());
+    pov::Task::TaskData* const data = RealAppend(queue, task);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    return data;
+}

@@ -1,0 +1,36 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""A program that is slow at its start and slower than its parser: it starts all the same, and nobody looks at the parser's
+list of lights meanwhile. slow_tasks.py PROGRAM."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SCENE = """#version 3.7; global_settings { assumed_gamma 1 }
+camera { location -4*z look_at 0 aperture 0.3 blur_samples 4 tilt_lens { tilt 3 } }
+#for (I, 1, 50) light_source { <I, 8, -6>, rgb 0.02 } #end
+sphere { 0, 1 pigment { rgb 1 } }
+"""
+
+
+def main():
+    """The test."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        (folder / "scene.pov").write_text(SCENE)
+        (folder / "none.ini").write_text("")
+        done = subprocess.run([os.path.abspath(sys.argv[1]), "+Iscene.pov", "+Op.png", "+W16", "+H12", "-D", "-P", "+WT2"], cwd=folder,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              env={**os.environ, "POVINI": str(folder / "none.ini")}, check=False)
+        made = (folder / "p.png").is_file()
+    copied = re.findall(r"Bounding has copied (\d+) light sources", done.stdout)
+    if done.returncode != 0 or not made or copied != ["0"]:
+        sys.exit(f"exit code {done.returncode}, picture {made}, lights copied while the scene was parsed: {copied}\n{done.stdout[-2000:]}")
+
+
+if __name__ == "__main__":
+    main()
