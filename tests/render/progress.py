@@ -122,6 +122,8 @@ class Summary(rendering.RenderTest):
         samples = int(re.search(r"Samples: +(\d+)", said)[1])
         self.assertLessEqual(int(stopped[1]) * 32, samples)
         self.assertLessEqual(samples, int(stopped[1]) * 32 + (128 * 96 - int(stopped[1])) * 16)
+        said = rendering.render_and_listen(HALVES.replace("variance 1/20000", "variance 1e-12").replace("8, 256", "4"), **SIZE)[1]
+        self.assertRegex(said, r"Stopped by MAX\.+12288 pixels \(100%\), at 4 samples")
         for scene in (HALVES.replace("variance 1/20000", "variance 0"), HALVES.replace("variance 1/20000", "variance 1")):
             said = rendering.render_and_listen(scene, **SIZE)[1]
             self.assertNotRegex(said, r"Stopped by MAX|Skipped\.")

@@ -83,8 +83,11 @@ std::string TiltLensView::Skipped() const
     std::string text;
     const auto stopped = account.pixelsBySamples.find(limits.max);
     if (limits.variance > 0.0 && stopped != account.pixelsBySamples.end())
-        text += Line("  Stopped by MAX.......%.0f pixels (%.2g%%), at %.0f samples\n", stopped->second,
-                     100.0 * stopped->second / pixels, limits.max);
+    {
+        const double share = 100.0 * stopped->second / pixels;
+        text += Line("  Stopped by MAX.......%.0f pixels (", stopped->second) +
+                Line(share < 99.5 ? "%.2g" : "%.0f", share) + Line("%%), at %.0f samples\n", limits.max);
+    }
     if (pixelsBefore > 0)
         text += Line("  Skipped..............%.0f pixels, done before the render was continued\n", pixelsBefore);
     if (limits.variance > 0.0)
