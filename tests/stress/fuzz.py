@@ -65,13 +65,13 @@ def grammar(setup, work, tree, count):
 
 
 def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
-    """Programs of the presets asan and fuzz are used where they are built, else the release build's."""
+    """Programs of the preset fuzz are used where they are built, else the release build's."""
     work = setup.work("fuzz")
-    sanitized = setup.build / "asan"
+    sanitized = setup.build / "fuzz"
     built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()
     found = {"grammar": grammar(setup, work, sanitized if built else setup.build, count)}
     targets = [("solver", setup.build / "tests" / "fuzz" / "solver_fuzz", 320, runs),
-               ("parser", setup.build / "fuzz" / "tests" / "fuzz" / "parser_fuzz", 2000, runs // 20)]
+               ("parser", sanitized / "tests" / "fuzz" / "parser_fuzz", 2000, runs // 20)]
     seeds.write(work / "solver")
 
     def fuzz(target):

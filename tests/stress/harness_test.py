@@ -30,7 +30,7 @@ RACE = """WARNING: ThreadSanitizer: data race (pid=3)
   Write of size 8 at 0x7b08 by thread T3 (mutexes: write M1):
     #0 memcpy ../../../../src/libsanitizer/x.inc:827 (libtsan.so.2+0x6)
     #1 std::vector<int>::push_back(int const&) /usr/include/c++/12/bits/stl_vector.h:1 (povray+0x1)
-    #2 {inner} /build/upstream/povray/source/backend/x.cpp:12 (povray+0x1)
+    #2 {inner} ../../povray-src/povray/source/backend/x.cpp:12 (povray+0x1)
     #3 {outer} /build/upstream/povray/source/backend/y.cpp:12:3 (povray+0x1)
 
   Previous read of size 8 at 0x7b08 by thread T2:
@@ -45,6 +45,13 @@ RACE = """WARNING: ThreadSanitizer: data race (pid=3)
 SUMMARY: ThreadSanitizer: data race
 """
 UNDEFINED = """{place}:9: runtime error: division by zero
+    #0 0x55 in pov::f() {place}
+"""
+OF_CLANG = """/build/upstream/povray/source/x.cpp:9:43: runtime error: downcast of address 0x614 which does not point to an object
+0x614: note: object is of type 'pov::LightSource'
+ 00 00 00 00  70 16 5f 4f ae 55 00 00
+              ^~~~~~~~~~~~~~~~~~~~~~~
+              vptr for 'pov::LightSource'
     #0 0x55 in pov::f() {place}
 """
 ADDRESS = """==7==ERROR: AddressSanitizer: heap-use-after-free on address 0x60
@@ -106,11 +113,18 @@ class Findings(unittest.TestCase):
             return [len(blocks) for blocks in reports.findings(name)[:2]]
 
     def test_tools(self):
-        for text in (THREADS, UNDEFINED, ADDRESS, VALGRIND):
+        for text in (THREADS, UNDEFINED, OF_CLANG, ADDRESS, VALGRIND):
             with self.subTest(text):
                 self.assertEqual(self.found(text.format(place=OURS)), [1, 0])
                 self.assertEqual(self.found(text.format(place=UPSTREAM)), [0, 1])
                 self.assertEqual(self.found(text.format(place=UPSTREAM) + text.format(place=OURS)), [1, 1])
+
+    def test_progress_in_between(self):
+        lines = THREADS.format(place=OURS).splitlines(keepends=True)
+        for at in range(1, len(lines)):
+            for words in ("Rendered 24 of 3072 pixels (0%)\n", "\n", "Parsing...\n\n"):
+                text = "".join((*lines[:at], words, *lines[at:]))
+                self.assertEqual(self.found(text + text), [2, 0], text)
 
     def test_nothing(self):
         self.assertEqual(self.found("Parse Error: tilt 90\n"), [0, 0])
@@ -160,6 +174,23 @@ class Known(unittest.TestCase):
     def test_outer_functions_hide_nothing(self):
         """A thread's first function would hide all that the thread does."""
         self.assertEqual(self.known("tilt_lens::Cell::Add()", "pov::f(int)"), ())
+
+    def test_other_stacks_do_not_count(self):
+        text = RACE.format(inner="pov::f()", outer="main", other="pov::g()")
+        made = "  Mutex M1 (0x7b68) created at:\n    #0 made() /build/upstream/z.cpp:1 (povray+0x3)\n\n"
+        for title in ("Mutex M1 (0x7b68) created", "As if synchronized via sleep", "sages of size"):
+            self.assertEqual(reports.known(text.replace("  Location", made.replace("Mutex M1 (0x7b68) created", title) + "  Location"),
+                                           ["pov::f", "pov::g"]), ("pov::f", "pov::g"))
+
+    def test_a_lost_stack(self):
+        """The other side decides, and two lost ones are not known."""
+        lost = "    [failed to restore the stack]\n"
+        for side, names in ("pov::f()", ("pov::f", "a lost stack")), ("pov::h()", ()):
+            text = RACE.format(inner=side, outer="main", other="pov::g()")
+            begin = text.index("    #0 pov::g()")
+            text = text[:begin] + lost + text[text.index("\n", begin) + 1:]
+            self.assertEqual(reports.known(text, ["pov::f", "pov::g"]), names)
+        self.assertEqual(reports.known("WARNING: ThreadSanitizer: data race\n  Write of size 8 at 0x7:\n" + lost, ["pov::f"]), ())
 
     def test_a_name_is_whole(self):
         self.assertEqual(self.known("pov::four()", "main"), ())

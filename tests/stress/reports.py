@@ -19,36 +19,38 @@ OURS = re.compile(r"povray-src/")
 BLOCKS = re.compile(r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$"
                     r"|^==\d+== (?:Invalid|Conditional|Use of|Syscall).*$)"
                     r"(?:\n(?:\s+#\d+|==\d+==    |\s*$|  |(?:READ|WRITE) of size|freed by|previously allocated by"
-                    r"|0x[0-9a-f]+ is located|==\d+==(?:The signal|Hint)).*)*", re.MULTILINE)
-# the stacks of a report of ThreadSanitizer that say what happened; others say where things were made
-SIDE = re.compile(r"^  (?!Location|Mutex|Thread|As if|Hint)\S.*\n((?:    #.*\n?)+)", re.MULTILINE)
+                    r"|0x[0-9a-f]+(?: is located|: note:)| [0-9a-f]{2} |==\d+==(?:The signal|Hint)).*)*", re.MULTILINE)
+# a report of ThreadSanitizer, and lines in it that are none of its
+THREADS = re.compile(r"^WARNING: ThreadSanitizer.*?^SUMMARY: ThreadSanitizer", re.MULTILINE | re.DOTALL)
+FOREIGN = re.compile(r"^(?!WARNING: ThreadSanitizer|SUMMARY|  |\n).*\n", re.MULTILINE)
+# the stacks of a race that say what happened; others say where things were made
+SIDE = re.compile(r"^  (?!Location)\S.* of size \d+ at 0x.*\n((?:    [#\[].*\n?)+)", re.MULTILINE)
+LOST = "failed to restore the stack"
 FRAME = re.compile(r"^    #\d+ (.*?) (\S+?)(?::\d+)*(?: \([^()]*\))?$", re.MULTILINE)
-LIBRARIES = ("<null>", "/usr/", "../")  # of the system: what they were called for counts
+LIBRARIES = ("<null>", "/usr/", "../../../../src/libsanitizer")  # what they were called for counts
+SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\(")  # so do these
 
 
 def innermost(stack):
     """Name of the first function of a stack that is the program's own."""
     for function, path in FRAME.findall(stack):
-        if not path.startswith(LIBRARIES):
+        if not path.startswith(LIBRARIES) and not SMALL.match(function):
             return function
     return ""
 
 
 def known(block, names):
     """The names that explain a race, or none where a side of it has none."""
-    if "ThreadSanitizer" not in block:
-        return ()
-    found = []
-    for stack in SIDE.findall(block):
-        function = innermost(stack)
-        found.append(next((name for name in names if re.match(re.escape(name) + r"(?:\(|<|$)", function)), None))
-    return () if None in found else tuple(sorted(set(found)))
+    sides = SIDE.findall(block) if "ThreadSanitizer" in block else []
+    seen = [innermost(stack) for stack in sides if LOST not in stack]
+    found = {next((name for name in names if re.match(re.escape(name) + r"(?:\(|<|$)", function)), None) for function in seen}
+    return () if None in found or not found else tuple(sorted(found)) + ("a lost stack",) * (len(seen) < len(sides))
 
 
 def suppressed(tool):
     """The names in a tool's file, each with the reason that stands above it."""
     pairs, reason = [], []
-    lines = (SUPPRESSIONS / f"{tool}.txt").read_text().splitlines()[2:]
+    lines = (SUPPRESSIONS / f"{tool}.txt").read_text().split("\n\n", 1)[1].splitlines()
     for number, line in enumerate(lines):
         if line.startswith("#"):
             reason.append(line[1:].strip())
@@ -66,7 +68,9 @@ def findings(folder, suppress=True):
     names = [name.split(":", 1)[1] for name, _ in suppressed("tsan")] if suppress else []
     ours, others, met = [], [], collections.Counter()
     for path in pathlib.Path(folder).glob("log.*"):
-        for block in BLOCKS.findall(path.read_text(errors="replace")):
+        # what the program itself says gets in between
+        text = THREADS.sub(lambda report: FOREIGN.sub("", report[0]), path.read_text(errors="replace"))
+        for block in BLOCKS.findall(text):
             pair = known(block, names)
             if pair:
                 met[" / ".join(pair)] += 1
