@@ -24,8 +24,9 @@ CAMERA = ("camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aper
 
 def _animate(povray, folder, first, last):
     """Renders frames until one fails; what was said, or "" if none did."""
-    command = [os.path.abspath(povray), "+Iscene.pov", "+Oframe.exr", "+FE", "+W8", "+H6", "-D", "-P", "-A", "+WT1", f"+KFI{first}",
-               f"+KFF{last}", "-C"]
+    # one frame more than there are blocks: a single one would be no animation
+    command = [os.path.abspath(povray), "+Iscene.pov", "+Oframe.exr", "+FE", "+W8", "+H6", "-D", "-P", "-A", "+WT1", "+KFI1",
+               f"+KFF{last + 1}", f"+SF{first}", f"+EF{last}", "-C"]
     settings = {"ASAN_OPTIONS": "detect_leaks=0", "POVINI": str(folder / "none.ini"), **os.environ}
     done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False, env=settings)
     if done.returncode == 0:
@@ -57,7 +58,7 @@ def _render_batch(povray, texts):
         (folder / "scene.pov").write_text(SCENE)
         for number, text in enumerate(texts, 1):
             (folder / f"block{number}.inc").write_text(CAMERA.format(text))
-        digits, first = len(str(len(texts))), 1
+        digits, first = len(str(len(texts) + 1)), 1
         picture = lambda number: folder / f"frame{number:0{digits}}.exr"  # noqa: E731
         while first <= len(texts):
             words = _animate(povray, folder, first, len(texts))

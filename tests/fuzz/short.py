@@ -66,6 +66,9 @@ def grammar_frames(settings):
     if len(accepted) < FRAMES:
         sys.exit(f"only {len(accepted)} of {3 * FRAMES} blocks accepted")
     half = FRAMES // 2
+    alone = frames.render(settings.povray, accepted[:1])
+    if alone:
+        sys.exit(f"a block alone: {alone}")
     wrong = frames.render(settings.povray, accepted[:half] + [BAD[0]] + accepted[half:] + [BAD[1]])
     print("\n".join(f"{w['answer']}\n{w['text']}\n---" for w in wrong))
     if [w["text"] for w in wrong] != list(BAD):

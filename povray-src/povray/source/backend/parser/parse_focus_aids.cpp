@@ -51,9 +51,13 @@ void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
                 parser.Token.Token_String);
     parser.Unget_Token();
     aids.peakingColour = {colour.red(), colour.green(), colour.blue()};
-    if (!std::isfinite(colour.red() + colour.green() + colour.blue()))
-        ErrorAt(item, "focus_peaking's colour in tilt_lens is <%g, %g, %g>. All three numbers must be finite; "
-                      "check the expression.", colour.red(), colour.green(), colour.blue());
+    // the tint takes the place of light, which OpenEXR's half floats must hold
+    const double kMost = 65504.0;
+    for (double number : {colour.red(), colour.green(), colour.blue()})
+        if (!(std::fabs(number) <= kMost))
+            ErrorAt(item, "focus_peaking's colour in tilt_lens is <%g, %g, %g>. All three numbers must be finite and at "
+                          "most %g, which is what pictures hold; check the expression.",
+                    colour.red(), colour.green(), colour.blue(), kMost);
     parser.Get_Token();
     if (parser.Token.Token_Id == COMMA_TOKEN)
         aids.peakingPixels = PositiveNumber("focus_peaking's pixels");
