@@ -1,0 +1,62 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The bounding hierarchy: the same picture with its boxes and without."""
+
+import rendering
+
+LIGHT = "light_source { <40, 60, -50>, 1 }\n"
+SIZE = {"width": 64, "height": 48}
+
+# nodes of one to many children: where boxes lie in each other a split brings nothing
+NESTED = """
+union { #for (I, 1, 23) sphere { 0, 0.04*I scale <1, 1 + 0.01*I, 1> pigment { rgbt <1, 1 - I/30, 0, 0.8> } } #end
+        split_union on translate <-1, 1, 1> }
+"""
+SCATTERED = """
+#declare Dice = seed(4);
+#for (I, 1, 300)
+  #local Place = <6*rand(Dice) - 3, 3*rand(Dice) - 0.5, 5*rand(Dice)>;
+  #if (mod(I, 3)) sphere { Place, 0.12 pigment { rgb <rand(Dice), rand(Dice), 0.5> } finish { reflection 0.2 } }
+  #else box { Place, Place + 0.2 pigment { rgb <0.2, rand(Dice), rand(Dice)> } } #end
+#end
+"""
+MESHES = """
+#declare Dice = seed(9);
+#declare Leaf = mesh { #for (I, 1, 200)
+  #local Place = <rand(Dice), rand(Dice), rand(Dice)>;
+  triangle { Place, Place + 0.2*<rand(Dice), rand(Dice), 0>, Place + 0.2*<0, rand(Dice), rand(Dice)> }
+#end inside_vector y }
+object { Leaf pigment { rgb <0.3, 0.8, 0.2> } translate <-0.5, 0, 0> }
+intersection { object { Leaf } sphere { 0.5, 0.6 } pigment { rgb <0.9, 0.3, 0.2> } translate <0.8, -0.3, 1> }
+"""
+INFINITE = """
+plane { y, -0.6 pigment { checker rgb 0.2 rgb 0.8 } } plane { -z, -8 pigment { rgb <0.3, 0.4, 0.7> } }
+sphere { <1, 0, 1e6>, 1e5 pigment { rgb 1 } } sphere { <0, 0, 2>, 1e-4 pigment { rgb 1 } }
+"""
+WORLD = LIGHT + NESTED + SCATTERED + MESHES + INFINITE
+CAMERAS = {
+    "perspective": "camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> }\n",
+    # all rays run along an axis, those in mirrors along two
+    "along an axis": "camera { orthographic location <0.1, 0.7, -4> direction z right 4*x up 3*y }\n",
+}
+# without an aperture a picture goes stock's way
+TILTED = ("camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> focal_point <0, 0.7, 0> aperture 0.1 "
+          "blur_samples 2, 2 variance 0 tilt_lens { tilt 5 } }\n")
+
+
+class Hierarchy(rendering.RenderTest):
+    def test_shows_what_is_there_without_boxes(self):
+        for name, camera in {**CAMERAS, "tilt_lens": TILTED}.items():
+            with self.subTest(name):
+                self.assert_same(rendering.render(camera + WORLD, **SIZE), rendering.render(camera + WORLD, "-MB", **SIZE),
+                                 name)
+
+    def test_of_one_object_and_of_infinite_ones(self):
+        for name, world in (("one", LIGHT + "sphere { 0, 1 pigment { rgb 1 } }"), ("infinite", LIGHT + 4*INFINITE)):
+            with self.subTest(name):
+                self.assert_same(rendering.render(TILTED + world, "+MB1", **SIZE),
+                                 rendering.render(TILTED + world, "-MB", **SIZE), name)
+
+
+if __name__ == "__main__":
+    rendering.main()
