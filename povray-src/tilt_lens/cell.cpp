@@ -33,22 +33,13 @@ double UpperLimit(std::uint32_t n, double confidence)
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);
 }
 
-/// Whether a pixel's noise is less than half of its brightness.
-bool IsKnown(const Estimate& estimate)
+/// The largest channel of variances, each relative to its brightness.
+double Worst(const Radiance& variance, const Radiance& mean)
 {
-    double noise = 0.0, light = 0.0;
-    for (std::size_t c = 0; c < estimate.mean.size(); c++)
-    {
-        noise += estimate.variance[c];
-        light += Square(estimate.mean[c]);
-    }
-    return noise <= 0.25 * light;
-}
-
-void AddTo(Radiance& sum, const Radiance& value)
-{
-    for (std::size_t c = 0; c < sum.size(); c++)
-        sum[c] += value[c];
+    double worst = 0.0;
+    for (std::size_t c = 0; c < variance.size(); c++)
+        worst = std::max(worst, variance[c] / Brightness(mean[c]));
+    return worst;
 }
 
 /// What the halves' difference says of the mean of both. With a variance of n^-a, a >= 1, the halves
@@ -85,7 +76,8 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
         {
             TakeSamples(x, y, until, trace);
             const Pixel& pixel = pixels[Index(x, y)];
-            first.push_back({Spread(pixel), pixel.blur});
+            const Radiance spread = Spread(pixel);
+            first.push_back({spread, std::sqrt(Worst(spread, MeanOf(pixel))), pixel.blur});
         }
     if (limits.Denoises())
     {
@@ -106,7 +98,10 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     try
     {
         if (limits.variance > 0.0)  // else nobody asks
+        {
             SpreadBlurred(neighbours);
+            NoteUsualDeviation(neighbours);
+        }
 
         std::uint32_t until = limits.First();
         while (Judge(neighbours, limits, until) && until < limits.max)
@@ -129,6 +124,21 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
         finalEstimates = Estimates();
     pixels = std::vector<Pixel>();
     done = true;
+}
+
+/// What is usual around decides who may keep more than `variance`: not all can.
+void Cell::NoteUsualDeviation(const Neighbours& neighbours)
+{
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const Cell* cell : neighbours)
+        if (cell != nullptr)
+        {
+            for (const First& pixel : cell->first)
+                sum += pixel.deviation;
+            count += cell->first.size();
+        }
+    usualDeviation = sum / count;
 }
 
 void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
@@ -176,7 +186,7 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
 {
     if (samples < 2)
         return true;  // one sample says nothing of its error
-    const double gain = PooledGain(), allowed = limits.variance / UpperLimit(samples, limits.confidence);
+    const double gain = PooledGain(), caution = UpperLimit(samples, limits.confidence);
     std::vector<Judged> judged;
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
@@ -185,16 +195,16 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
             if (!pixel.open)
                 continue;
             pixel.gain = gain;
-            judged.push_back({&pixel, NeighbourhoodSpread(neighbours, x, y)});
-            Radiance& variance = judged.back().variance;
+            Radiance variance = NeighbourhoodSpread(neighbours, x, y);
             const Radiance mean = MeanOf(pixel);
+            const double unusual = std::sqrt(Worst(variance, mean)) / usualDeviation;
             for (std::size_t c = 0; c < variance.size(); c++)
-                // above white an error is seen relative to the brightness
-                variance[c] *= gain / samples / std::max(1.0, Square(mean[c]));
+                variance[c] *= gain / samples / Brightness(mean[c]);
             pixel.variance = *std::max_element(variance.begin(), variance.end());
+            judged.push_back({&pixel, variance, limits.Allowed(samples, unusual) / caution});
         }
     if (limits.Denoises())
-        CreditReconstruction(neighbours, allowed, judged);
+        CreditReconstruction(neighbours, judged);
 
     bool any = false;
     for (const Judged& one : judged)
@@ -202,102 +212,10 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
         const double left = *std::max_element(one.variance.begin(), one.variance.end());
         const std::uint32_t aimed = one.pixel->aimedSamples;
         const bool tried = aimed == 0 || aimed >= kFewestAimed;
-        one.pixel->open = !(limits.variance > 0.0 && left <= allowed && tried);
+        one.pixel->open = !(limits.variance > 0.0 && left <= one.allowed && tried);
         any = any || one.pixel->open;
     }
     return any;
-}
-
-/// Takes from the variances of pixels what the reconstruction will take: of what their own samples
-/// show, not of what is only feared because neighbours saw it.
-void Cell::CreditReconstruction(const Neighbours& neighbours, double allowed, std::vector<Judged>& judged) const
-{
-    const std::vector<Estimate> estimates = Estimates();
-    const auto credited = [&](const Judged& one, std::size_t c, double share)
-    {
-        // a few hits of something bright say little of how often it is hit
-        if (!IsKnown(estimates[one.pixel - pixels.data()]))
-            return one.variance[c];
-        const double brightness = std::max(1.0, Square(estimates[one.pixel - pixels.data()].mean[c]));
-        const double seen = estimates[one.pixel - pixels.data()].variance[c] / brightness;
-        return one.variance[c] - share * std::min(seen, one.variance[c]);
-    };
-    // only where it makes a difference
-    const bool matters = std::any_of(judged.begin(), judged.end(), [&](const Judged& one)
-    {
-        bool good = true, canBeGood = true;
-        for (std::size_t c = 0; c < one.variance.size(); c++)
-        {
-            good = good && one.variance[c] <= allowed;
-            canBeGood = canBeGood && credited(one, c, 1.0 - kLeastRemains) <= allowed;
-        }
-        return !good && canBeGood;
-    });
-    if (!matters)
-        return;
-    const std::array<float, kCell * kCell> remains = Remains(neighbours, estimates);
-    for (Judged& one : judged)
-    {
-        const std::size_t i = one.pixel - pixels.data();
-        const double share = 1.0 - remains[i / area.width * kCell + i % area.width];
-        for (std::size_t c = 0; c < one.variance.size(); c++)
-            one.variance[c] = credited(one, c, share);
-    }
-}
-
-/// What is known of the pixels, for the reconstruction: the variance of the mean from the samples of a
-/// pixel and of those around it in the cell.
-std::vector<Estimate> Cell::Estimates() const
-{
-    std::vector<Estimate> estimates(pixels.size());
-    std::vector<Radiance> spread;
-    for (const Pixel& pixel : pixels)
-        spread.push_back(Spread(pixel));
-    for (std::uint32_t y = 0; y < area.height; y++)
-        for (std::uint32_t x = 0; x < area.width; x++)
-        {
-            Radiance sum{};
-            int count = 0;
-            for (std::uint32_t v = y == 0 ? 0 : y - 1; v <= y + 1 && v < area.height; v++)
-                for (std::uint32_t u = x == 0 ? 0 : x - 1; u <= x + 1 && u < area.width; u++, count++)
-                    AddTo(sum, spread[v * area.width + u]);
-            const Pixel& pixel = pixels[y * area.width + x];
-            const Radiance mean = MeanOf(pixel);
-            Estimate& estimate = estimates[y * area.width + x];
-            estimate.samples = pixel.samples;
-            for (std::size_t c = 0; c < sum.size(); c++)
-            {
-                estimate.mean[c] = mean[c];
-                estimate.variance[c] = pixel.gain * sum[c] / count / pixel.samples;
-                if (pixel.samples > 1)
-                    estimate.halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
-            }
-        }
-    return estimates;
-}
-
-/// What share of the pixels' variances the reconstruction will leave, as far as the first samples of
-/// the neighbours tell.
-std::array<float, kCell * kCell> Cell::Remains(const Neighbours& neighbours, const std::vector<Estimate>& own) const
-{
-    Surroundings around;
-    for (int y = -Surroundings::kBorder; y < int(kCell) + Surroundings::kBorder; y++)
-        for (int x = -Surroundings::kBorder; x < int(kCell) + Surroundings::kBorder; x++)
-        {
-            const std::int64_t u = std::int64_t(area.left) + x, v = std::int64_t(area.top) + y;
-            const Cell* holder = Holder(neighbours, u, v);
-            if (holder == this)
-                around.Set(x, y, own[Index(u, v)]);
-            else if (holder != nullptr && holder->area.Has(u, v))
-                around.Set(x, y, holder->FirstEstimate(u, v));
-        }
-    if (around.Noiseless())
-    {
-        std::array<float, kCell * kCell> all;
-        all.fill(1.0f);
-        return all;
-    }
-    return Rebuild(around, false).remains;
 }
 
 Radiance Cell::Spread(const Pixel& pixel)

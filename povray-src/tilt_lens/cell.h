@@ -22,7 +22,9 @@
 /// equal samples beside an edge are no certainty) and over all that is blurred as far as the pixel (a
 /// small light far out of focus shows in few samples, but in some of every pixel that it covers). It
 /// is raised to the upper limit of the confidence interval that the number of samples leaves
-/// (chi-square), and lowered to what the reconstruction will leave of it where that is asked for.
+/// (chi-square), and lowered to what the reconstruction will leave of it where that is asked for. What a
+/// pixel may keep is SamplingLimits::Allowed(): noisy ones more than quiet ones, so that a picture gets
+/// the most out of its rays.
 ///
 /// A sample that is not finite counts as black and is counted apart.
 ///
@@ -53,8 +55,9 @@ class Cell
     /// A pixel after its first samples.
     struct First
     {
-        Radiance spread{};  ///< variance of one sample
-        double blur = 0.0;  ///< widest blur met, pixels
+        Radiance spread{};       ///< variance of one sample
+        double deviation = 0.0;  ///< of one sample, worst channel; relative to what is above 1
+        double blur = 0.0;       ///< widest blur met, pixels
     };
 
     /// A pixel after its last sample.
@@ -106,16 +109,18 @@ class Cell
         bool open = true;                ///< wants more samples
     };
 
-    /// An open pixel and the variance that decides about it.
+    /// An open pixel, the variance that decides about it, and what it may be.
     struct Judged
     {
         Pixel* pixel;
         Radiance variance;
+        double allowed;
     };
 
     std::mutex busy;
     bool begun = false, done = false;
     std::vector<Pixel> pixels;
+    double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
     std::vector<First> first;
     std::vector<Estimate> firstEstimates, finalEstimates;
     std::vector<Final> final;
@@ -125,10 +130,11 @@ class Cell
         return (y - area.top) * std::size_t(area.width) + (x - area.left);
     }
     void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
+    void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     double PooledGain() const;
     std::vector<Estimate> Estimates() const;
-    void CreditReconstruction(const Neighbours& neighbours, double allowed, std::vector<Judged>& judged) const;
+    void CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged) const;
     std::array<float, kCell * kCell> Remains(const Neighbours& neighbours, const std::vector<Estimate>& own) const;
     Radiance NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
     void SpreadBlurred(const Neighbours& neighbours);

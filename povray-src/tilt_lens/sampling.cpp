@@ -17,6 +17,13 @@ std::uint32_t SamplingLimits::First() const
     return std::min(power, max);
 }
 
+double SamplingLimits::Allowed(std::uint32_t samples, double unusual) const
+{
+    // written so that a pixel among those without any noise, 0/0, may keep `variance`
+    const double most = unusual > 1.0 ? std::min(unusual, kMostAllowed) : 1.0;
+    return variance * std::clamp(samples * variance / kUsualSpread, kLeastAllowed, most);
+}
+
 void SamplingAccount::Add(const SamplingAccount& other)
 {
     for (const auto& entry : other.pixelsBySamples)

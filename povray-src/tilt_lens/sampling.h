@@ -20,6 +20,15 @@ namespace tilt_lens
 /// Red, green, blue, filter, transmit; linear.
 using Radiance = std::array<double, 5>;
 
+inline void AddTo(Radiance& sum, const Radiance& value)
+{
+    for (std::size_t c = 0; c < sum.size(); c++)
+        sum[c] += value[c];
+}
+
+/// What a variance is divided by where the mean is so bright: above white an error is seen relative to it.
+inline double Brightness(double mean) { return mean > 1.0 ? mean * mean : 1.0; }
+
 /// What one sample brings home.
 struct Traced
 {
@@ -47,10 +56,22 @@ struct SamplingLimits
     /// Samples that every pixel gets before it is judged: min, rounded up to a power of two that max allows.
     std::uint32_t First() const;
 
-    /// Averaging pays where the noise that is asked for is larger than the detail that it falsifies: measured at
-    /// equal time it helps on every scene tried down to this variance, below it not on all.
-    static constexpr double kFinestDenoised = 5e-5;
-    bool Denoises() const { return denoise && variance >= kFinestDenoised; }
+    /// Variance that a pixel may keep after so many samples: `variance` on the whole, but more where noise is
+    /// strong and less where it is weak. Rays lower the mean square error of a picture most if a pixel gets them
+    /// in proportion to the standard deviation of its samples, not to their variance (J. Neyman, "On the two
+    /// different aspects of the representative method", 1934): n of a deviation s leave s^2/n, which is then in
+    /// proportion to n.
+    /// @param unusual  standard deviation of one sample over its mean around the pixel: more than `variance` is
+    ///                 for pixels that stand out; where all are as noisy, all keep what was asked for
+    double Allowed(std::uint32_t samples, double unusual) const;
+
+    /// Variance of one sample where a pixel keeps just `variance`: between what texture and blurred edges have.
+    static constexpr double kUsualSpread = 0.003;
+    /// And how far from `variance` a pixel's own may be, as factors: so that nothing looks rough in a good picture.
+    static constexpr double kLeastAllowed = 0.25, kMostAllowed = 2.0;
+
+    /// `variance 0` asks for the samples as they are.
+    bool Denoises() const { return denoise && variance > 0.0; }
 };
 
 /// Identifies one sample of one pixel.

@@ -177,6 +177,40 @@ TEST_P(VarianceAskedFor, IsGotWhereOneSampleInAHundredMatters)
     EXPECT_LE(s.Beyond(), 0.05);
 }
 
+/// Weak noise, and beside it strong noise in every fourth column.
+void Columns(const SampleId& id, const Sample&, Traced& light)
+{
+    light = Grey(0.5 + (id.x % 4 == 0 ? 0.8 : 0.08) * (Noise(id, 1) - 0.5));
+}
+
+// Rays in proportion to the standard deviation, not to the variance: the same error for fewer of them.
+TEST_P(VarianceAskedFor, NoisyPixelsAmongQuietOnesKeepMore)
+{
+    const double V = GetParam();
+    const Picture columns = {"columns", Columns, Half};
+    const Score adaptive = ReportedScoreOf(columns, V);
+    EXPECT_LE(adaptive.MeanError(), 1.2 * V);
+    EXPECT_LE(adaptive.Beyond(), 0.05);
+    // what as many rays leave where each pixel has the same number of them
+    const double even = (0.64 + 3 * 0.0064) / 4 / 12 / (double(adaptive.samples) / adaptive.pixels);
+    EXPECT_LT(adaptive.MeanError(), even);
+}
+
+TEST(SamplingLimits, AllowWhatWasAskedForWhereAllAreAsNoisy)
+{
+    const SamplingLimits limits = Limits(8, 65536, 1e-4);
+    for (const std::uint32_t n : {8u, 64u, 65536u})
+    {
+        EXPECT_LE(limits.Allowed(n, 1.0), limits.variance) << n;
+        EXPECT_GE(limits.Allowed(n, 1.0), SamplingLimits::kLeastAllowed * limits.variance) << n;
+        EXPECT_LE(limits.Allowed(n, 100.0), SamplingLimits::kMostAllowed * limits.variance) << n;
+        // 0/0, a pixel among those without any noise
+        EXPECT_LE(limits.Allowed(n, std::nan("")), limits.variance) << n;
+    }
+    EXPECT_LT(limits.Allowed(8, 2.0), limits.variance);
+    EXPECT_GT(limits.Allowed(4096, 2.0), limits.variance);
+}
+
 TEST(TileSamplerStop, ClaimedVarianceOfWhiteNoiseIsItsVariance)
 {
     for (const std::uint32_t n : {16u, 64u, 100u})
