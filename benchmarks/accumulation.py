@@ -38,7 +38,8 @@ def cpu_of_frames(lab, shot, count, folder):
 
 def measure(lab, scene, tilted):
     """(CPU seconds of the rays, RMSE) for each number of frames."""
-    count = min(64, scene.frames) if lab.quick else scene.frames
+    # untilted it is only drawn
+    count = min(64, scene.frames) if lab.quick else scene.frames if tilted else scene.frames//4
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)
     key = digest("accumulation of OpenEXR", lab.hashes[lab.stock], shot.arguments()[2:], shot.sources(), reference.name, count)

@@ -13,7 +13,7 @@ from lab import STOCK, TILT_LENS
 
 def repetitions(cpu, quick):
     """Short runs are repeated more often."""
-    return 1 if cpu > (3 if quick else 20) else 2 if quick else 3 if cpu < 5 else 2
+    return 1 if cpu > (3 if quick else 8) else 2 if quick or cpu > 2 else 3
 
 
 def first_runs(lab, scene, reference):
