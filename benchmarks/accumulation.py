@@ -11,7 +11,7 @@ import shutil
 
 from lab import ACCUMULATE, TILT_LENS, Failed, digest, run_measured
 
-PROCESSES = 4       # the program idles between frames
+PROCESSES = 16      # the program idles between frames
 
 
 # Frames are OpenEXR: a PNG would clip lights before they are averaged.
