@@ -224,10 +224,13 @@ def fuzz_section(result):
 def sanitizers_section(result):
     """Programs under sanitizers, and what of upstream's is suppressed."""
     text = ("\n## Sanitizers\n\nThe whole program. A finding is ours where a frame of its stack lies in one of our files.\n\n"
-            "| what | tool | runs | findings in our files | upstream's, not suppressed |\n| --- | --- | --: | --: | --: |\n")
+            "What of upstream's is known by name is counted apart.\n\n"
+            "| what | tool | commands | failed | findings in our files | upstream's, known | upstream's, others |\n"
+            "| --- | --- | --: | --: | --: | --: | --: |\n")
     for row in result["rows"]:
-        text += f"| {row['what']} | {row['tool']} | {row['runs']} | {row['ours']} | {row['others']} |\n"
-    text += "\nSuppressed by name, in `tests/stress/suppressions`:\n\n| tool | name | reason |\n| --- | --- | --- |\n"
+        text += (f"| {row['what']} | {row['tool']} | {row['runs']} | {row['failed']} | {row['ours']} | "
+                 f"{sum(row['known'].values()):,} | {row['others']} |\n")
+    text += "\nKnown by name, in `tests/stress/suppressions`:\n\n| tool | name | reason |\n| --- | --- | --- |\n"
     for tool in ("ubsan", "tsan", "valgrind"):
         for name, reason in reports.suppressed(tool):
             text += f"| {tool} | `{name}` | {reason} |\n"
