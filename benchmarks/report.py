@@ -127,10 +127,20 @@ def section_growth(results):
         ["with", "at", "program", "CPU s", "of it start and parsing", "seconds by the clock", "samples a pixel"], rows), ""]
 
 
+def verdict(row):
+    """Whether the variance asked for was got. The reference's own error is taken off a mean, but a pixel that is
+    off may be off by the reference: where that is not small against V, their number says nothing."""
+    if row["share"] <= 1.2 and row["beyond"] <= 0.05:
+        return "yes"
+    if row["share"] <= 1.2 and row["reference_mse"] > 0.25*row["variance"]:
+        return f"MSE yes; pixels unknown, the reference's own MSE is {row['reference_mse']/row['variance']:.1f} V"
+    return "**no**"
+
+
 def section_contract(results):
     rows = [[TITLES[row["scene"]] + (", tilted" if row["tilted"] else ""), f"{row['variance']:g}",
-             f"{row['share']:.2f}", f"{100*row['beyond']:.1f} %", f"{row['samples'] or 0:.0f}",
-             "yes" if row["share"] <= 1.2 and row["beyond"] <= 0.05 else "**no**"] for row in results["contract"]]
+             f"{row['share']:.2f}", f"{100*row['beyond']:.1f} %", f"{row['samples'] or 0:.0f}", verdict(row)]
+            for row in results["contract"]]
     held = sum(row[-1] == "yes" for row in rows)
     return ["### Is `variance V` honoured", "",
             table(["scene", "V", "MSE/V", "pixels off by more than 2 sqrt(V)", "samples a pixel", "holds"], rows), "",
