@@ -59,24 +59,14 @@ class BoxRay
     /// @return       bits of the finite boxes that it meets
     unsigned int Enter(const FourBoxes& boxes, DBL depth[4]) const
     {
-        return (EnterTwo<0>(boxes, depth) | EnterTwo<2>(boxes, depth)) & boxes.finite;
+        return (EnterTwo(boxes, 0, depth) | EnterTwo(boxes, 2, depth)) & boxes.finite;
     }
 
     /// The same but for the rounding of the sum: faster, and for those who need not take stock's every decision.
     unsigned int EnterRounded(const FourBoxes& boxes, float depth[4]) const
     {
-        Four enter = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF, -HUGE_VALF}, leave = -enter;
-        for (int axis = X; axis <= Z; axis++)
-        {
-            Four lowerLeft, lengths;
-            std::memcpy(&lowerLeft, boxes.lowerLeft[axis], sizeof(Four));
-            std::memcpy(&lengths, boxes.lengths[axis], sizeof(Four));
-            const Four one = (lowerLeft - info.slab_num[axis]) * info.slab_den[axis];
-            const Four other = one + lengths * info.slab_den[axis];
-            const Four first = info.positive[axis] ? one : other, last = info.positive[axis] ? other : one;
-            enter = first > enter ? first : enter;
-            leave = last < leave ? last : leave;
-        }
+        Four enter, leave;
+        Cross<Four>(boxes, 0, enter, leave);
         std::memcpy(depth, &enter, sizeof(Four));
         return SignBits((FourMask)((enter <= leave) & (leave >= float(EPSILON)))) & boxes.finite;
     }
@@ -88,24 +78,32 @@ class BoxRay
     typedef double Two __attribute__((vector_size(16)));
     typedef long long Mask __attribute__((vector_size(16)));
 
-    /// Products are rounded to floats, their sum is not: so does Check_And_Enqueue().
-    template<int First>
-    unsigned int EnterTwo(const FourBoxes& boxes, DBL* depth) const
+    /// Where the ray enters and leaves boxes, from the one numbered `first` on. Products are rounded to floats, their
+    /// sum to what Sums holds; Check_And_Enqueue()'s is a double.
+    template<class Floats, class Sums>
+    void Cross(const FourBoxes& boxes, int first, Sums& enter, Sums& leave) const
     {
-        Two enter = {-HUGE_VAL, -HUGE_VAL}, leave = {HUGE_VAL, HUGE_VAL};
+        enter = Sums() - HUGE_VALF;
+        leave = Sums() + HUGE_VALF;
         for (int axis = X; axis <= Z; axis++)
         {
-            TwoFloats lowerLeft, lengths;
-            std::memcpy(&lowerLeft, boxes.lowerLeft[axis] + First, sizeof(TwoFloats));
-            std::memcpy(&lengths, boxes.lengths[axis] + First, sizeof(TwoFloats));
-            const Two one = __builtin_convertvector((lowerLeft - info.slab_num[axis]) * info.slab_den[axis], Two);
-            const Two other = one + __builtin_convertvector(lengths * info.slab_den[axis], Two);
-            const Two first = info.positive[axis] ? one : other, last = info.positive[axis] ? other : one;
-            enter = first > enter ? first : enter;
-            leave = last < leave ? last : leave;
+            Floats lowerLeft, lengths;
+            std::memcpy(&lowerLeft, boxes.lowerLeft[axis] + first, sizeof(Floats));
+            std::memcpy(&lengths, boxes.lengths[axis] + first, sizeof(Floats));
+            const Sums one = __builtin_convertvector((lowerLeft - info.slab_num[axis]) * info.slab_den[axis], Sums);
+            const Sums other = one + __builtin_convertvector(lengths * info.slab_den[axis], Sums);
+            const Sums near = info.positive[axis] ? one : other, far = info.positive[axis] ? other : one;
+            enter = near > enter ? near : enter;
+            leave = far < leave ? far : leave;
         }
-        std::memcpy(depth + First, &enter, sizeof(Two));
-        return SignBits((Mask)((enter <= leave) & (leave >= EPSILON))) << First;
+    }
+
+    unsigned int EnterTwo(const FourBoxes& boxes, int first, DBL* depth) const
+    {
+        Two enter, leave;
+        Cross<TwoFloats>(boxes, first, enter, leave);
+        std::memcpy(depth + first, &enter, sizeof(Two));
+        return SignBits((Mask)((enter <= leave) & (leave >= EPSILON))) << first;
     }
 
     static unsigned int SignBits(Mask mask)
