@@ -6,7 +6,9 @@ The commands run in a copy of the repository's scripts whose program is a stand-
 """
 
 import os
+import select
 import shutil
+import subprocess
 import time
 import unittest
 
@@ -42,23 +44,30 @@ class CommandTest(SetupTest):
         path.write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
         path.chmod(0o755)
 
+    def built(self, target):
+        """A configuration that is done, and a build of TARGET with nothing to do."""
+        build = self.copy / "build"
+        build.mkdir()
+        (build / "CMakeCache.txt").write_text(
+            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copy}\nCMAKE_CACHEFILE_DIR:INTERNAL={build}\n"
+            "TILT_LENS_TESTS:BOOL=ON\n", encoding="utf-8")
+        (build / "build.ninja").write_text(f"build {target}: phony\n", encoding="utf-8")
+        return build
+
+    def environment(self):
+        return {"PATH": f"{self.tools}:{os.environ['PATH']}", "DISPLAY": ""}
+
     def command(self, name, *arguments, cwd=None, **env):
-        path = f"{self.tools}:{os.environ['PATH']}"
-        return self.run_command(name, *arguments, cwd=cwd, env={"PATH": path, "DISPLAY": "", **env})
+        return self.run_command(name, *arguments, cwd=cwd, env={**self.environment(), **env})
 
 
 class RenderCommand(CommandTest):
     def setUp(self):
         super().setUp()
-        build = self.copy / "build"
-        (build / "bin").mkdir(parents=True)
-        program = build / "bin" / "povray"
+        program = self.built("povray") / "bin" / "povray"
+        program.parent.mkdir()
         program.write_text(STAND_IN, encoding="utf-8")
         program.chmod(0o755)
-        # A configuration that is done, and a build with nothing to do.
-        (build / "CMakeCache.txt").write_text(
-            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copy}\nCMAKE_CACHEFILE_DIR:INTERNAL={build}\n", encoding="utf-8")
-        (build / "build.ninja").write_text("build povray: phony\n", encoding="utf-8")
         self.scene = self.folder / "my scene.pov"
         self.scene.write_text("", encoding="utf-8")
 
@@ -140,6 +149,31 @@ class RenderCommand(CommandTest):
         start = time.monotonic()
         self.assert_succeeds(self.render(self.scene))
         self.assertLess(time.monotonic() - start, 1.0)
+
+
+class CheckCommand(CommandTest):
+    CLOSING = "97% tests passed, 1 tests failed out of 33"
+
+    def setUp(self):
+        super().setUp()
+        self.built("all")
+        # No package is missing on any system.
+        (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
+        self.tool("ctest", f'''echo "arguments: $*"
+            until [ -e "{self.folder}/go" ]; do sleep 0.02; done
+            echo; echo "{self.CLOSING}"; echo "Total Test time (real) =   3.70 sec"; printf "  2 - unit.two (Failed)"
+            exit 8''')
+
+    def test_lines_come_as_ctest_says_them_and_the_closing_one_last(self):
+        with subprocess.Popen([self.copy / "check", "-L", "unit"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                              stdin=subprocess.DEVNULL, env={**os.environ, **self.environment()}) as check:
+            ready, _, _ = select.select([check.stdout], [], [], 10)
+            first = check.stdout.readline() if ready else "nothing before CTest's end"
+            (self.folder / "go").touch()  # what the stand-in for CTest waits for
+            rest = check.stdout.read().splitlines()
+        self.assertRegex(first, "^arguments: .*-L unit$")
+        self.assertEqual(rest, ["", "Total Test time (real) =   3.70 sec", "  2 - unit.two (Failed)", self.CLOSING])
+        self.assertEqual(check.returncode, 8)
 
 
 class SetupStep(CommandTest):

@@ -10,6 +10,7 @@ import time
 import unittest
 
 import common
+import fuzz
 import rays
 import reports
 import sanitizers
@@ -102,6 +103,20 @@ class Once(unittest.TestCase):
         with self.assertRaises(ZeroDivisionError):
             common.once(self.folder, "x", [self.program, self.script], lambda: 1 / 0)
         self.assertEqual(self.ask(), 1)
+
+
+class Corpus(unittest.TestCase):
+    """What the parser's target passes over is not kept as an input that reaches code."""
+
+    def test_refused_inputs_go(self):
+        kept = [b"tilt 6", b"tilt 6\n\tswing 2", b""]
+        refused = [b"#while(1)", b'"text"', b"tilt \0 6", b"tilt \x7f", b"tilt \xc3\xa9", b"tilt 6\r\n"]
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            folder = pathlib.Path(name)
+            for number, data in enumerate(kept + refused):
+                (folder / str(number)).write_bytes(data)
+            fuzz.drop_refused(folder)
+            self.assertEqual({path.read_bytes() for path in folder.iterdir()}, set(kept))
 
 
 class Findings(unittest.TestCase):
