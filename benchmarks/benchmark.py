@@ -11,6 +11,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import accumulation  # noqa: E402
+import builds  # noqa: E402
 import contract  # noqa: E402
 import growth  # noqa: E402
 import instructions  # noqa: E402
@@ -25,7 +26,7 @@ import tilted  # noqa: E402
 import versus_stock  # noqa: E402
 from lab import HERE, Failed, Lab  # noqa: E402
 
-PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract")
+PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract", "builds")
 NAMES = [scene.name for scene in suite.SCENES]
 
 
@@ -48,6 +49,8 @@ def arguments():
     parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray", help="the unpatched program")
     parser.add_argument("--unpatched", type=pathlib.Path, default=build / "stock" / "bin" / "povray",
                         help="the same source built as ours, without the patches (for part instructions)")
+    parser.add_argument("--fast", type=pathlib.Path, default=build / "fast" / "bin" / "povray",
+                        help="the patched program as cmake/build-fast makes it (for part builds)")
     parser.add_argument("--tools", type=pathlib.Path, default=build / "tests" / "benchmarks" / "tools")
     parser.add_argument("--work", type=pathlib.Path, default=build / "benchmarks")
     parser.add_argument("--fresh", action="store_true",
@@ -56,7 +59,7 @@ def arguments():
     args = parser.parse_args()
     args.scenes = chosen(args.scenes, NAMES, "scene", parser)
     args.parts = chosen(args.parts or ("stock,tilted" if args.quick else ",".join(PARTS)), PARTS, "part", parser)
-    programs = [args.ours, args.stock] + [args.unpatched] * ("instructions" in args.parts)
+    programs = [args.ours, args.stock] + [args.unpatched] * ("instructions" in args.parts) + [args.fast] * ("builds" in args.parts)
     for path in programs:
         if not path.is_file():
             parser.error(f"no such program: {path}")
@@ -105,6 +108,8 @@ def measure(lab, args):
         results["growth"] = growth.measure(lab)
     if "contract" in args.parts:
         results["contract"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt)]
+    if "builds" in args.parts:
+        results["builds"] = builds.measure(lab, scenes, args.fast.resolve())
     return results, runs
 
 
@@ -120,7 +125,7 @@ def draw(folder, results, runs):
         plots.growth(folder / f"growth_{name.replace(' ', '_')}.svg", name, rows)
     if runs:
         report.write_csv(folder / "runs.csv", runs, report.COLUMNS)
-    for part in ("growth", "contract", "pan", "tilt", "instructions", "bias"):
+    for part in ("growth", "contract", "pan", "tilt", "instructions", "bias", "builds"):
         if results.get(part):
             report.write_csv(folder / f"{part}.csv", results[part])
 

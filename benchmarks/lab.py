@@ -98,13 +98,17 @@ class Lab:
 
     def __post_init__(self):
         self.work.mkdir(parents=True, exist_ok=True)
-        self.hashes = {path: digest(path.read_bytes()) for path in (self.ours, self.stock)}
+        self.hashes = {path: self.hash_of(path) for path in (self.ours, self.stock)}
         self.journal = self.work / "runs.jsonl"
         self.runs = {}
         if self.journal.is_file():
             for line in self.journal.read_text().splitlines():
                 record = json.loads(line)
                 self.runs[record["key"], record["repetition"]] = record
+
+    @staticmethod
+    def hash_of(program):
+        return digest(program.read_bytes())
 
     def say(self, text):
         print(text, flush=True)

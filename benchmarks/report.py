@@ -110,6 +110,15 @@ def section_loops(results):
     return ["### Inner loops", "", table(["what", "ns a call"], [[name, f"{ns:.1f}"] for name, ns in results["loops"]]), ""]
 
 
+def section_builds(results):
+    rows = [[TITLES[row["scene"]], f"{row['usual']:.3f}", f"{row['fast']:.3f}", f"{row['times']:.2f}",
+             "yes" if row["same"] else "no"] for row in results["builds"]]
+    mean = geometric_mean(row["times"] for row in results["builds"])
+    return ["### The program of `cmake/build-fast`: CPU seconds for the same rays", "",
+            table(["scene", "usual, s", "fast, s", "times", "same error"], rows), "",
+            f"Geometric mean **{mean:.2f}**.", ""]
+
+
 def section_growth(results):
     rows = [[row["series"], f"{row['x']:g} {row['unit']}", row["program"], f"{row['cpu']:.3f}",
              f"{row['start_up']:.3f}", f"{row['seconds']:.3f}", f"{row['samples']:.0f}" if row["samples"] else "-"]
@@ -140,7 +149,7 @@ def section_contract(results):
 
 SECTIONS = [("stock", section_stock), ("tilted", section_tilted), ("denoise", section_denoise), ("pan", section_pan),
             ("tilt", section_tilt), ("instructions", section_instructions), ("loops", section_loops), ("growth", section_growth),
-            ("contract", section_contract)]
+            ("contract", section_contract), ("builds", section_builds)]
 
 
 def machine():

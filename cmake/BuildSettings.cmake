@@ -28,6 +28,18 @@ if(TILT_LENS_SANITIZE)
     add_link_options(-fsanitize=${TILT_LENS_SANITIZE})
 endif()
 
+# Two steps in one folder, since a profile lies beside the object that it is of (cmake/build-fast takes both).
+# prefer-atomic: threads count together. A file that the training did not reach is compiled as usual.
+if(TILT_LENS_PROFILE STREQUAL "make")
+    add_compile_options(-fprofile-generate -fprofile-update=prefer-atomic)
+    add_link_options(-fprofile-generate)
+elseif(TILT_LENS_PROFILE STREQUAL "use")
+    add_compile_options(-fprofile-use -fprofile-correction -fprofile-partial-training -Wno-missing-profile -flto)
+    add_link_options(-fprofile-use -flto=auto)
+elseif(TILT_LENS_PROFILE)
+    message(FATAL_ERROR "TILT_LENS_PROFILE is \"${TILT_LENS_PROFILE}\"; it can be \"make\", \"use\" or empty")
+endif()
+
 # Tries ccache once: it stops every compilation where it cannot write its folder (an account without a home).
 function(tilt_lens_try_ccache)
     set(probe "${CMAKE_BINARY_DIR}/CMakeFiles/ccache-probe.cpp")
