@@ -14,7 +14,7 @@ MOST = 262144       # samples: more than any pixel should need
 def measure(lab, scene, tilted):
     lab.say(f"{scene.name}{' tilted' if tilted else ''}: is the variance asked for honoured")
     batches, samples = scene.reference
-    reference = lab.reference(scene.shot(TILT_LENS, tilted, size=SIZE), batches, 4*samples)
+    reference = lab.reference(scene.shot(TILT_LENS, tilted, size=SIZE), batches, scene.contract*samples)
     rows = []
     for variance in VARIANCES[:2] if lab.quick else VARIANCES:
         shot = scene.shot(TILT_LENS, tilted, size=SIZE, declare=suite.limits(8, MOST, variance))
