@@ -27,7 +27,7 @@ SCENES = [
     Scene("glass", "mirrors and glass", (2, 1024), contract=16),
     Scene("lights", "lights in the dark", (2, 2048)),
     Scene("shadows", "5 by 5 area light", (2, 512), 512, (100, 75)),
-    Scene("interior", "room with radiosity", (2, 512), 512, (100, 75), contract=16),
+    Scene("interior", "room with radiosity", (2, 512), 512, (100, 75), contract=8),
     Scene("landscape", "landscape", (2, 1024)),
 ]
 
