@@ -176,6 +176,48 @@ class CheckCommand(CommandTest):
         self.assertEqual(check.returncode, 8)
 
 
+class FastBuild(CommandTest):
+    """The order of its steps; a real one takes minutes."""
+
+    def setUp(self):
+        super().setUp()
+        self.fast = self.built("povray") / "fast"
+        (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
+        for folder in ("tutorial", "include"):
+            (self.copy / "scenes" / folder).mkdir()
+        (self.copy / "scenes" / "tutorial" / "tilt.pov").write_text("", encoding="utf-8")
+        (self.fast / "bin").mkdir(parents=True)
+        self.log = self.folder / "steps.log"
+        for step in ("cmake", "ninja"):
+            self.tool(step, f'echo "{step} $*" >> "{self.log}"')
+        program = self.fast / "bin" / "povray"
+        program.write_text(f'#!/bin/bash\necho "povray $1" >> "{self.log}"\nexit "${{POVRAY_EXIT:-0}}"\n', encoding="utf-8")
+        program.chmod(0o755)
+
+    def steps(self):
+        return [line.split(" -j")[0] for line in self.log.read_text(encoding="utf-8").splitlines()]
+
+    def test_profile_training_use(self):
+        (self.fast / "old.gcda").write_text("an old profile", encoding="utf-8")
+        process = self.command(self.copy / "cmake" / "build-fast")
+        self.assert_succeeds(process)
+        self.assertEqual(self.steps(), [
+            f"ninja -C {self.copy}/build", "cmake --preset fast -DTILT_LENS_PROFILE=make", f"ninja -C {self.fast}",
+            f'povray +I"{self.gallery}"', f'povray +I"{self.copy}/scenes/tutorial/tilt.pov"',
+            "cmake --preset fast -DTILT_LENS_PROFILE=use", f"ninja -C {self.fast}"])
+        self.assertFalse((self.fast / "old.gcda").exists())
+        self.assertEqual(process.stderr.splitlines()[-1], f"The fast program: {self.fast}/bin/povray")
+
+    def test_failed_training(self):
+        process = self.command(self.copy / "cmake" / "build-fast", POVRAY_EXIT="1", TMPDIR=str(self.folder))
+        self.assert_fails_saying(process, "miniature_town.pov could not be rendered")
+        self.assertNotIn("cmake --preset fast -DTILT_LENS_PROFILE=use", self.steps())
+        self.assertEqual(list(self.folder.glob("tmp.*")), [])
+
+    def test_no_arguments(self):
+        self.assert_fails_saying(self.command(self.copy / "cmake" / "build-fast", "-h"), "no arguments", "bin/povray")
+
+
 class SetupStep(CommandTest):
     def setUp(self):
         super().setUp()
