@@ -18,6 +18,9 @@ namespace
 /// part of the sphere around it, and that may lie over two pixels.
 constexpr std::uint32_t kFewestAimed = 16;
 
+/// Own samples that a pixel needs until they count as much as what is seen around it.
+constexpr double kDoubts = 32.0;
+
 double Square(double x) { return x * x; }
 
 bool IsLight(const Radiance& value)
@@ -81,7 +84,7 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
         }
     if (limits.Denoises())
     {
-        const double gain = PooledGain();
+        const double gain = GainOfMean(GainByHalves(1.0), std::max(2u, until));
         for (Pixel& pixel : pixels)
             pixel.gain = gain;
         firstEstimates = Estimates();
@@ -95,6 +98,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     if (done)
         return;
     const std::vector<Pixel> begin = pixels;
+    gainByHalves = 1.0;
     try
     {
         if (limits.variance > 0.0)  // else nobody asks
@@ -186,7 +190,8 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
 {
     if (samples < 2)
         return true;  // one sample says nothing of its error
-    const double gain = PooledGain(), caution = UpperLimit(samples, limits.confidence);
+    gainByHalves = std::min(1.0, GainByHalves(gainByHalves));
+    const double gain = GainOfMean(gainByHalves, samples), caution = UpperLimit(samples, limits.confidence);
     std::vector<Judged> judged;
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
@@ -234,17 +239,16 @@ Radiance Cell::Spread(const Pixel& pixel)
 }
 
 /// Variance of the open pixels' means by their halves, over their variance if samples were
-/// independent. Few noisy pixels in a cell make the ratio uncertain, so it leans towards 1 as if two
-/// average pixels more had shown no gain.
-double Cell::PooledGain() const
+/// independent. Few noisy pixels in a cell make the ratio uncertain, so it leans towards what was known
+/// before, as if two average pixels more had shown that.
+double Cell::GainByHalves(double before) const
 {
-    double byHalves = 0.0, independent = 0.0, squared = 0.0, n = 2.0;
+    double byHalves = 0.0, independent = 0.0, squared = 0.0;
     for (const Pixel& pixel : pixels)
     {
         if (!pixel.open || pixel.samples < 2)
             continue;
-        n = pixel.samples;
-        const double a = pixel.middle, b = n - a;
+        const double n = pixel.samples, a = pixel.middle, b = n - a;
         const Radiance spread = Spread(pixel);
         double ofPixel = 0.0;
         for (std::size_t c = 0; c < spread.size(); c++)
@@ -256,13 +260,13 @@ double Cell::PooledGain() const
         squared += Square(ofPixel);
     }
     if (!(independent > 0.0))
-        return 1.0;
+        return before;
     const double noisyPixels = Square(independent) / squared, lean = 2.0;
-    return GainOfMean((noisyPixels * byHalves / independent + lean) / (noisyPixels + lean), n);
+    return (noisyPixels * byHalves / independent + lean * before) / (noisyPixels + lean);
 }
 
-/// Variance of one sample: the pixel's own, or the mean around it where that is larger. Neighbours
-/// outside the cell count by their first samples.
+/// Variance of one sample: the pixel's own, or, as long as its samples are few, towards the mean around it
+/// where that is larger. Neighbours outside the cell count by their first samples.
 Radiance Cell::NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const
 {
     const Pixel& pixel = pixels[Index(x, y)];
@@ -277,8 +281,12 @@ Radiance Cell::NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x
             AddTo(mean, holder == this ? Spread(pixels[Index(u, v)]) : holder->FirstOf(u, v).spread);
             count++;
         }
+    const double doubt = kDoubts / (kDoubts + pixel.samples);
     for (std::size_t c = 0; c < mean.size(); c++)
-        spread[c] = std::max(std::max(spread[c], mean[c] / count), pixel.blurredSpread[c]);
+    {
+        const double around = std::max(mean[c] / count, pixel.blurredSpread[c]);
+        spread[c] += doubt * std::max(0.0, around - spread[c]);
+    }
     return spread;
 }
 

@@ -16,15 +16,16 @@
 ///     (A - B)^2 / 4  with A and B the means of the two halves of the prefix: one number, but it sees
 ///                    what stratification gains. The halves of such a prefix fill each other's gaps,
 ///                    so that their difference overstates the error of their mean, never the reverse;
-///     gain           the second over the first, pooled over the cell.
+///     gain           the second over the first, pooled over the cell, and leaning on that of the round
+///                    before where few pixels of the cell are noisy.
 ///
-/// What decides is gain s^2 / n, with s^2 no smaller than its mean over the neighbouring pixels (a few
+/// What decides is gain s^2 / n, with s^2 drawn towards its mean over the neighbouring pixels (a few
 /// equal samples beside an edge are no certainty) and over all that is blurred as far as the pixel (a
-/// small light far out of focus shows in few samples, but in some of every pixel that it covers). It
-/// is raised to the upper limit of the confidence interval that the number of samples leaves
-/// (chi-square), and lowered to what the reconstruction will leave of it where that is asked for. What a
-/// pixel may keep is SamplingLimits::Allowed(): noisy ones more than quiet ones, so that a picture gets
-/// the most out of its rays.
+/// small light far out of focus shows in few samples, but in some of every pixel that it covers), where
+/// that is larger; the less, the more samples the pixel has of its own. It is raised to the upper limit of
+/// the confidence interval that the number of samples leaves (chi-square), and lowered to what the
+/// reconstruction will leave of it where that is asked for. What a pixel may keep is
+/// SamplingLimits::Allowed(): noisy ones more than quiet ones, so that a picture gets the most out of its rays.
 ///
 /// A sample that is not finite counts as black and is counted apart.
 ///
@@ -120,6 +121,7 @@ class Cell
     std::mutex busy;
     bool begun = false, done = false;
     std::vector<Pixel> pixels;
+    double gainByHalves = 1.0;    ///< of the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
     std::vector<First> first;
     std::vector<Estimate> firstEstimates, finalEstimates;
@@ -132,7 +134,7 @@ class Cell
     void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
     void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
-    double PooledGain() const;
+    double GainByHalves(double before) const;
     std::vector<Estimate> Estimates() const;
     void CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged) const;
     std::array<float, kCell * kCell> Remains(const Neighbours& neighbours, const std::vector<Estimate>& own) const;
