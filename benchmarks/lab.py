@@ -173,21 +173,25 @@ class Lab:
             picture.unlink()
         return path
 
-    def run(self, binary, shot, reference=None, repetition=0, limits=(), **about):
-        """A measured render, taken from the journal if it was made before. `about` goes into the record."""
+    def run(self, binary, shot, reference=None, repetition=0, limits=(), more_than=0, **about):
+        """A measured render, taken from the journal if it was made before. `about` goes into the record. With
+        `more_than`, which needs a shot with +N, the pixels that took more samples are looked at apart."""
         key = digest(self.hashes[binary], shot.arguments()[2:], shot.sources(),
                      str(reference.name if reference else ""), list(limits))
         record = self.runs.get((key, repetition))
         if record is None:
             picture = self.work / "pictures" / f"{key}.png"
+            layers = picture.with_suffix(".layers.exr")
             messages, cpu, seconds = self.render(binary, shot, picture)
             record = {"key": key, "repetition": repetition, "cpu": round(cpu, 4),
                       "seconds": round(seconds, 4), **samples_spent(messages)}
             if reference and repetition == 0:
                 arguments = ["--limits", ",".join(map(str, limits))] if limits else []
+                arguments += ["--layers", layers, "--more-than", more_than] if more_than else []
                 figures, = self.tool("noise", "errors", reference, picture, *arguments)
                 record.update({name: value for name, value in figures.items() if name != "picture"})
             picture.unlink()
+            layers.unlink(missing_ok=True)
             self.keep(record)
         return {**record, **about}
 

@@ -5,7 +5,8 @@
 /// How far pictures are from their reference, in linear light between 0 and 1.
 ///
 ///     noise reference OUT.exr PICTURE...    mean of independent pictures and its standard error
-///     noise errors REFERENCE PICTURE...     each picture against it
+///     noise errors REFERENCE PICTURE...     each picture against it; with --layers FILE --more-than N one
+///                                           picture, and its pixels that took more than N samples apart
 ///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first so many pictures
 ///
 /// A reference made of several pictures knows its own mean square error, which is independent of the
@@ -97,13 +98,32 @@ json Errors(const Picture& picture, const Reference& reference, const std::vecto
     return result;
 }
 
+/// The mean square error of the pixels that took more than `least` samples, and how many they are.
+json ErrorsOfMore(const Picture& picture, const Reference& reference, const Picture& samples, double least)
+{
+    if (!picture.SameSize(samples))
+        throw std::runtime_error("the layers have another size than the picture");
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.Size(); ++i)
+        if (samples.values[i] > least)
+        {
+            const double off = picture.values[i] - reference.mean.values[i], own = reference.error.values[i];
+            squares += off * off - own * own;
+            ++count;
+        }
+    return {{"mse_more", count == 0 ? 0.0 : std::max(0.0, squares / count)},
+            {"share_more", count / double(picture.Size())}};
+}
+
 struct Arguments
 {
-    std::string reference, picture, out;
+    std::string reference, picture, out, layers;
     std::vector<std::string> pictures;
     std::vector<double> limits;
     std::vector<std::size_t> counts;
     int width = 0, height = 0;
+    double moreThan = 0.0;
 };
 
 void MakeReference(const Arguments& arguments)
@@ -123,6 +143,9 @@ void PrintErrors(const Arguments& arguments)
             Inner(Clipped(witness::ReadPicture(path)), reference.mean.width, reference.mean.height);
         json line = Errors(picture, reference, arguments.limits);
         line["picture"] = path;
+        if (!arguments.layers.empty())
+            line.update(ErrorsOfMore(picture, reference, witness::ReadChannel(arguments.layers, "samples"),
+                                     arguments.moreThan));
         std::cout << line.dump() << '\n';
     }
 }
@@ -166,6 +189,8 @@ int main(int argc, char** argv)
     errors->add_option("reference", arguments.reference)->required();
     errors->add_option("pictures", arguments.pictures)->required();
     errors->add_option("--limits", arguments.limits, "values of variance, for shares of pixels")->delimiter(',');
+    CLI::Option* layers = errors->add_option("--layers", arguments.layers, "what +N wrote beside the picture");
+    errors->add_option("--more-than", arguments.moreThan, "samples")->needs(layers);
     CLI::App* prefixes = app.add_subcommand("prefixes", "means of the first pictures");
     prefixes->add_option("reference", arguments.reference)->required();
     prefixes->add_option("pictures", arguments.pictures)->required();

@@ -61,6 +61,24 @@ class Noise(unittest.TestCase):
         self.assertIn("16 x 8", self.tool("errors", self.reference(0.5, 0.5), self.grey("b", 0.5, (18, 8)),
                                          fails=True))
 
+    def test_pixels_that_took_more_samples(self):
+        """The left half of the picture took 8 samples and is right, the right half took 32 and is off by 0.25."""
+        halves = [self.folder / "left.pfm", self.folder / "right.pfm"]
+        for path, name, value in zip(halves, ("l", "r"), (0.5, 0.75)):
+            self.grey(name, value, (8, 8)).rename(path)
+        picture, layers = self.folder / "both.exr", self.folder / "both.layers.exr"
+        subprocess.run(["oiiotool", *map(str, halves), "--mosaic", "2x1", "-o", str(picture)], check=True)
+        subprocess.run(["oiiotool", "--pattern", "constant:color=8", "8x8", "1", "--pattern", "constant:color=32", "8x8", "1",
+                        "--mosaic", "2x1", "--chnames", "samples", "-d", "float", "-o", str(layers)], check=True)
+        arguments = ("errors", self.reference(0.5, 0.5), picture, "--layers", layers, "--more-than")
+        line, = self.tool(*arguments, 8)
+        self.assertAlmostEqual(line["mse_more"], 0.0625, places=6)
+        self.assertEqual(line["share_more"], 0.5)
+        line, = self.tool(*arguments, 32)
+        self.assertEqual((line["mse_more"], line["share_more"]), (0.0, 0.0))
+        self.assertIn("no channel samples", self.tool("errors", self.reference(0.5, 0.5), picture, "--layers", picture,
+                                                      fails=True))
+
     def test_means_of_the_first_pictures(self):
         pictures = [self.grey("a", 0.25), self.grey("b", 0.75), self.grey("c", 0.5)]
         lines = self.tool("prefixes", self.reference(0.5, 0.5), *pictures, "--counts", "1,2")

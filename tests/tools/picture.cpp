@@ -101,6 +101,15 @@ Picture ReadPicture(const std::string& path)
     return Colours(Decode(path), path);
 }
 
+Picture ReadChannel(const std::string& path, const std::string& channel)
+{
+    const Decoded decoded = Decode(path);
+    const int found = ChannelNamed(decoded.spec, channel);
+    if (found < 0)
+        throw UnreadablePicture(path + ": has no channel " + channel);
+    return Channels(decoded, {found, found, found});
+}
+
 Reference ReadReference(const std::string& path)
 {
     const Decoded decoded = Decode(path);

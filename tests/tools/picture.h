@@ -55,6 +55,9 @@ class MissingPicture : public std::runtime_error
 /// Values as stored, without any colour conversion. @throws MissingPicture, UnreadablePicture
 Picture ReadPicture(const std::string& path);
 
+/// One channel of a file, three times over. @throws MissingPicture, UnreadablePicture
+Picture ReadChannel(const std::string& path, const std::string& channel);
+
 /// As ReadPicture for an ordinary picture. @throws MissingPicture, UnreadablePicture
 Reference ReadReference(const std::string& path);
 
