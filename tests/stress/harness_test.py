@@ -14,6 +14,7 @@ import fuzz
 import rays
 import reports
 import sanitizers
+import soak
 import watch
 
 OURS = "/src/povray-src/povray/source/backend/scene/tilt_lens_camera.cpp:30"
@@ -117,6 +118,18 @@ class Corpus(unittest.TestCase):
                 (folder / str(number)).write_bytes(data)
             fuzz.drop_refused(folder)
             self.assertEqual({path.read_bytes() for path in folder.iterdir()}, set(kept))
+
+
+class Soak(unittest.TestCase):
+    """A picture that is done early says nothing of an hour."""
+
+    def faults(self, **large):
+        flat = {"exit": 0, "growth_kib": 0}
+        return soak.faults({"animation": {**flat, "frames": 9}, "large": {**flat, "asked_seconds": 60, **large}})
+
+    def test_an_hour_is_an_hour(self):
+        self.assertEqual(self.faults(processor_seconds=60, exit=-9), [])
+        self.assertEqual(len(self.faults(processor_seconds=59)), 1)
 
 
 class Findings(unittest.TestCase):

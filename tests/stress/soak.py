@@ -69,9 +69,9 @@ def large_picture(setup, seconds):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(HEAD + LARGE)
-        size = ("+W4000", "+H3000") if seconds > 300 else ("+W800", "+H600")
+        size = ("+W8000", "+H6000") if seconds > 300 else ("+W800", "+H600")
         watched = watch.watch(command(setup, *size), folder / "said.txt", max(0.2, seconds / 720), seconds, cwd=folder)
-    return summary(watched, width=int(size[0][2:]), height=int(size[1][2:]))
+    return summary(watched, width=int(size[0][2:]), height=int(size[1][2:]), asked_seconds=seconds)
 
 
 def heap(setup, frames):
@@ -115,6 +115,8 @@ def faults(result):
         found.append(f"animation: {animation_['growth_kib']} KiB more in the last quarter")
     if large["growth_kib"] > 512 or large["exit"] not in (0, -9):
         found.append(f"large picture: exit code {large['exit']}, {large['growth_kib']} KiB more in the last quarter")
+    if large["processor_seconds"] < large["asked_seconds"]:
+        found.append(f"large picture: done after {large['processor_seconds']} of {large['asked_seconds']} seconds; make it larger")
     if "heap" in result and result["heap"]["bytes_per_frame"] > 1000:
         found.append(f"heap: {result['heap']['bytes_per_frame']} bytes a frame are not freed")
     return found
