@@ -37,8 +37,8 @@ inline const FourBoxes* BoxesOf(const BBOX_TREE* node)
     return reinterpret_cast<const FourBoxes*>(reinterpret_cast<const char*>(node->Node) + BoxesBehind(node->Entries));
 }
 
-/// Adds the boxes to all nodes of a finished tree. Every tree must be given to this once: nothing says of a node
-/// whether it has them.
+/// Adds the boxes to all nodes of a finished tree: of each mesh, and of the objects of a scene with tilt_lens. Each of
+/// these must be given to this once: nothing says of a node whether it has them.
 void GatherChildBoxes(BBOX_TREE* root);
 
 /// A ray as the boxes see it.
