@@ -35,10 +35,10 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
     const std::vector<Estimate> estimates = Estimates();
     const auto credited = [&](const Judged& one, std::size_t c, double share)
     {
-        // a few hits of something bright say little of how often it is hit
-        if (!IsKnown(estimates[one.pixel - pixels.data()]))
-            return one.variance[c];
         const Estimate& estimate = estimates[one.pixel - pixels.data()];
+        // a few hits of something bright say little of how often it is hit
+        if (!IsKnown(estimate))
+            return one.variance[c];
         const double seen = estimate.variance[c] / Brightness(estimate.mean[c]);
         return one.variance[c] - share * std::min(seen, one.variance[c]);
     };

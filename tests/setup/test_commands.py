@@ -44,6 +44,10 @@ class CommandTest(SetupTest):
         path.write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
         path.chmod(0o755)
 
+    def have_all_packages(self):
+        """No package is missing on any system."""
+        (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
+
     def built(self, target):
         """A configuration that is done, and a build of TARGET with nothing to do."""
         build = self.copy / "build"
@@ -157,8 +161,7 @@ class CheckCommand(CommandTest):
     def setUp(self):
         super().setUp()
         self.built("all")
-        # No package is missing on any system.
-        (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
+        self.have_all_packages()
         self.tool("ctest", f'''echo "arguments: $*"
             until [ -e "{self.folder}/go" ]; do sleep 0.02; done
             echo; echo "{self.CLOSING}"; echo "Total Test time (real) =   3.70 sec"; printf "  2 - unit.two (Failed)"
@@ -182,7 +185,7 @@ class FastBuild(CommandTest):
     def setUp(self):
         super().setUp()
         self.fast = self.built("povray") / "fast"
-        (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
+        self.have_all_packages()
         for folder in ("tutorial", "include"):
             (self.copy / "scenes" / folder).mkdir()
         (self.copy / "scenes" / "tutorial" / "tilt.pov").write_text("", encoding="utf-8")
@@ -252,7 +255,7 @@ class SetupStep(CommandTest):
         self.assert_fails_saying(process, "packages could not be installed", "is there a network?")
 
     def test_moved_repository_is_built_anew(self):
-        (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
+        self.have_all_packages()
         self.tool("cmake", f'echo "$@" >> "{self.folder}/cmake.log"')
         self.tool("ninja", "exit 0")
         build = self.copy / "build"

@@ -69,7 +69,7 @@ def large_picture(setup, seconds):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(HEAD + LARGE)
-        size = ("+W8000", "+H6000") if seconds > 300 else ("+W800", "+H600")
+        size = ("+W8000", "+H6000") if seconds > 300 else ("+W1600", "+H1200")
         watched = watch.watch(command(setup, *size), folder / "said.txt", max(0.2, seconds / 720), seconds, cwd=folder)
     return summary(watched, width=int(size[0][2:]), height=int(size[1][2:]), asked_seconds=seconds)
 
