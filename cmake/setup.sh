@@ -14,6 +14,15 @@ build=$repository/build
 say() { printf '%s\n' "$@" >&2; }
 die() { printf '%s: ' "${0##*/}" >&2; say "$@"; exit 1; }
 
+# quoted TEXT: in quotation marks, which povray needs around a name that holds spaces.
+quoted()
+{
+    case $1 in
+        *\"*) printf "'%s'" "$1" ;;
+        *)    printf '"%s"' "$1" ;;
+    esac
+}
+
 # packages_of render|batch|check: the names in cmake/debian-packages that this command needs.
 packages_of()
 {
