@@ -196,7 +196,9 @@ def soak_section(result):
 
 def scale_section(result):
     """Time and memory against size."""
-    text = (f"\n## Scale\n\nProcessor seconds and peak memory; the power is that of time against size, 1 is linear.\n\n")
+    text = ("\n## Scale\n\nProcessor seconds and peak memory of the whole process; the power is that of time against size, 1 is"
+            " linear. A file\nhas the size of the whole picture, so that of few rows most of the time is its writing, which grows"
+            " with the picture and\nnot with the rows.\n\n")
     for key, title in (("rows", f"rows of a picture {result['width']} by {result['width']}"),
                        ("samples", "`blur_samples`, 64 by 48"), ("objects", "objects, 160 by 120")):
         text += f"| {title} | seconds | peak |\n| --: | --: | --: |\n"
