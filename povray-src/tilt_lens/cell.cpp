@@ -66,6 +66,12 @@ const Cell* Holder(const Cell::Neighbours& neighbours, std::int64_t x, std::int6
     return neighbours[3 * row + column];
 }
 
+bool Cell::IsFinished()
+{
+    const std::lock_guard<std::mutex> lock(busy);
+    return done;
+}
+
 void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
 {
     const std::lock_guard<std::mutex> lock(busy);
@@ -79,8 +85,7 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
         {
             TakeSamples(x, y, until, trace);
             const Pixel& pixel = pixels[Index(x, y)];
-            const Radiance spread = Spread(pixel);
-            first.push_back({spread, std::sqrt(Worst(spread, MeanOf(pixel))), pixel.blur});
+            first.push_back({pixel.spread, std::sqrt(Worst(pixel.spread, MeanOf(pixel))), pixel.blur});
         }
     if (limits.Denoises())
     {
@@ -99,6 +104,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
         return;
     const std::vector<Pixel> begin = pixels;
     gainByHalves = 1.0;
+    laterEstimates.clear();
     try
     {
         if (limits.variance > 0.0)  // else nobody asks
@@ -124,8 +130,6 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     }
     for (const Pixel& pixel : pixels)
         final.push_back({pixel.variance, MeanOf(pixel), pixel.samples, pixel.notFinite, pixel.aimedSamples});
-    if (limits.Denoises())
-        finalEstimates = Estimates();
     pixels = std::vector<Pixel>();
     done = true;
 }
@@ -182,6 +186,7 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
         }
     }
     pixel.samples = until;
+    pixel.spread = Spread(pixel);
 }
 
 /// Closes the cell's pixels that are good enough, notes how good the others are, and tells whether
@@ -209,7 +214,11 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
             judged.push_back({&pixel, variance, limits.Allowed(samples, unusual) / caution});
         }
     if (limits.Denoises())
+    {
+        if (samples > limits.First())
+            laterEstimates = Estimates();
         CreditReconstruction(neighbours, judged);
+    }
 
     bool any = false;
     for (const Judged& one : judged)
@@ -249,7 +258,7 @@ double Cell::GainByHalves(double before) const
         if (!pixel.open || pixel.samples < 2)
             continue;
         const double n = pixel.samples, a = pixel.middle, b = n - a;
-        const Radiance spread = Spread(pixel);
+        const Radiance& spread = pixel.spread;
         double ofPixel = 0.0;
         for (std::size_t c = 0; c < spread.size(); c++)
         {
@@ -270,7 +279,7 @@ double Cell::GainByHalves(double before) const
 Radiance Cell::NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const
 {
     const Pixel& pixel = pixels[Index(x, y)];
-    Radiance spread = Spread(pixel), mean{};
+    Radiance spread = pixel.spread, mean{};
     int count = 0;
     for (std::int64_t v = std::int64_t(y) - 1; v <= std::int64_t(y) + 1; v++)
         for (std::int64_t u = std::int64_t(x) - 1; u <= std::int64_t(x) + 1; u++)
@@ -278,7 +287,7 @@ Radiance Cell::NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x
             const Cell* holder = Holder(neighbours, u, v);
             if (holder == nullptr || !holder->area.Has(u, v))
                 continue;
-            AddTo(mean, holder == this ? Spread(pixels[Index(u, v)]) : holder->FirstOf(u, v).spread);
+            AddTo(mean, holder == this ? pixels[Index(u, v)].spread : holder->FirstOf(u, v).spread);
             count++;
         }
     const double doubt = kDoubts / (kDoubts + pixel.samples);

@@ -84,14 +84,16 @@ class Cell
     /// @name Known after the first step. (x, y) is in the whole picture.
     /// @{
     const First& FirstOf(std::uint32_t x, std::uint32_t y) const { return first[Index(x, y)]; }
-    const Estimate& FirstEstimate(std::uint32_t x, std::uint32_t y) const { return firstEstimates[Index(x, y)]; }
     /// @}
 
     /// @name Known after the second.
     /// @{
     const Final& FinalOf(std::uint32_t x, std::uint32_t y) const { return final[Index(x, y)]; }
-    const Estimate& FinalEstimate(std::uint32_t x, std::uint32_t y) const { return finalEstimates[Index(x, y)]; }
     /// @}
+
+    /// For the reconstruction, once the cells have taken their last samples. Null outside the picture.
+    static Surroundings SurroundingsOf(const Neighbours& cells);
+    bool IsFinished();
 
   private:
     struct Pixel
@@ -99,6 +101,7 @@ class Cell
         std::array<Radiance, 2> half{};  ///< sums of the samples before and after the middle
         Radiance squares{};              ///< sum over both halves
         Radiance aimed{};                ///< sum of the samples that were aimed
+        Radiance spread{};               ///< variance of one sample, from the pixel's own
         Radiance blurredSpread{};        ///< as SpreadBlurred() notes it
         std::uint32_t samples = 0;
         std::uint32_t middle = 0;        ///< samples in the first half
@@ -124,7 +127,7 @@ class Cell
     double gainByHalves = 1.0;    ///< of the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
     std::vector<First> first;
-    std::vector<Estimate> firstEstimates, finalEstimates;
+    std::vector<Estimate> firstEstimates, laterEstimates;  ///< after the first round; after the last if there were more
     std::vector<Final> final;
 
     std::size_t Index(std::uint32_t x, std::uint32_t y) const
@@ -136,8 +139,11 @@ class Cell
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     double GainByHalves(double before) const;
     std::vector<Estimate> Estimates() const;
+    const std::vector<Estimate>& LastEstimates() const { return laterEstimates.empty() ? firstEstimates : laterEstimates; }
     void CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged) const;
-    std::array<float, kCell * kCell> Remains(const Neighbours& neighbours, const std::vector<Estimate>& own) const;
+    template<class EstimateOf>
+    static Surroundings Gather(const Neighbours& cells, const EstimateOf& estimateOf);
+    std::array<float, kCell * kCell> Remains(const Neighbours& neighbours) const;
     Radiance NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
     void SpreadBlurred(const Neighbours& neighbours);
     void SpreadOver(std::int64_t x, std::int64_t y, double reach, const Radiance& spread);

@@ -32,7 +32,7 @@ bool IsKnown(const Estimate& estimate)
 /// show, not of what is only feared because neighbours saw it.
 void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged) const
 {
-    const std::vector<Estimate> estimates = Estimates();
+    const std::vector<Estimate>& estimates = LastEstimates();
     const auto credited = [&](const Judged& one, std::size_t c, double share)
     {
         const Estimate& estimate = estimates[one.pixel - pixels.data()];
@@ -55,7 +55,7 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
     });
     if (!matters)
         return;
-    const std::array<float, kCell * kCell> remains = Remains(neighbours, estimates);
+    const std::array<float, kCell * kCell> remains = Remains(neighbours);
     for (Judged& one : judged)
     {
         const std::size_t i = one.pixel - pixels.data();
@@ -70,9 +70,6 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
 std::vector<Estimate> Cell::Estimates() const
 {
     std::vector<Estimate> estimates(pixels.size());
-    std::vector<Radiance> spread;
-    for (const Pixel& pixel : pixels)
-        spread.push_back(Spread(pixel));
     for (std::uint32_t y = 0; y < area.height; y++)
         for (std::uint32_t x = 0; x < area.width; x++)
         {
@@ -80,7 +77,7 @@ std::vector<Estimate> Cell::Estimates() const
             int count = 0;
             for (std::uint32_t v = y == 0 ? 0 : y - 1; v <= y + 1 && v < area.height; v++)
                 for (std::uint32_t u = x == 0 ? 0 : x - 1; u <= x + 1 && u < area.width; u++, count++)
-                    AddTo(sum, spread[v * area.width + u]);
+                    AddTo(sum, pixels[v * area.width + u].spread);
             const Pixel& pixel = pixels[y * area.width + x];
             const Radiance mean = MeanOf(pixel);
             Estimate& estimate = estimates[y * area.width + x];
@@ -96,21 +93,33 @@ std::vector<Estimate> Cell::Estimates() const
     return estimates;
 }
 
+/// @param estimateOf  of a cell's pixel by its index
+template<class EstimateOf>
+Surroundings Cell::Gather(const Neighbours& cells, const EstimateOf& estimateOf)
+{
+    constexpr std::int64_t border = Surroundings::kBorder, end = kCell + border;
+    const std::int64_t left = cells[4]->area.left, top = cells[4]->area.top;
+    Surroundings around;
+    for (const Cell* cell : cells)
+    {
+        if (cell == nullptr)
+            continue;
+        const Area& area = cell->area;
+        for (std::int64_t y = std::max(area.top - top, -border); y < std::min(area.Bottom() - top, end); y++)
+            for (std::int64_t x = std::max(area.left - left, -border); x < std::min(area.Right() - left, end); x++)
+                around.Set(x, y, estimateOf(*cell, cell->Index(x + left, y + top)));
+    }
+    return around;
+}
+
 /// What share of the pixels' variances the reconstruction will leave, as far as the first samples of
 /// the neighbours tell.
-std::array<float, kCell * kCell> Cell::Remains(const Neighbours& neighbours, const std::vector<Estimate>& own) const
+std::array<float, kCell * kCell> Cell::Remains(const Neighbours& neighbours) const
 {
-    Surroundings around;
-    for (int y = -Surroundings::kBorder; y < int(kCell) + Surroundings::kBorder; y++)
-        for (int x = -Surroundings::kBorder; x < int(kCell) + Surroundings::kBorder; x++)
-        {
-            const std::int64_t u = std::int64_t(area.left) + x, v = std::int64_t(area.top) + y;
-            const Cell* holder = Holder(neighbours, u, v);
-            if (holder == this)
-                around.Set(x, y, own[Index(u, v)]);
-            else if (holder != nullptr && holder->area.Has(u, v))
-                around.Set(x, y, holder->FirstEstimate(u, v));
-        }
+    const Surroundings around = Gather(neighbours, [this](const Cell& cell, std::size_t i) -> const Estimate&
+    {
+        return (&cell == this ? LastEstimates() : cell.firstEstimates)[i];
+    });
     if (around.Noiseless())
     {
         std::array<float, kCell * kCell> all;
@@ -118,6 +127,11 @@ std::array<float, kCell * kCell> Cell::Remains(const Neighbours& neighbours, con
         return all;
     }
     return Rebuild(around, false).remains;
+}
+
+Surroundings Cell::SurroundingsOf(const Neighbours& cells)
+{
+    return Gather(cells, [](const Cell& cell, std::size_t i) -> const Estimate& { return cell.LastEstimates()[i]; });
 }
 
 } // namespace tilt_lens

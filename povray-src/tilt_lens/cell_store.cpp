@@ -82,7 +82,7 @@ std::shared_ptr<Cell> CellStore::Get(const Place& place)
 std::shared_ptr<Cell> CellStore::FinishedCell(const Place& place, const Tracer& trace)
 {
     const std::shared_ptr<Cell> cell = Get(place);
-    if (!cell)
+    if (!cell || cell->IsFinished())
         return cell;
     std::array<std::shared_ptr<Cell>, 9> held;
     Cell::Neighbours neighbours{};

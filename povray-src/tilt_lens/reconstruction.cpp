@@ -4,7 +4,7 @@
 #include "reconstruction.h"
 
 #include <algorithm>
-#include <vector>
+#include <cstring>
 
 namespace tilt_lens
 {
@@ -13,89 +13,103 @@ namespace
 {
 
 constexpr int kSide = Surroundings::kSide, kBorder = Surroundings::kBorder, kReach = Surroundings::kReach;
+constexpr int kPixels = int(kCell * kCell);
 constexpr int kCompared = int(kCell) + 2;  // side of the square in which single pixels are compared
 constexpr int kRow = 12;                   // of which a row takes this much room, for vector registers
 
 /// How different two pixels must be, in standard deviations of their difference, to count as different.
 constexpr float kStrictness = 0.7f;
 
+/// Pixels farther than the square root of this are not averaged: the corners of the square bring little.
+constexpr int kFarthest = 18;
+
+using Plane = Surroundings::Plane;
+using OfCell = std::array<float, kPixels>;
+
 constexpr int At(int x, int y) { return (y + kBorder) * kSide + x + kBorder; }
 
-/// exp(-max(0, x)) but for a hundredth, exactly 0 from 8 on; in a form that vector registers can do.
-inline float Falloff(float x)
+/// Four pixels of a row. What compilers make of plain loops over so short rows takes three times as long.
+typedef float Four __attribute__((vector_size(16)));
+
+inline Four Load(const float* from)
 {
-    float base = 1.0f - 0.125f * std::max(0.0f, x);
-    base = std::max(0.0f, base);
+    Four four;
+    std::memcpy(&four, from, sizeof(four));
+    return four;
+}
+
+inline void Store(float* to, Four four) { std::memcpy(to, &four, sizeof(four)); }
+inline Four Min(Four a, Four b) { return a < b ? a : b; }
+inline Four Max(Four a, Four b) { return a > b ? a : b; }
+
+/// exp(-max(0, x)) but for a hundredth, exactly 0 from 8 on.
+inline Four Falloff(Four x)
+{
+    Four base = Max(Four(), 1.0f - 0.125f * Max(Four(), x));
     base *= base;
     base *= base;
     return base * base;
 }
 
-/// Distances of single pixels to those at an offset, summed over the channels that say anything.
-void Compare(const Surroundings& around, const std::vector<int>& channels, int offset, float* distance)
+/// Distances of single pixels to those at an offset.
+template<int kChannels>
+void Compare(const Surroundings& around, int offset, float* distance)
 {
-    std::fill(distance, distance + kCompared * kRow, 0.0f);
-    const float scale = 1.0f / (3.0f * kStrictness * kStrictness);  // three channels are usual
-    for (const int c : channels)
-    {
-        const float* mean = around.Means()[c].data();
-        const float* variance = around.Variances()[c].data();
-        for (int y = 0; y < kCompared; y++)
+    for (int y = 0; y < kCompared; y++)
+        for (int x = 0; x < kRow; x += 4)
         {
-            const int row = At(-1, y - 1);
-            float* out = distance + y * kRow;
-            for (int x = 0; x < kCompared; x++)
+            const int i = At(x - 1, y - 1);
+            Four squares = Four();
+            for (int c = 0; c < kChannels; c++)
             {
-                const float p = mean[row + x], q = mean[row + x + offset];
-                const float vp = variance[row + x], vq = variance[row + x + offset];
-                const float unexplained = (p - q) * (p - q) - (vp + std::min(vp, vq));
-                out[x] += scale * unexplained / (vp + vq + 1e-20f);
+                const Four difference = Load(&around.Means()[c][i]) - Load(&around.Means()[c][i + offset]);
+                squares += difference * difference;
             }
+            const Four p = Load(&around.Noise()[i]), q = Load(&around.Noise()[i + offset]);
+            const Four scale = kStrictness * kStrictness * (p + q) + 1e-20f;
+            Store(distance + y * kRow + x, (squares - (p + Min(p, q))) / scale);
         }
-    }
 }
 
 /// Weights from the 3 by 3 means of the distances and the samples at both ends.
-void Weigh(const Surroundings& around, const float* distance, int offset, float* weight)
+void Weigh(const Surroundings& around, const OfCell& perSample, int offset, const float* distance, OfCell& weight)
 {
     float rows[int(kCell) * kRow];
-    for (int i = 0; i < int(kCell) * kRow; i++)
-        rows[i] = distance[i] + distance[i + kRow] + distance[i + 2 * kRow];
+    for (int i = 0; i < int(kCell) * kRow; i += 4)
+        Store(rows + i, Load(distance + i) + Load(distance + i + kRow) + Load(distance + i + 2 * kRow));
+    const Four one = Four() + 1.0f;
     for (int y = 0; y < int(kCell); y++)
-    {
-        const float* samples = around.Samples().data() + At(0, y);
-        for (int x = 0; x < int(kCell); x++)
+        for (int x = 0; x < int(kCell); x += 4)
         {
             const float* d = rows + y * kRow + x;
-            const float known = std::min(samples[x], samples[x + offset]) / std::max(1.0f, samples[x]);
-            weight[y * kCell + x] = known * Falloff((d[0] + d[1] + d[2]) / 9.0f);
+            const int i = y * kCell + x;
+            const Four known = Min(one, Load(&around.Samples()[At(x, y) + offset]) * Load(&perSample[i]));
+            Store(&weight[i], known * Falloff((Load(d) + Load(d + 1) + Load(d + 2)) / 9.0f));
         }
-    }
 }
 
-void AddWeighted(const std::array<float, kSide * kSide>& values, int offset, const float* weight,
-                 std::array<float, kCell * kCell>& sum)
+void AddWeighted(const Plane& values, int offset, const OfCell& weight, OfCell& sum)
 {
     for (int y = 0; y < int(kCell); y++)
-        for (int x = 0; x < int(kCell); x++)
-            sum[y * kCell + x] += weight[y * kCell + x] * values[At(x, y) + offset];
+        for (int x = 0; x < int(kCell); x += 4)
+        {
+            const int i = y * kCell + x;
+            Store(&sum[i], Load(&sum[i]) + Load(&weight[i]) * Load(&values[At(x, y) + offset]));
+        }
 }
 
 /// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around.
-std::array<float, kCell * kCell> Remains(const Surroundings& around, const std::vector<int>& channels,
-                                         const std::array<std::array<float, kCell * kCell>, 5>& filtered)
+OfCell Remains(const Surroundings& around, const std::array<OfCell, 5>& filtered, int channels)
 {
     constexpr int side = int(kCell);
-    float before[side * side] = {}, after[side * side] = {};
-    for (const int c : channels)
-        for (int y = 0; y < side; y++)
-            for (int x = 0; x < side; x++)
-            {
-                const float plain = around.Halves()[c][At(x, y)], rebuilt = filtered[c][y * side + x];
-                before[y * side + x] += plain * plain;
-                after[y * side + x] += rebuilt * rebuilt;
-            }
-    std::array<float, kCell * kCell> remains;
+    OfCell before{}, after{}, remains;
+    for (int c = 0; c < channels; c++)
+        for (int i = 0; i < kPixels; i++)
+        {
+            const float plain = around.Halves()[c][At(i % side, i / side)];
+            before[i] += plain * plain;
+            after[i] += filtered[c][i] * filtered[c][i];
+        }
     for (int y = 0; y < side; y++)
         for (int x = 0; x < side; x++)
         {
@@ -111,70 +125,73 @@ std::array<float, kCell * kCell> Remains(const Surroundings& around, const std::
     return remains;
 }
 
-} // namespace
-
-void Surroundings::Set(int x, int y, const Estimate& estimate)
+template<int kChannels>
+Rebuilt RebuildChannels(const Surroundings& around, bool means)
 {
-    const int i = At(x, y);
-    for (std::size_t c = 0; c < mean.size(); c++)
-    {
-        mean[c][i] = estimate.mean[c];
-        variance[c][i] = estimate.variance[c];
-        halves[c][i] = estimate.halves[c];
-    }
-    samples[i] = estimate.samples;
-}
-
-bool Surroundings::Noiseless() const
-{
-    for (const auto& channel : variance)
-        for (int y = 0; y < int(kCell); y++)
-            for (int x = 0; x < int(kCell); x++)
-                if (channel[At(x, y)] > 0.0f)
-                    return false;
-    return true;
-}
-
-Rebuilt Rebuild(const Surroundings& around, bool means)
-{
-    // a channel that is nothing everywhere, as filter and transmit are in most pictures, tells nothing
-    std::vector<int> channels;
-    for (int c = 0; c < 5; c++)
-        if (std::any_of(around.Means()[c].begin(), around.Means()[c].end(), [](float x) { return x != 0.0f; }))
-            channels.push_back(c);
-
-    constexpr int pixels = int(kCell * kCell);
     Rebuilt sum{};
-    std::array<std::array<float, pixels>, 5> halves{};
-    float weights[pixels] = {}, distance[kCompared * kRow], weight[pixels];
+    std::array<OfCell, 5> halves{};
+    OfCell weights{}, weight, perSample;
+    float distance[kCompared * kRow];
+    for (int i = 0; i < kPixels; i++)
+        perSample[i] = 1.0f / std::max(1.0f, around.Samples()[At(i % kCell, i / kCell)]);
     for (int dy = -kReach; dy <= kReach; dy++)
         for (int dx = -kReach; dx <= kReach; dx++)
         {
+            if (dx * dx + dy * dy > kFarthest)
+                continue;
             const int offset = dy * kSide + dx;
+            Compare<kChannels>(around, offset, distance);
+            Weigh(around, perSample, offset, distance, weight);
             if (offset == 0)
-                std::fill(weight, weight + pixels, 1.0f);
-            else
-            {
-                Compare(around, channels, offset, distance);
-                Weigh(around, distance, offset, weight);
-            }
-            for (int i = 0; i < pixels; i++)
+                weight.fill(1.0f);
+            for (int i = 0; i < kPixels; i++)
                 weights[i] += weight[i];
-            for (const int c : channels)
+            for (int c = 0; c < kChannels; c++)
             {
                 AddWeighted(around.Halves()[c], offset, weight, halves[c]);
                 if (means)
                     AddWeighted(around.Means()[c], offset, weight, sum.mean[c]);
             }
         }
-    for (const int c : channels)
-        for (int i = 0; i < pixels; i++)
+    for (int c = 0; c < kChannels; c++)
+        for (int i = 0; i < kPixels; i++)
         {
             halves[c][i] /= weights[i];
             sum.mean[c][i] /= weights[i];
         }
-    sum.remains = Remains(around, channels, halves);
+    sum.remains = Remains(around, halves, kChannels);
     return sum;
+}
+
+} // namespace
+
+void Surroundings::Set(int x, int y, const Estimate& estimate)
+{
+    const int i = At(x, y);
+    float sum = 0.0f;
+    for (std::size_t c = 0; c < mean.size(); c++)
+    {
+        mean[c][i] = estimate.mean[c];
+        halves[c][i] = estimate.halves[c];
+        sum += estimate.variance[c];
+    }
+    noise[i] = sum;
+    samples[i] = estimate.samples;
+    transparent = transparent || estimate.mean[3] != 0.0f || estimate.mean[4] != 0.0f;
+}
+
+bool Surroundings::Noiseless() const
+{
+    for (int y = 0; y < int(kCell); y++)
+        for (int x = 0; x < int(kCell); x++)
+            if (noise[At(x, y)] > 0.0f)
+                return false;
+    return true;
+}
+
+Rebuilt Rebuild(const Surroundings& around, bool means)
+{
+    return around.Transparent() ? RebuildChannels<5>(around, means) : RebuildChannels<3>(around, means);
 }
 
 } // namespace tilt_lens

@@ -6,9 +6,11 @@
 /// are averaged. A non-local means filter whose distance between two pixels is that of their 3 by 3
 /// neighbourhoods, less what their estimated variances explain, and in units of these:
 ///
-///     d(p, q) = mean over the neighbourhood and the channels of
-///               ((p - q)^2 - (var p + min(var p, var q))) / (k^2 (var p + var q))
+///     d(p, q) = mean over the neighbourhood of
+///               (|p - q|^2 - (var p + min(var p, var q))) / (k^2 (var p + var q))
 ///     weight  = exp(-max(0, d)), times the share of samples that q has of p's, at most 1
+///
+/// with squares and variances summed over the channels.
 ///
 /// It looks at nothing but colours and their variances: no depth, no normals. So a mirror image, a
 /// refraction, a medium or a far blurred light is treated as what it looks like. A pixel without noise
@@ -53,24 +55,30 @@ constexpr std::uint32_t kCell = 8;
 class Surroundings
 {
   public:
-    static constexpr int kReach = 5;               ///< pixels from one to the farthest it is averaged with
+    static constexpr int kReach = 4;               ///< pixels from one to the farthest it is averaged with
     static constexpr int kBorder = kReach + 1;     ///< and one more to compare neighbourhoods
     static constexpr int kSide = int(kCell) + 2 * kBorder;
+
+    /// A value of each pixel, row by row, and room for vector registers that read beyond the last one.
+    using Plane = std::array<float, kSide * kSide + 4>;
 
     /// @param x, y  relative to the cell's first pixel, -kBorder <= x, y < kCell + kBorder
     void Set(int x, int y, const Estimate& estimate);
 
     /// Whether no pixel of the cell has any noise: then all stay as they are.
     bool Noiseless() const;
+    /// Whether filter or transmit are anything anywhere, which they are not in most pictures.
+    bool Transparent() const { return transparent; }
 
-    const std::array<std::array<float, kSide * kSide>, 5>& Means() const { return mean; }
-    const std::array<std::array<float, kSide * kSide>, 5>& Variances() const { return variance; }
-    const std::array<std::array<float, kSide * kSide>, 5>& Halves() const { return halves; }
-    const std::array<float, kSide * kSide>& Samples() const { return samples; }
+    const std::array<Plane, 5>& Means() const { return mean; }
+    const std::array<Plane, 5>& Halves() const { return halves; }
+    const Plane& Noise() const { return noise; }  ///< sum of the channels' variances
+    const Plane& Samples() const { return samples; }
 
   private:
-    std::array<std::array<float, kSide * kSide>, 5> mean{}, variance{}, halves{};
-    std::array<float, kSide * kSide> samples{};
+    std::array<Plane, 5> mean{}, halves{};
+    Plane noise{}, samples{};
+    bool transparent = false;
 };
 
 /// A cell's pixels rebuilt, row by row.

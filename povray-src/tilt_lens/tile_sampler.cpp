@@ -6,29 +6,6 @@
 namespace tilt_lens
 {
 
-namespace
-{
-
-Surroundings SurroundingsOf(const CellStore::Block& block)
-{
-    Cell::Neighbours cells{};
-    for (std::size_t i = 0; i < block.size(); i++)
-        cells[i] = block[i].get();
-    const Area& own = cells[4]->area;
-    Surroundings around;
-    for (int y = -Surroundings::kBorder; y < int(kCell) + Surroundings::kBorder; y++)
-        for (int x = -Surroundings::kBorder; x < int(kCell) + Surroundings::kBorder; x++)
-        {
-            const std::int64_t u = std::int64_t(own.left) + x, v = std::int64_t(own.top) + y;
-            const Cell* holder = Holder(cells, u, v);
-            if (holder != nullptr && holder->area.Has(u, v))
-                around.Set(x, y, holder->FinalEstimate(u, v));
-        }
-    return around;
-}
-
-} // namespace
-
 void TileSampler::Run(const Area& wanted, const Tracer& trace)
 {
     tile = wanted;
@@ -53,7 +30,10 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel) { pixel = cell.FinalOf(x, y); });
     if (!store.limits.Denoises())
         return;
-    const Surroundings around = SurroundingsOf(block);
+    Cell::Neighbours cells;
+    for (std::size_t i = 0; i < block.size(); i++)
+        cells[i] = block[i].get();
+    const Surroundings around = Cell::SurroundingsOf(cells);
     if (around.Noiseless())
         return;
     const Rebuilt rebuilt = Rebuild(around, true);

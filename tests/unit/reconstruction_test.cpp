@@ -63,7 +63,7 @@ Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
                 const int i = y * kCell + x, at = (y - kFrom) * Surroundings::kSide + x - kFrom;
                 errors.before += std::pow(around.Means()[0][at] - truth(x, y), 2);
                 errors.after += std::pow(rebuilt.mean[0][i] - truth(x, y), 2);
-                errors.claimed += rebuilt.remains[i] * around.Variances()[0][at];
+                errors.claimed += rebuilt.remains[i] * around.Noise()[at] / 3.0;
             }
     }
     return errors;
