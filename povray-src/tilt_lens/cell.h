@@ -93,6 +93,8 @@ class Cell
 
     /// For the reconstruction, once the cells have taken their last samples. Null outside the picture.
     static Surroundings SurroundingsOf(const Neighbours& cells);
+    /// Whether the reconstruction would leave all of the cell's pixels as they are.
+    bool IsNoiseless() const;
     bool IsFinished();
 
   private:

@@ -26,6 +26,12 @@ bool IsKnown(const Estimate& estimate)
     return noise <= 0.25 * light;
 }
 
+template<class Channels>
+bool IsNothing(const Channels& channels)
+{
+    return std::all_of(channels.begin(), channels.end(), [](auto x) { return x == 0; });
+}
+
 } // namespace
 
 /// Takes from the variances of pixels what the reconstruction will take: of what their own samples
@@ -70,12 +76,13 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
 std::vector<Estimate> Cell::Estimates() const
 {
     std::vector<Estimate> estimates(pixels.size());
+    const bool noisy = !std::all_of(pixels.begin(), pixels.end(), [](const Pixel& pixel) { return IsNothing(pixel.spread); });
     for (std::uint32_t y = 0; y < area.height; y++)
         for (std::uint32_t x = 0; x < area.width; x++)
         {
             Radiance sum{};
             int count = 0;
-            for (std::uint32_t v = y == 0 ? 0 : y - 1; v <= y + 1 && v < area.height; v++)
+            for (std::uint32_t v = y == 0 ? 0 : y - 1; noisy && v <= y + 1 && v < area.height; v++)
                 for (std::uint32_t u = x == 0 ? 0 : x - 1; u <= x + 1 && u < area.width; u++, count++)
                     AddTo(sum, pixels[v * area.width + u].spread);
             const Pixel& pixel = pixels[y * area.width + x];
@@ -85,7 +92,8 @@ std::vector<Estimate> Cell::Estimates() const
             for (std::size_t c = 0; c < sum.size(); c++)
             {
                 estimate.mean[c] = mean[c];
-                estimate.variance[c] = pixel.gain * sum[c] / count / pixel.samples;
+                if (noisy)
+                    estimate.variance[c] = pixel.gain * sum[c] / count / pixel.samples;
                 if (pixel.samples > 1)
                     estimate.halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
             }
@@ -120,13 +128,13 @@ std::array<float, kCell * kCell> Cell::Remains(const Neighbours& neighbours) con
     {
         return (&cell == this ? LastEstimates() : cell.firstEstimates)[i];
     });
-    if (around.Noiseless())
-    {
-        std::array<float, kCell * kCell> all;
-        all.fill(1.0f);
-        return all;
-    }
     return Rebuild(around, false).remains;
+}
+
+bool Cell::IsNoiseless() const
+{
+    return std::all_of(LastEstimates().begin(), LastEstimates().end(),
+                       [](const Estimate& estimate) { return IsNothing(estimate.variance); });
 }
 
 Surroundings Cell::SurroundingsOf(const Neighbours& cells)

@@ -180,15 +180,6 @@ void Surroundings::Set(int x, int y, const Estimate& estimate)
     transparent = transparent || estimate.mean[3] != 0.0f || estimate.mean[4] != 0.0f;
 }
 
-bool Surroundings::Noiseless() const
-{
-    for (int y = 0; y < int(kCell); y++)
-        for (int x = 0; x < int(kCell); x++)
-            if (noise[At(x, y)] > 0.0f)
-                return false;
-    return true;
-}
-
 Rebuilt Rebuild(const Surroundings& around, bool means)
 {
     return around.Transparent() ? RebuildChannels<5>(around, means) : RebuildChannels<3>(around, means);

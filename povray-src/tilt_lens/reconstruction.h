@@ -65,8 +65,6 @@ class Surroundings
     /// @param x, y  relative to the cell's first pixel, -kBorder <= x, y < kCell + kBorder
     void Set(int x, int y, const Estimate& estimate);
 
-    /// Whether no pixel of the cell has any noise: then all stay as they are.
-    bool Noiseless() const;
     /// Whether filter or transmit are anything anywhere, which they are not in most pictures.
     bool Transparent() const { return transparent; }
 

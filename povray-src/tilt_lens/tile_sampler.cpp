@@ -28,15 +28,12 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
                     visit(x, y, At(x, y));
     };
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel) { pixel = cell.FinalOf(x, y); });
-    if (!store.limits.Denoises())
+    if (!store.limits.Denoises() || cell.IsNoiseless())
         return;
     Cell::Neighbours cells;
     for (std::size_t i = 0; i < block.size(); i++)
         cells[i] = block[i].get();
-    const Surroundings around = Cell::SurroundingsOf(cells);
-    if (around.Noiseless())
-        return;
-    const Rebuilt rebuilt = Rebuild(around, true);
+    const Rebuilt rebuilt = Rebuild(Cell::SurroundingsOf(cells), true);
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel)
     {
         const std::size_t i = (y - cell.area.top) * kCell + x - cell.area.left;
