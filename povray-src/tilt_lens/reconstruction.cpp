@@ -17,9 +17,6 @@ constexpr int kPixels = int(kCell * kCell);
 constexpr int kCompared = int(kCell) + 2;  // side of the square in which single pixels are compared
 constexpr int kRow = 12;                   // of which a row takes this much room, for vector registers
 
-/// How different two pixels must be, in standard deviations of their difference, to count as different.
-constexpr float kStrictness = 0.7f;
-
 /// Pixels farther than the square root of this are not averaged: the corners of the square bring little.
 constexpr int kFarthest = 18;
 
@@ -66,8 +63,7 @@ void Compare(const Surroundings& around, int offset, float* distance)
                 squares += difference * difference;
             }
             const Four p = Load(&around.Noise()[i]), q = Load(&around.Noise()[i + offset]);
-            const Four scale = kStrictness * kStrictness * (p + q) + 1e-20f;
-            Store(distance + y * kRow + x, (squares - (p + Min(p, q))) / scale);
+            Store(distance + y * kRow + x, (squares - (p + Min(p, q))) / (p + q + 1e-20f));
         }
 }
 

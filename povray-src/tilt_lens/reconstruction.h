@@ -6,8 +6,7 @@
 /// are averaged. A non-local means filter whose distance between two pixels is that of their 3 by 3
 /// neighbourhoods, less what their estimated variances explain, and in units of these:
 ///
-///     d(p, q) = mean over the neighbourhood of
-///               (|p - q|^2 - (var p + min(var p, var q))) / (k^2 (var p + var q))
+///     d(p, q) = mean over the neighbourhood of (|p - q|^2 - (var p + min(var p, var q))) / (var p + var q)
 ///     weight  = exp(-max(0, d)), times the share of samples that q has of p's, at most 1
 ///
 /// with squares and variances summed over the channels.
