@@ -201,7 +201,12 @@ TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
 TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
 {
     for (const Way& way : Ways())
-        for (const int broken : {1, 100, 5000})
+    {
+        const std::vector<Result> whole = way.Whole();
+        int samples = 0;
+        for (const Result& pixel : whole)
+            samples += pixel.samples;
+        for (const int broken : {1, 100, samples * 9 / 10})
         {
             CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
             int calls = 0;
@@ -214,8 +219,9 @@ TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
             TileSampler sampler(store);
             const Area all{0, 0, kWidth, kHeight};
             EXPECT_THROW(sampler.Run(all, failing), std::runtime_error);
-            ExpectPartOf(way.Whole(), ResultsOf(sampler, all, way.trace), all);
+            ExpectPartOf(whole, ResultsOf(sampler, all, way.trace), all);
         }
+    }
 }
 
 TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
