@@ -66,12 +66,6 @@ const Cell* Holder(const Cell::Neighbours& neighbours, std::int64_t x, std::int6
     return neighbours[3 * row + column];
 }
 
-bool Cell::IsFinished()
-{
-    const std::lock_guard<std::mutex> lock(busy);
-    return done;
-}
-
 void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
 {
     const std::lock_guard<std::mutex> lock(busy);

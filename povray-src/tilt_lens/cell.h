@@ -37,6 +37,7 @@
 #define TILT_LENS_CELL_H
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -95,7 +96,7 @@ class Cell
     static Surroundings SurroundingsOf(const Neighbours& cells);
     /// Whether the reconstruction would leave all of the cell's pixels as they are.
     bool IsNoiseless() const;
-    bool IsFinished();
+    bool IsFinished() const { return done; }
 
   private:
     struct Pixel
@@ -124,7 +125,8 @@ class Cell
     };
 
     std::mutex busy;
-    bool begun = false, done = false;
+    bool begun = false;
+    std::atomic<bool> done{false};
     std::vector<Pixel> pixels;
     double gainByHalves = 1.0;    ///< of the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours

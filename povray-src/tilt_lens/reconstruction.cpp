@@ -4,6 +4,7 @@
 #include "reconstruction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace tilt_lens
@@ -37,12 +38,12 @@ inline Four Load(const float* from)
 
 inline void Store(float* to, Four four) { std::memcpy(to, &four, sizeof(four)); }
 inline Four Min(Four a, Four b) { return a < b ? a : b; }
-inline Four Max(Four a, Four b) { return a > b ? a : b; }
+inline Four Max(Four a, Four b) { return a > b ? a : b; }  // b if either is no number
 
-/// exp(-max(0, x)) but for a hundredth, exactly 0 from 8 on.
+/// exp(-max(0, x)) but for a hundredth, exactly 0 from 8 on and where x is no number.
 inline Four Falloff(Four x)
 {
-    Four base = Max(Four(), 1.0f - 0.125f * Max(Four(), x));
+    Four base = Max(1.0f - 0.125f * Max(Four(), x), Four());
     base *= base;
     base *= base;
     return base * base;
@@ -174,6 +175,11 @@ void Surroundings::Set(int x, int y, const Estimate& estimate)
     noise[i] = sum;
     samples[i] = estimate.samples;
     transparent = transparent || estimate.mean[3] != 0.0f || estimate.mean[4] != 0.0f;
+}
+
+bool Rebuilt::IsLight(std::size_t pixel) const
+{
+    return std::all_of(mean.begin(), mean.end(), [=](const OfCell& channel) { return std::isfinite(channel[pixel]); });
 }
 
 Rebuilt Rebuild(const Surroundings& around, bool means)

@@ -58,8 +58,8 @@ class Surroundings
     static constexpr int kBorder = kReach + 1;     ///< and one more to compare neighbourhoods
     static constexpr int kSide = int(kCell) + 2 * kBorder;
 
-    /// A value of each pixel, row by row, and room for vector registers that read beyond the last one.
-    using Plane = std::array<float, kSide * kSide + 4>;
+    /// A value of each pixel, row by row.
+    using Plane = std::array<float, kSide * kSide>;
 
     /// @param x, y  relative to the cell's first pixel, -kBorder <= x, y < kCell + kBorder
     void Set(int x, int y, const Estimate& estimate);
@@ -83,6 +83,9 @@ struct Rebuilt
 {
     std::array<std::array<float, kCell * kCell>, 5> mean;
     std::array<float, kCell * kCell> remains;  ///< of a pixel's variance: the share that averaging leaves, (0, 1]
+
+    /// Whether a pixel's means are numbers: not beside one that is brighter than a float can hold.
+    bool IsLight(std::size_t pixel) const;
 };
 
 /// @param means  whether the means are wanted too, or only what would remain of the variances

@@ -136,5 +136,37 @@ TEST(Reconstruction, TransparencyGoesWithTheColours)
             EXPECT_NEAR(rebuilt.mean[4][y * kCell + x], x < 4 ? 1.0 : 0.0, 1e-4);
 }
 
+TEST(Reconstruction, NothingIsTooBrightForIt)
+{
+    for (const float bright : {1e18f, 1e25f, 3e38f, HUGE_VALF})
+    {
+        std::mt19937 random(8);
+        const Surroundings around = Make([&](int x, int y)
+        {
+            Estimate e = Noisy(0.5, 1e-3, random);
+            if (x == 2 && y == 3)
+            {
+                e.mean.fill(bright);
+                e.halves[0] = -bright;
+                e.variance[1] = bright;
+            }
+            return e;
+        });
+        const Rebuilt rebuilt = Rebuild(around, true);
+        for (int i = 0; i < int(kCell * kCell); i++)
+        {
+            EXPECT_GT(rebuilt.remains[i], 0.0f) << bright << ", pixel " << i;
+            EXPECT_LE(rebuilt.remains[i], 1.0f) << bright << ", pixel " << i;
+            const bool beside = i != 3 * int(kCell) + 2;
+            if (bright < 1e38f && beside)
+            {
+                EXPECT_TRUE(rebuilt.IsLight(i)) << bright << ", pixel " << i;
+                EXPECT_LT(rebuilt.mean[0][i], 1.0f) << bright << ", pixel " << i;
+            }
+            EXPECT_TRUE(bright < HUGE_VALF || beside || !rebuilt.IsLight(i)) << "pixel " << i;
+        }
+    }
+}
+
 } // namespace
 } // namespace tilt_lens
