@@ -17,7 +17,7 @@ camera
   look_at <0, 0.8, 0>
   aperture 0.3
   focal_point <0, 0.5, 0>
-  blur_samples 16, 1024  confidence 0.95  variance 1/10000
+  blur_samples 16, 8192  confidence 0.95  variance 1/100000
   normal { ripples 0.3 scale 0.3 }
   tilt_lens { scene_unit 250  tilt 4  swing -3 }
 }
