@@ -46,7 +46,7 @@ def measure(lab, scene, tilted):
     record = lab.runs.get((key, 0))
     if record is None:
         lab.say(f"  accumulation buffer of {count} frames")
-        folder = lab.work / "frames"
+        folder = lab.work / "frames" / key
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         rays, cpu = cpu_of_frames(lab, shot, count, folder)
