@@ -90,10 +90,11 @@ def section_pan(results):
 
 
 def section_tilt(results):
-    rows = [[row["setting"], f"{row['untilted']:.3f}", f"{row['tilted']:.3f}", f"{100*row['times'] - 100:+.1f} %"]
-            for row in results["tilt"]]
-    worst = max(row["times"] for row in results["tilt"])
-    return ["### What a tilt costs, at equal blur", "", table(["setting", "untilted, s", "tilted, s", "more"], rows), "",
+    rows = [[row["setting"], f"{row['untilted']:.3f}", f"{row['tilted']:.3f}", f"{100*row['times'] - 100:+.1f} %",
+             f"{100*row['instructions'] - 100:+.1f} %" if row["instructions"] else "-"] for row in results["tilt"]]
+    worst = max(row["instructions"] or row["times"] for row in results["tilt"])
+    return ["### What a tilt costs, at equal blur", "",
+            table(["setting", "untilted, s", "tilted, s", "more", "more instructions"], rows), "",
             f"Aimed at: within 5 %; {'reached' if worst <= 1.05 else 'missed'}.", ""]
 
 
