@@ -14,12 +14,12 @@ from sharpness import Region, beyond_grid, measure, regions
 PINHOLE = 0.0001        # factor of the aperture
 
 
-def pictures(lab, names, size, pinhole, finer=1):
-    """Renders scenes and, with these declarations and as many times finer, the pinhole's picture of
-    the first; linear pictures by name."""
+def pictures(lab, names, size, pinhole, finer=1, declare=()):
+    """Renders scenes with declarations and, with those of `pinhole` and as many times finer, the pinhole's
+    picture of the first; linear pictures by name."""
     found = {}
     for name in names:
-        found[name] = lab.render(SCENES / f"{name}.pov", f"{name}.exr", size)
+        found[name] = lab.render(SCENES / f"{name}.pov", f"{name}.exr", size, declare)
         print(f"        {lab.png(found[name])}", flush=True)
     found["pinhole"] = lab.render(SCENES / f"{names[0]}.pov", f"{names[0]}_pinhole.exr",
                                   [finer * side for side in size], pinhole)
@@ -148,7 +148,7 @@ def landscape(lab):
         planes = {letter: planes[letter] for letter in "ac"}
     shown = pictures(lab, [f"landscape_{letter}" for letter in planes], (view.width, view.height),
                      [("Wide", PINHOLE), ("Variance", 1e-4 if lab.quick else 5e-4)],
-                     finer=1 if lab.quick else 3)
+                     finer=1 if lab.quick else 3, declare=[("Denoise", 0), ("Variance", 2e-5)])
     found = {}
     for letter, (diameter, normal, point) in planes.items():
         lens = Lens.of_angle(view, 70, diameter, normal, point)

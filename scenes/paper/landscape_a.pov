@@ -16,5 +16,5 @@ camera
 {
   Landscape_Camera(16)
   focal_point Village_Green
-  tilt_lens { }
+  tilt_lens { denoise Denoise }
 }

@@ -15,5 +15,5 @@ global_settings { assumed_gamma 1 }
 camera
 {
   Landscape_Camera(16)
-  tilt_lens { focal_plane { y, 0 } }
+  tilt_lens { focal_plane { y, 0 } denoise Denoise }
 }

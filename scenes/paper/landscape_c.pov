@@ -15,5 +15,5 @@ global_settings { assumed_gamma 1 }
 camera
 {
   Landscape_Camera(16)
-  tilt_lens { focal_plane { z, Village_Green.z } }
+  tilt_lens { focal_plane { z, Village_Green.z } denoise Denoise }
 }

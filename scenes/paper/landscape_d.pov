@@ -14,5 +14,5 @@ global_settings { assumed_gamma 1 }
 camera
 {
   Landscape_Camera(32)
-  tilt_lens { focal_plane { z, Village_Green.z } }
+  tilt_lens { focal_plane { z, Village_Green.z } denoise Denoise }
 }
