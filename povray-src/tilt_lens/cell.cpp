@@ -23,11 +23,6 @@ constexpr double kDoubts = 32.0;
 
 double Square(double x) { return x * x; }
 
-bool IsLight(const Radiance& value)
-{
-    return std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
-}
-
 /// How far the true variance may lie above an estimate from n samples, with probability `confidence`.
 double UpperLimit(std::uint32_t n, double confidence)
 {

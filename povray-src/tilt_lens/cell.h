@@ -147,7 +147,7 @@ class Cell
     void CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged) const;
     template<class EstimateOf>
     static Surroundings Gather(const Neighbours& cells, const EstimateOf& estimateOf);
-    std::array<float, kCell * kCell> Remains(const Neighbours& neighbours) const;
+    CellPlane Remains(const Neighbours& neighbours) const;
     Radiance NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
     void SpreadBlurred(const Neighbours& neighbours);
     void SpreadOver(std::int64_t x, std::int64_t y, double reach, const Radiance& spread);

@@ -61,7 +61,7 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
     });
     if (!matters)
         return;
-    const std::array<float, kCell * kCell> remains = Remains(neighbours);
+    const CellPlane remains = Remains(neighbours);
     for (Judged& one : judged)
     {
         const std::size_t i = one.pixel - pixels.data();
@@ -122,7 +122,7 @@ Surroundings Cell::Gather(const Neighbours& cells, const EstimateOf& estimateOf)
 
 /// What share of the pixels' variances the reconstruction will leave, as far as the first samples of
 /// the neighbours tell.
-std::array<float, kCell * kCell> Cell::Remains(const Neighbours& neighbours) const
+CellPlane Cell::Remains(const Neighbours& neighbours) const
 {
     const Surroundings around = Gather(neighbours, [this](const Cell& cell, std::size_t i) -> const Estimate&
     {

@@ -4,7 +4,6 @@
 #include "reconstruction.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace tilt_lens
@@ -22,7 +21,6 @@ constexpr int kRow = 12;                   // of which a row takes this much roo
 constexpr int kFarthest = 18;
 
 using Plane = Surroundings::Plane;
-using OfCell = std::array<float, kPixels>;
 
 constexpr int At(int x, int y) { return (y + kBorder) * kSide + x + kBorder; }
 
@@ -69,7 +67,7 @@ void Compare(const Surroundings& around, int offset, float* distance)
 }
 
 /// Weights from the 3 by 3 means of the distances and the samples at both ends.
-void Weigh(const Surroundings& around, const OfCell& perSample, int offset, const float* distance, OfCell& weight)
+void Weigh(const Surroundings& around, const CellPlane& perSample, int offset, const float* distance, CellPlane& weight)
 {
     float rows[int(kCell) * kRow];
     for (int i = 0; i < int(kCell) * kRow; i += 4)
@@ -85,7 +83,7 @@ void Weigh(const Surroundings& around, const OfCell& perSample, int offset, cons
         }
 }
 
-void AddWeighted(const Plane& values, int offset, const OfCell& weight, OfCell& sum)
+void AddWeighted(const Plane& values, int offset, const CellPlane& weight, CellPlane& sum)
 {
     for (int y = 0; y < int(kCell); y++)
         for (int x = 0; x < int(kCell); x += 4)
@@ -96,10 +94,10 @@ void AddWeighted(const Plane& values, int offset, const OfCell& weight, OfCell& 
 }
 
 /// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around.
-OfCell Remains(const Surroundings& around, const std::array<OfCell, 5>& filtered, int channels)
+CellPlane Remains(const Surroundings& around, const std::array<CellPlane, 5>& filtered, int channels)
 {
     constexpr int side = int(kCell);
-    OfCell before{}, after{}, remains;
+    CellPlane before{}, after{}, remains;
     for (int c = 0; c < channels; c++)
         for (int i = 0; i < kPixels; i++)
         {
@@ -126,8 +124,8 @@ template<int kChannels>
 Rebuilt RebuildChannels(const Surroundings& around, bool means)
 {
     Rebuilt sum{};
-    std::array<OfCell, 5> halves{};
-    OfCell weights{}, weight, perSample;
+    std::array<CellPlane, 5> halves{};
+    CellPlane weights{}, weight, perSample;
     float distance[kCompared * kRow];
     for (int i = 0; i < kPixels; i++)
         perSample[i] = 1.0f / std::max(1.0f, around.Samples()[At(i % kCell, i / kCell)]);
@@ -137,10 +135,13 @@ Rebuilt RebuildChannels(const Surroundings& around, bool means)
             if (dx * dx + dy * dy > kFarthest)
                 continue;
             const int offset = dy * kSide + dx;
-            Compare<kChannels>(around, offset, distance);
-            Weigh(around, perSample, offset, distance, weight);
             if (offset == 0)
                 weight.fill(1.0f);
+            else
+            {
+                Compare<kChannels>(around, offset, distance);
+                Weigh(around, perSample, offset, distance, weight);
+            }
             for (int i = 0; i < kPixels; i++)
                 weights[i] += weight[i];
             for (int c = 0; c < kChannels; c++)
@@ -177,9 +178,12 @@ void Surroundings::Set(int x, int y, const Estimate& estimate)
     transparent = transparent || estimate.mean[3] != 0.0f || estimate.mean[4] != 0.0f;
 }
 
-bool Rebuilt::IsLight(std::size_t pixel) const
+Radiance Rebuilt::MeanOf(std::size_t pixel) const
 {
-    return std::all_of(mean.begin(), mean.end(), [=](const OfCell& channel) { return std::isfinite(channel[pixel]); });
+    Radiance light;
+    for (std::size_t c = 0; c < light.size(); c++)
+        light[c] = mean[c][pixel];
+    return light;
 }
 
 Rebuilt Rebuild(const Surroundings& around, bool means)

@@ -78,14 +78,17 @@ class Surroundings
     bool transparent = false;
 };
 
-/// A cell's pixels rebuilt, row by row.
+/// A value of each pixel of a cell, row by row.
+using CellPlane = std::array<float, kCell * kCell>;
+
+/// A cell's pixels rebuilt.
 struct Rebuilt
 {
-    std::array<std::array<float, kCell * kCell>, 5> mean;
-    std::array<float, kCell * kCell> remains;  ///< of a pixel's variance: the share that averaging leaves, (0, 1]
+    std::array<CellPlane, 5> mean;
+    CellPlane remains;  ///< of a pixel's variance: the share that averaging leaves, (0, 1]
 
-    /// Whether a pixel's means are numbers: not beside one that is brighter than a float can hold.
-    bool IsLight(std::size_t pixel) const;
+    /// No light (IsLight) beside a pixel that is brighter than a float can hold.
+    Radiance MeanOf(std::size_t pixel) const;
 };
 
 /// @param means  whether the means are wanted too, or only what would remain of the variances

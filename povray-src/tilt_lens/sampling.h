@@ -7,7 +7,9 @@
 #ifndef TILT_LENS_SAMPLING_H
 #define TILT_LENS_SAMPLING_H
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -24,6 +26,12 @@ inline void AddTo(Radiance& sum, const Radiance& value)
 {
     for (std::size_t c = 0; c < sum.size(); c++)
         sum[c] += value[c];
+}
+
+/// Whether all channels are finite.
+inline bool IsLight(const Radiance& value)
+{
+    return std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
 }
 
 /// What a variance is divided by where the mean is so bright: above white an error is seen relative to it.

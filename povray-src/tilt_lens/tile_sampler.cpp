@@ -37,10 +37,10 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel)
     {
         const std::size_t i = (y - cell.area.top) * kCell + x - cell.area.left;
-        if (!rebuilt.IsLight(i))
+        const Radiance mean = rebuilt.MeanOf(i);
+        if (!IsLight(mean))  // beside what is brighter than a float can hold
             return;
-        for (std::size_t c = 0; c < pixel.mean.size(); c++)
-            pixel.mean[c] = rebuilt.mean[c][i];
+        pixel.mean = mean;
         pixel.variance *= rebuilt.remains[i];
         pixel.rebuilt = true;
     });
