@@ -3,9 +3,10 @@
 
 /// @file slow_tasks.cpp
 /// The whole program as on a busy machine: its start takes four seconds, and whoever hands a task over sleeps
-/// afterwards, so that the task gets far before anything else is done. Tells how many light sources the task that
-/// bounds the scene has copied.
+/// afterwards, so that the task gets far before anything else is done; and every second thread that tells of its
+/// finished tile sleeps before the word is out. Tells how many light sources the task that bounds the scene has copied.
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -15,14 +16,18 @@
 
 #include "backend/frame.h"
 #include "backend/bounding/boundingtask.h"
+#include "backend/control/renderbackend.h"
 #include "backend/scene/threaddata.h"
 #include "backend/support/taskqueue.h"
 
-// The linker sends all calls of povray_init() and TaskQueue::AppendTask() to the first of each pair (--wrap).
+// The linker sends all calls of povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput() to the first of
+// each pair (--wrap).
 boost::thread* Start(const boost::function0<void>& closed, void** address) __asm__("__wrap__Z11povray_initRKN5boost9function0IvEEPPv");
 boost::thread* RealStart(const boost::function0<void>& closed, void** address) __asm__("__real__Z11povray_initRKN5boost9function0IvEEPPv");
 pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task) __asm__("__wrap__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");
 pov::Task::TaskData* RealAppend(pov::TaskQueue* queue, pov::Task* task) __asm__("__real__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");
+void Send(int view, void* address, unsigned int what, POVMS_Object& object) __asm__("__wrap__ZN3pov13RenderBackend14SendViewOutputEiPvjR12POVMS_Object");
+void RealSend(int view, void* address, unsigned int what, POVMS_Object& object) __asm__("__real__ZN3pov13RenderBackend14SendViewOutputEiPvjR12POVMS_Object");
 
 boost::thread* Start(const boost::function0<void>& closed, void** address)
 {
@@ -38,4 +43,12 @@ pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task)
     pov::Task::TaskData* const data = RealAppend(queue, task);
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     return data;
+}
+
+void Send(int view, void* address, unsigned int what, POVMS_Object& object)
+{
+    static std::atomic<unsigned int> count(0);
+    if (what == kPOVMsgIdent_Progress && count++ % 2 == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    RealSend(view, address, what, object);
 }

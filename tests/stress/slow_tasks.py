@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A program that is slow at its start and slower than its parser: it starts all the same, and nobody looks at the parser's
-list of lights meanwhile. slow_tasks.py PROGRAM."""
+"""A program that is slow at its start, slower than its parser, and whose threads are slow to tell of a finished tile: it
+starts all the same, nobody looks at the parser's list of lights meanwhile, and progress never falls and misses no pixel.
+slow_tasks.py PROGRAM."""
 
 import os
 import pathlib
@@ -23,11 +24,15 @@ def main():
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(SCENE)
         (folder / "none.ini").write_text("")
-        done = subprocess.run([os.path.abspath(sys.argv[1]), "+Iscene.pov", "+Op.png", "+W16", "+H12", "-D", "-P", "+WT2"], cwd=folder,
+        done = subprocess.run([os.path.abspath(sys.argv[1]), "+Iscene.pov", "+Op.png", "+W32", "+H24", "-D", "-P", "+WT2", "+BS4", "+V"], cwd=folder,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               env={**os.environ, "POVINI": str(folder / "none.ini")}, check=False)
         made = (folder / "p.png").is_file()
     copied = re.findall(r"Bounding has copied (\d+) light sources", done.stdout)
+    rendered = [(int(pixels), int(percent)) for pixels, percent in
+                re.findall(r"Rendered (\d+) of 768 pixels \((\d+)% of the work\)", done.stdout)]
+    if len(rendered) < 24 or rendered != sorted(rendered) or rendered[-1] != (768, 100):
+        sys.exit(f"(pixels, per cent) as told: {rendered}")
     if done.returncode != 0 or not made or copied != ["0"]:
         sys.exit(f"exit code {done.returncode}, picture {made}, lights copied while the scene was parsed: {copied}\n{done.stdout[-2000:]}")
 
