@@ -76,13 +76,10 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
             const Pixel& pixel = pixels[Index(x, y)];
             first.push_back({pixel.spread, std::sqrt(Worst(pixel.spread, MeanOf(pixel))), pixel.blur});
         }
+    gainByHalves = 1.0;
+    NoteGain(until);
     if (limits.Denoises())
-    {
-        const double gain = GainOfMean(GainByHalves(1.0), std::max(2u, until));
-        for (Pixel& pixel : pixels)
-            pixel.gain = gain;
         firstEstimates = Estimates();
-    }
     begun = true;
 }
 
@@ -92,7 +89,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     if (done)
         return;
     const std::vector<Pixel> begin = pixels;
-    gainByHalves = 1.0;
+    const double gainAtBegin = gainByHalves;
     laterEstimates.clear();
     try
     {
@@ -110,11 +107,13 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
                 for (std::uint32_t x = area.left; x < area.Right(); x++)
                     if (pixels[Index(x, y)].open)
                         TakeSamples(x, y, until, trace);
+            NoteGain(until);
         }
     }
     catch (...)
     {
         pixels = begin;
+        gainByHalves = gainAtBegin;
         throw;
     }
     for (const Pixel& pixel : pixels)
@@ -184,24 +183,22 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
 {
     if (samples < 2)
         return true;  // one sample says nothing of its error
-    gainByHalves = std::min(1.0, GainByHalves(gainByHalves));
-    const double gain = GainOfMean(gainByHalves, samples), caution = UpperLimit(samples, limits.confidence);
+    const double caution = UpperLimit(samples, limits.confidence);
+    const std::vector<Radiance> around = SpreadAround(neighbours);
     std::vector<Judged> judged;
-    for (std::uint32_t y = area.top; y < area.Bottom(); y++)
-        for (std::uint32_t x = area.left; x < area.Right(); x++)
-        {
-            Pixel& pixel = pixels[Index(x, y)];
-            if (!pixel.open)
-                continue;
-            pixel.gain = gain;
-            Radiance variance = NeighbourhoodSpread(neighbours, x, y);
-            const Radiance mean = MeanOf(pixel);
-            const double unusual = std::sqrt(Worst(variance, mean)) / usualDeviation;
-            for (std::size_t c = 0; c < variance.size(); c++)
-                variance[c] *= gain / samples / Brightness(mean[c]);
-            pixel.variance = *std::max_element(variance.begin(), variance.end());
-            judged.push_back({&pixel, variance, limits.Allowed(samples, unusual) / caution});
-        }
+    for (std::size_t i = 0; i < pixels.size(); i++)
+    {
+        Pixel& pixel = pixels[i];
+        if (!pixel.open)
+            continue;
+        Radiance variance = DoubtedSpread(pixel, around[i]);
+        const Radiance mean = MeanOf(pixel);
+        const double unusual = std::sqrt(Worst(variance, mean)) / usualDeviation;
+        for (std::size_t c = 0; c < variance.size(); c++)
+            variance[c] *= pixel.gain / samples / Brightness(mean[c]);
+        pixel.variance = *std::max_element(variance.begin(), variance.end());
+        judged.push_back({&pixel, variance, limits.Allowed(samples, unusual) / caution});
+    }
     if (limits.Denoises())
     {
         if (samples > limits.First())
@@ -263,28 +260,57 @@ double Cell::GainByHalves(double before) const
     return (noisyPixels * byHalves / independent + lean * before) / (noisyPixels + lean);
 }
 
-/// Variance of one sample: the pixel's own, or, as long as its samples are few, towards the mean around it
-/// where that is larger. Neighbours outside the cell count by their first samples.
-Radiance Cell::NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const
+/// After a round: how much less than that of independent samples the open pixels' noise is.
+void Cell::NoteGain(std::uint32_t samples)
 {
-    const Pixel& pixel = pixels[Index(x, y)];
-    Radiance spread = pixel.spread, mean{};
-    int count = 0;
-    for (std::int64_t v = std::int64_t(y) - 1; v <= std::int64_t(y) + 1; v++)
-        for (std::int64_t u = std::int64_t(x) - 1; u <= std::int64_t(x) + 1; u++)
-        {
-            const Cell* holder = Holder(neighbours, u, v);
-            if (holder == nullptr || !holder->area.Has(u, v))
-                continue;
-            AddTo(mean, holder == this ? pixels[Index(u, v)].spread : holder->FirstOf(u, v).spread);
-            count++;
-        }
-    const double doubt = kDoubts / (kDoubts + pixel.samples);
-    for (std::size_t c = 0; c < mean.size(); c++)
+    gainByHalves = std::min(1.0, GainByHalves(gainByHalves));
+    const double gain = GainOfMean(gainByHalves, std::max(2u, samples));
+    for (Pixel& pixel : pixels)
+        if (pixel.open)
+            pixel.gain = gain;
+}
+
+/// Mean variance of one sample over the 3 by 3 pixels around each of the cell's. Pixels outside the cell count by
+/// their first samples, where there are neighbours.
+std::vector<Radiance> Cell::SpreadAround(const Neighbours& neighbours) const
+{
+    const std::int64_t width = area.width, height = area.height;
+    std::array<std::array<Radiance, kCell>, kCell + 2> rows{};  // sums of three pixels side by side
+    for (std::int64_t v = -1; v <= height; v++)
     {
-        const double around = std::max(mean[c] / count, pixel.blurredSpread[c]);
-        spread[c] += doubt * std::max(0.0, around - spread[c]);
+        std::array<Radiance, kCell + 2> row{};
+        for (std::int64_t u = -1; u <= width; u++)
+        {
+            if (u >= 0 && u < width && v >= 0 && v < height)
+                row[u + 1] = pixels[v * width + u].spread;
+            else if (const Cell* holder = Holder(neighbours, area.left + u, area.top + v))
+                row[u + 1] = holder->FirstOf(area.left + u, area.top + v).spread;
+        }
+        for (std::int64_t u = 0; u < width; u++)
+            for (std::size_t c = 0; c < row[u].size(); c++)
+                rows[v + 1][u][c] = row[u][c] + row[u + 1][c] + row[u + 2][c];
     }
+    std::vector<Radiance> around(pixels.size());
+    for (std::int64_t y = 0; y < height; y++)
+        for (std::int64_t x = 0; x < width; x++)
+        {
+            const int columns = 1 + (x > 0 || neighbours[3]) + (x + 1 < width || neighbours[5]);
+            const int lines = 1 + (y > 0 || neighbours[1]) + (y + 1 < height || neighbours[7]);
+            Radiance& mean = around[y * width + x];
+            for (std::size_t c = 0; c < mean.size(); c++)
+                mean[c] = (rows[y][x][c] + rows[y + 1][x][c] + rows[y + 2][x][c]) / (columns * lines);
+        }
+    return around;
+}
+
+/// Variance of one sample: the pixel's own, or, as long as its samples are few, towards the mean around it
+/// where that is larger.
+Radiance Cell::DoubtedSpread(const Pixel& pixel, const Radiance& around)
+{
+    Radiance spread = pixel.spread;
+    const double doubt = kDoubts / (kDoubts + pixel.samples);
+    for (std::size_t c = 0; c < spread.size(); c++)
+        spread[c] += doubt * std::max(0.0, std::max(around[c], pixel.blurredSpread[c]) - spread[c]);
     return spread;
 }
 

@@ -113,6 +113,7 @@ class Cell
         double blur = 0.0;               ///< widest of the first round
         double gain = 1.0;               ///< of the last round
         double variance = 0.0;           ///< as Final has it
+        double remains = kLeastRemains;  ///< share of the variance after the reconstruction, when last asked
         bool open = true;                ///< wants more samples
     };
 
@@ -141,17 +142,19 @@ class Cell
     void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
     void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
+    void NoteGain(std::uint32_t samples);
     double GainByHalves(double before) const;
     std::vector<Estimate> Estimates() const;
     const std::vector<Estimate>& LastEstimates() const { return laterEstimates.empty() ? firstEstimates : laterEstimates; }
-    void CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged) const;
+    void CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged);
     template<class EstimateOf>
     static Surroundings Gather(const Neighbours& cells, const EstimateOf& estimateOf);
     CellPlane Remains(const Neighbours& neighbours) const;
-    Radiance NeighbourhoodSpread(const Neighbours& neighbours, std::uint32_t x, std::uint32_t y) const;
+    std::vector<Radiance> SpreadAround(const Neighbours& neighbours) const;
     void SpreadBlurred(const Neighbours& neighbours);
     void SpreadOver(std::int64_t x, std::int64_t y, double reach, const Radiance& spread);
     static Radiance Spread(const Pixel& pixel);
+    static Radiance DoubtedSpread(const Pixel& pixel, const Radiance& around);
     static Radiance MeanOf(const Pixel& pixel);
 };
 

@@ -14,6 +14,10 @@ namespace tilt_lens
 namespace
 {
 
+/// The reconstruction is counted on where it leaves less than this share of the variance. What it leaves elsewhere is
+/// as uncertain as what it would save.
+constexpr double kCounts = 0.5;
+
 /// Whether a pixel's noise is less than half of its brightness.
 bool IsKnown(const Estimate& estimate)
 {
@@ -26,48 +30,42 @@ bool IsKnown(const Estimate& estimate)
     return noise <= 0.25 * light;
 }
 
-template<class Channels>
-bool IsNothing(const Channels& channels)
-{
-    return std::all_of(channels.begin(), channels.end(), [](auto x) { return x == 0; });
-}
-
 } // namespace
 
 /// Takes from the variances of pixels what the reconstruction will take: of what their own samples
 /// show, not of what is only feared because neighbours saw it.
-void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged) const
+void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged)
 {
     const std::vector<Estimate>& estimates = LastEstimates();
-    const auto credited = [&](const Judged& one, std::size_t c, double share)
+    const auto credited = [&](const Judged& one)
     {
         const Estimate& estimate = estimates[one.pixel - pixels.data()];
+        Radiance variance = one.variance;
         // a few hits of something bright say little of how often it is hit
-        if (!IsKnown(estimate))
-            return one.variance[c];
-        const double seen = estimate.variance[c] / Brightness(estimate.mean[c]);
-        return one.variance[c] - share * std::min(seen, one.variance[c]);
-    };
-    // only where it makes a difference
-    const bool matters = std::any_of(judged.begin(), judged.end(), [&](const Judged& one)
-    {
-        bool good = true, canBeGood = true;
-        for (std::size_t c = 0; c < one.variance.size(); c++)
+        if (one.pixel->remains >= kCounts || !IsKnown(estimate))
+            return variance;
+        for (std::size_t c = 0; c < variance.size(); c++)
         {
-            good = good && one.variance[c] <= one.allowed;
-            canBeGood = canBeGood && credited(one, c, 1.0 - kLeastRemains) <= one.allowed;
+            const double seen = estimate.variance[c] / Brightness(estimate.mean[c]);
+            variance[c] -= (1.0 - one.pixel->remains) * std::min(seen, variance[c]);
         }
-        return !good && canBeGood;
-    });
-    if (!matters)
+        return variance;
+    };
+    // Only where it makes a difference: the less noise, the better pixels are told apart, so that no more than
+    // in the round before is to be hoped for.
+    const auto isGood = [](const Radiance& variance, const Judged& one)
+    {
+        return *std::max_element(variance.begin(), variance.end()) <= one.allowed;
+    };
+    if (std::none_of(judged.begin(), judged.end(), [&](const Judged& one)
+        { return !isGood(one.variance, one) && isGood(credited(one), one); }))
         return;
     const CellPlane remains = Remains(neighbours);
     for (Judged& one : judged)
     {
         const std::size_t i = one.pixel - pixels.data();
-        const double share = 1.0 - remains[i / area.width * kCell + i % area.width];
-        for (std::size_t c = 0; c < one.variance.size(); c++)
-            one.variance[c] = credited(one, c, share);
+        one.pixel->remains = remains[i / area.width * kCell + i % area.width];
+        one.variance = credited(one);
     }
 }
 
@@ -75,29 +73,22 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
 /// pixel and of those around it in the cell.
 std::vector<Estimate> Cell::Estimates() const
 {
+    const std::vector<Radiance> around = SpreadAround({nullptr, nullptr, nullptr, nullptr, this});
     std::vector<Estimate> estimates(pixels.size());
-    const bool noisy = !std::all_of(pixels.begin(), pixels.end(), [](const Pixel& pixel) { return IsNothing(pixel.spread); });
-    for (std::uint32_t y = 0; y < area.height; y++)
-        for (std::uint32_t x = 0; x < area.width; x++)
+    for (std::size_t i = 0; i < pixels.size(); i++)
+    {
+        const Pixel& pixel = pixels[i];
+        const Radiance mean = MeanOf(pixel);
+        Estimate& estimate = estimates[i];
+        estimate.samples = pixel.samples;
+        for (std::size_t c = 0; c < mean.size(); c++)
         {
-            Radiance sum{};
-            int count = 0;
-            for (std::uint32_t v = y == 0 ? 0 : y - 1; noisy && v <= y + 1 && v < area.height; v++)
-                for (std::uint32_t u = x == 0 ? 0 : x - 1; u <= x + 1 && u < area.width; u++, count++)
-                    AddTo(sum, pixels[v * area.width + u].spread);
-            const Pixel& pixel = pixels[y * area.width + x];
-            const Radiance mean = MeanOf(pixel);
-            Estimate& estimate = estimates[y * area.width + x];
-            estimate.samples = pixel.samples;
-            for (std::size_t c = 0; c < sum.size(); c++)
-            {
-                estimate.mean[c] = mean[c];
-                if (noisy)
-                    estimate.variance[c] = pixel.gain * sum[c] / count / pixel.samples;
-                if (pixel.samples > 1)
-                    estimate.halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
-            }
+            estimate.mean[c] = mean[c];
+            estimate.variance[c] = pixel.gain * around[i][c] / pixel.samples;
+            if (pixel.samples > 1)
+                estimate.halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
         }
+    }
     return estimates;
 }
 
@@ -133,8 +124,10 @@ CellPlane Cell::Remains(const Neighbours& neighbours) const
 
 bool Cell::IsNoiseless() const
 {
-    return std::all_of(LastEstimates().begin(), LastEstimates().end(),
-                       [](const Estimate& estimate) { return IsNothing(estimate.variance); });
+    return std::all_of(LastEstimates().begin(), LastEstimates().end(), [](const Estimate& estimate)
+    {
+        return std::all_of(estimate.variance.begin(), estimate.variance.end(), [](float x) { return x == 0.0f; });
+    });
 }
 
 Surroundings Cell::SurroundingsOf(const Neighbours& cells)

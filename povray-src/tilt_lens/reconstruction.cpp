@@ -20,6 +20,9 @@ constexpr int kRow = 12;                   // of which a row takes this much roo
 /// Pixels farther than the square root of this are not averaged: the corners of the square bring little.
 constexpr int kFarthest = 18;
 
+/// Noisy pixels, all as noisy, from which on the noise that is left is known: of 25 some 8 count in even noise.
+constexpr float kFewestNoisy = 3.0f;
+
 using Plane = Surroundings::Plane;
 
 constexpr int At(int x, int y) { return (y + kBorder) * kSide + x + kBorder; }
@@ -93,7 +96,8 @@ void AddWeighted(const Plane& values, int offset, const CellPlane& weight, CellP
         }
 }
 
-/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around.
+/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around; 1 where too few of them
+/// are noisy to tell.
 CellPlane Remains(const Surroundings& around, const std::array<CellPlane, 5>& filtered, int channels)
 {
     constexpr int side = int(kCell);
@@ -108,14 +112,16 @@ CellPlane Remains(const Surroundings& around, const std::array<CellPlane, 5>& fi
     for (int y = 0; y < side; y++)
         for (int x = 0; x < side; x++)
         {
-            float b = 0.0f, a = 0.0f;
+            float b = 0.0f, a = 0.0f, squared = 0.0f;
             for (int v = std::max(0, y - 2); v <= std::min(side - 1, y + 2); v++)
                 for (int u = std::max(0, x - 2); u <= std::min(side - 1, x + 2); u++)
                 {
                     b += before[v * side + u];
+                    squared += before[v * side + u] * before[v * side + u];
                     a += after[v * side + u];
                 }
-            remains[y * side + x] = b > 0.0f ? std::min(1.0f, a / b + kLeastRemains) : 1.0f;
+            const bool known = b * b > kFewestNoisy * squared;
+            remains[y * side + x] = known ? std::min(1.0f, a / b + kLeastRemains) : 1.0f;
         }
     return remains;
 }
