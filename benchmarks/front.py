@@ -29,6 +29,18 @@ def seconds_for(points, error):
     raise AssertionError("a front that ends below the error crosses it")
 
 
+def error_after(points, seconds):
+    """Error after so much CPU time, between settings as seconds_for has it. Where even the fastest setting takes longer,
+    None; where the slowest takes less, its error, which is then too large."""
+    front = pareto(points)
+    if not front or front[0][0] > seconds:
+        return None
+    for (fast, rough), (slow, fine) in zip(front, front[1:]):
+        if seconds <= slow:
+            return rough*(fine/rough)**(math.log(seconds/fast)/math.log(slow/fast))
+    return front[-1][1]
+
+
 def geometric_mean(values):
     values = list(values)
     return math.exp(sum(map(math.log, values))/len(values)) if values else None

@@ -24,7 +24,7 @@
 /// small light far out of focus shows in few samples, but in some of every pixel that it covers), where
 /// that is larger; the less, the more samples the pixel has of its own. It is raised to the upper limit of
 /// the confidence interval that the number of samples leaves (chi-square), and lowered to what the
-/// reconstruction will leave of it where that is asked for. What a pixel may keep is
+/// reconstruction will leave of it where that is asked for and less than half. What a pixel may keep is
 /// SamplingLimits::Allowed(): noisy ones more than quiet ones, so that a picture gets the most out of its rays.
 ///
 /// A sample that is not finite counts as black and is counted apart.

@@ -9,7 +9,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
 import versus_stock  # noqa: E402
-from front import geometric_mean, pareto, seconds_for  # noqa: E402
+from front import error_after, geometric_mean, pareto, seconds_for  # noqa: E402
 
 
 class Front(unittest.TestCase):
@@ -31,6 +31,15 @@ class Front(unittest.TestCase):
     def test_an_error_that_is_not_reached_has_no_time(self):
         self.assertIsNone(seconds_for(self.POINTS, 0.009))
         self.assertIsNone(seconds_for([], 0.1))
+
+    def test_error_after_some_time_is_the_inverse(self):
+        for seconds in (1.0, 7.0, 50.0, 99.0, 100.0):
+            self.assertAlmostEqual(seconds_for(self.POINTS, error_after(self.POINTS, seconds)), seconds)
+
+    def test_outside_the_settings_nothing_is_made_up(self):
+        self.assertIsNone(error_after(self.POINTS, 0.9))
+        self.assertIsNone(error_after([], 1.0))
+        self.assertEqual(error_after(self.POINTS, 1000.0), 0.01)
 
     def test_geometric_mean(self):
         self.assertAlmostEqual(geometric_mean([1.0, 100.0]), 10.0)

@@ -85,7 +85,8 @@ class SmallRun(unittest.TestCase):
         lines = reconstruction.compare(reconstruction.measure(self.lab, SCENE, errors), errors)
         self.assertTrue(any(line["ratio"] for line in lines))
         figures = reconstruction.bias(self.lab, SCENE)
-        self.assertLess(figures["bias"], 0.7*figures["rmse"])
+        self.assertLess(figures["bias_on"], 0.7*figures["rmse_on"])
+        self.assertLess(figures["bias_off"], 0.3*figures["rmse_off"])
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)

@@ -136,6 +136,22 @@ TEST(Reconstruction, TransparencyGoesWithTheColours)
             EXPECT_NEAR(rebuilt.mean[4][y * kCell + x], x < 4 ? 1.0 : 0.0, 1e-4);
 }
 
+TEST(Reconstruction, WhatIsLeftOfFewNoisyPixelsIsNotKnown)
+{
+    const auto remains = [](int side)
+    {
+        std::mt19937 random(9);
+        return Rebuild(Make([&](int x, int y)
+        {
+            const bool noisy = x >= 1 && x < 1 + side && y >= 2 && y < 2 + side;
+            return noisy ? Noisy(0.5, 1e-3, random) : Noisy(0.5, 0.0, random);
+        }), true).remains[4 * int(kCell) + 3];
+    };
+    EXPECT_EQ(remains(0), 1.0f);
+    EXPECT_EQ(remains(1), 1.0f);
+    EXPECT_LT(remains(5), 0.6f);
+}
+
 TEST(Reconstruction, NothingIsTooBrightForIt)
 {
     for (const float bright : {1e18f, 1e25f, 3e38f, HUGE_VALF})
