@@ -6,7 +6,7 @@ import dataclasses
 import math
 
 import suite
-from front import error_after, pareto, seconds_for
+from front import error_after, seconds_for
 from lab import TILT_LENS
 from versus_stock import repetitions
 
@@ -38,34 +38,35 @@ def measure(lab, scene, errors):
 def compare(records, errors):
     """One line an error: the CPU time for it without, and RMSE without over RMSE with after that time; where one of the
     two takes longer for its roughest picture, after that."""
-    points = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
-              for program in ("denoise on", "denoise off")}
-    fastest = max(pareto(settings)[0][0] for settings in points.values())
+    on, off = ([(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
+               for program in ("denoise on", "denoise off"))
+    fastest = max(min(settings)[0] for settings in (on, off))
     lines = []
     for target, error in sorted(errors.items()):
-        seconds = seconds_for(points["denoise off"], error)
-        line = {"target": target, "rmse": error, "seconds": None, "on": None, "off": None, "ratio": None}
+        seconds = seconds_for(off, error)
         if seconds:
             seconds = max(seconds, fastest)
-            on, off = (error_after(points[program], seconds) for program in ("denoise on", "denoise off"))
-            line.update(seconds=seconds, on=on, off=off, ratio=off/on)
-        lines.append(line)
+        ratio = error_after(off, seconds)/error_after(on, seconds) if seconds else None
+        lines.append({"target": target, "seconds": seconds, "ratio": ratio})
     return lines
 
 
-def bias(lab, scene):
-    """What independent pictures have in common besides the truth. With a squared bias b and a variance v of each,
-    the error of the mean of k pictures is b + v/k, that of one b + v."""
+def error_and_bias(lab, scene, denoise):
+    """RMSE of one picture, and what independent pictures have in common besides the truth. With a squared bias b and a
+    variance v of each, the error of the mean of k pictures is b + v/k, that of one b + v."""
     reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
-    figures = {"scene": scene.name}
-    for program, denoise in (("on", 1), ("off", 0)):
-        pictures = [lab.work / "bias" / f"{scene.name}-{program}-{number}.png" for number in range(1, PICTURES + 1)]
-        for number, picture in enumerate(pictures, 1):
-            rough = setting(scene.shot(TILT_LENS, declare=ROUGH), denoise)
-            lab.render(lab.ours, rough.independent(number), picture)
-        of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
-        of_each = lab.tool("noise", "errors", reference, *pictures)
-        one = sum(picture["mse"] for picture in of_each)/PICTURES
-        squared = max(0.0, (PICTURES*of_mean["mse"] - one)/(PICTURES - 1))
-        figures.update({f"rmse_{program}": math.sqrt(one), f"bias_{program}": math.sqrt(squared)})
-    return figures
+    rough = setting(scene.shot(TILT_LENS, declare=ROUGH), denoise)
+    pictures = [lab.work / "bias" / f"{scene.name}-{denoise}-{number}.png" for number in range(1, PICTURES + 1)]
+    for number, picture in enumerate(pictures, 1):
+        lab.render(lab.ours, rough.independent(number), picture)
+    of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
+    of_each = lab.tool("noise", "errors", reference, *pictures)
+    one = sum(figures["mse"] for figures in of_each)/PICTURES
+    squared = max(0.0, (PICTURES*of_mean["mse"] - one)/(PICTURES - 1))
+    return math.sqrt(one), math.sqrt(squared)
+
+
+def bias(lab, scene):
+    """Errors and biases with and without."""
+    (rmse_on, bias_on), (rmse_off, bias_off) = (error_and_bias(lab, scene, denoise) for denoise in (1, 0))
+    return {"scene": scene.name, "rmse_on": rmse_on, "bias_on": bias_on, "rmse_off": rmse_off, "bias_off": bias_off}

@@ -38,13 +38,13 @@ def ratio_cell(line):
     return f"{least}{line['ratio']:.1f} ({line['rmse']:.4f})"
 
 
-def ratios(comparisons):
+def ratios(comparisons, cell=ratio_cell, digits=1):
     """A table of scenes by errors and its last line, the geometric mean of each column."""
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
-    rows = [[TITLES[scene], *[ratio_cell(line) for line in lines]] for scene, lines in comparisons.items()]
+    rows = [[TITLES[scene], *[cell(line) for line in lines]] for scene, lines in comparisons.items()]
     means = [geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines
                             if line["target"] == target and line["ratio"]) for target in targets]
-    rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
+    rows.append(["geometric mean", *[f"{mean:.{digits}f}" if mean else "-" for mean in means]])
     return table(["scene", *[f"as stock with {target}" for target in targets]], rows)
 
 
@@ -72,18 +72,15 @@ def section_tilted(results):
 
 
 def section_denoise(results):
-    lines = [line for found in results["denoise"].values() for line in found if line["ratio"]]
-    worst = min((line["ratio"] for line in lines), default=0)
-    cells = [[TITLES[scene], *[f"{line['ratio']:.2f} ({line['seconds']:.2f} s)" if line["ratio"] else "not reached"
-                               for line in found]] for scene, found in results["denoise"].items()]
-    targets = sorted({line["target"] for line in lines})
-    means = [geometric_mean(line["ratio"] for line in lines if line["target"] == target) for target in targets]
+    def cell(line):
+        return f"{line['ratio']:.2f} ({line['seconds']:.2f} s)" if line["ratio"] else "not reached"
+
+    worst = min((line["ratio"] for lines in results["denoise"].values() for line in lines if line["ratio"]), default=0)
     rows = [[TITLES[row["scene"]], *[f"{row[name]:.4f}" for name in ("rmse_off", "bias_off", "rmse_on", "bias_on")]]
             for row in results["bias"]]
     return ["### Reconstruction: RMSE with `denoise off` over that with `denoise on` after the same CPU time", "",
             "The time, in parentheses, is what `denoise off` takes for the error that stock has with so many samples.", "",
-            table(["scene", *[f"as stock with {target}" for target in targets]],
-                  cells + [["geometric mean", *[f"{mean:.2f}" for mean in means]]]), "",
+            ratios(results["denoise"], cell, 2), "",
             f"Aimed at: nowhere below 1; worst {worst:.2f}, {'reached' if worst >= 1.0 else 'missed'}.", "",
             f"What remains however many such pictures are averaged, `variance 1/1000`, means of {PICTURES} pictures:", "",
             table(["scene", "RMSE, `denoise off`", "of it bias", "RMSE, `denoise on`", "of it bias"], rows), ""]

@@ -51,12 +51,12 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
         }
         return variance;
     };
-    // Only where it makes a difference: the less noise, the better pixels are told apart, so that no more than
-    // in the round before is to be hoped for.
     const auto isGood = [](const Radiance& variance, const Judged& one)
     {
         return *std::max_element(variance.begin(), variance.end()) <= one.allowed;
     };
+    // Only where it makes a difference: the less noise, the better pixels are told apart, so that no more than
+    // in the round before is to be hoped for.
     if (std::none_of(judged.begin(), judged.end(), [&](const Judged& one)
         { return !isGood(one.variance, one) && isGood(credited(one), one); }))
         return;
