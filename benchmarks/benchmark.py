@@ -67,7 +67,7 @@ def arguments():
 
 
 def measure_scenes(lab, args, results, runs):
-    """Parts stock, tilted and denoise, scene by scene; comparisons into results, records into runs."""
+    """Parts stock and tilted, scene by scene; comparisons into results, records into runs."""
     for scene in (scene for scene in suite.SCENES if scene.name in args.scenes):
         untilted = versus_stock.measure(lab, scene)
         lines = versus_stock.compare(untilted)
@@ -81,19 +81,17 @@ def measure_scenes(lab, args, results, runs):
             records = tilted.measure(lab, scene, errors)
             runs += records
             results.setdefault("tilted", {})[scene.name] = tilted.compare(records, errors)
-        if "denoise" in args.parts:
-            records = reconstruction.measure(lab, scene, errors)
-            results.setdefault("denoise", {})[scene.name] = reconstruction.compare(records, errors)
-            results.setdefault("bias", []).append(reconstruction.bias(lab, scene))
 
 
 def measure(lab, args):
     done = subprocess.run([lab.ours, "--version"], capture_output=True, text=True, check=False)
     version = next((line.strip() for line in (done.stdout + done.stderr).splitlines() if "patch series" in line), "?")
     results, runs = {"version": version}, []
-    if {"stock", "tilted", "denoise"} & set(args.parts):
+    if {"stock", "tilted"} & set(args.parts):
         measure_scenes(lab, args, results, runs)
     scenes = [scene for scene in suite.SCENES if scene.name in args.scenes]
+    if "denoise" in args.parts:
+        results["denoise"] = [row for scene in scenes for row in reconstruction.measure(lab, scene)]
     if "pan" in args.parts:
         sharp = [pan_focus.measure(lab, scene) for scene in scenes if scene.name in pan_focus.SCENES]
         results["pan"] = [line for records in sharp for line in pan_focus.compare(records)]
@@ -125,7 +123,7 @@ def draw(folder, results, runs):
         plots.growth(folder / f"growth_{name.replace(' ', '_')}.svg", name, rows)
     if runs:
         report.write_csv(folder / "runs.csv", runs, report.COLUMNS)
-    for part in ("growth", "contract", "pan", "tilt", "instructions", "bias", "builds"):
+    for part in ("growth", "contract", "pan", "tilt", "instructions", "denoise", "builds"):
         if results.get(part):
             report.write_csv(folder / f"{part}.csv", results[part])
 

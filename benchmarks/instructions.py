@@ -19,16 +19,16 @@ CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
          ("area light, pinhole", Shot("shadows", PINHOLE, size=SIZE))]
 
 
-def count(lab, binary, shot):
-    """Instructions of a whole run. Threads that wait for each other make it waver a little: least of three."""
+def count(lab, binary, shot, times=1):
+    """Instructions of a whole run. Threads that wait for each other make it waver a little: least of several."""
     key = digest("callgrind", binary.read_bytes(), shot.arguments()[2:], shot.sources())
     record = lab.runs.get((key, 0))
     if record is None:
         with tempfile.TemporaryDirectory() as folder:
             command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", binary,
-                       *shot.arguments(), f"+O{folder}/picture.png"]
+                       *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/picture.png"]
             counts = []
-            for _ in range(3):
+            for _ in range(times):
                 done = subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True,
                                       errors="replace", check=False)
                 found = re.search(r"Collected : (\d+)", done.stderr)
@@ -44,7 +44,7 @@ def measure(lab, unpatched):
     lab.say("instructions of scenes without tilt_lens, patched and unpatched")
     rows = []
     for name, shot in CASES[:2] if lab.quick else CASES:
-        plain, patched = count(lab, unpatched, shot), count(lab, lab.ours, shot)
+        plain, patched = count(lab, unpatched, shot, 3), count(lab, lab.ours, shot, 3)
         rows.append({"case": name, "unpatched": plain, "patched": patched, "more": patched/plain - 1})
     return rows
 

@@ -210,9 +210,12 @@ class Lab:
 
     def start_up(self, program, shot):
         """CPU seconds of a run that renders one pixel: start, parsing, end."""
-        # the second pixel: the program takes a 1 for 100 % of the picture
-        one = dataclasses.replace(shot, options=(*shot.options, "+SC2", "+EC2", "+SR2", "+ER2"))
-        return statistics.median(self.run(program, one, repetition=i)["cpu"] for i in range(3))
+        return statistics.median(self.run(program, self.one_pixel(shot), repetition=i)["cpu"] for i in range(3))
+
+    @staticmethod
+    def one_pixel(shot):
+        """The second one: the program takes a 1 for 100 % of the picture."""
+        return dataclasses.replace(shot, options=(*shot.options, "+SC2", "+EC2", "+SR2", "+ER2"))
 
 
 def samples_spent(messages):

@@ -1,64 +1,33 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the reconstruction (`denoise`) brings at equal error, and by how much it falsifies a picture."""
+"""What the reconstruction (`denoise`) brings for the same work, and by how much it falsifies a picture. Work is
+instructions (callgrind), which are the same every time, and an error is that of several independent pictures: what is
+looked for may be a hundredth."""
 
 import dataclasses
 import math
 
+import instructions
 import suite
-from front import error_after, seconds_for
+from front import error_after, pareto
 from lab import TILT_LENS
-from versus_stock import repetitions
 
-PICTURES = 8            # independent ones whose mean shows the bias
-ROUGH = suite.limits(8, 16384, 1e-3)
-
-
-def setting(shot, denoise):
-    return dataclasses.replace(shot, declare=(*shot.declare, ("Denoise", denoise)))
+SIZE = (100, 75)        # callgrind takes fifty times as long as the program
+VARIANCES = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
+PICTURES = 8            # independent ones, whose mean shows the bias
 
 
-def measure(lab, scene, errors):
-    """Records with and without, in turn, from the roughest setting until both are better than all errors."""
-    lab.say(f"{scene.name}: with and without reconstruction")
-    reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
-    records = []
-    for chain in suite.ours_chains(scene, 0, lab.quick):
-        for name, shot in chain:
-            pair = [(lab.ours, setting(shot, denoise)) for denoise in (1, 0)]
-            first = lab.interleaved(pair, 1, reference)
-            runs = lab.interleaved(pair, repetitions(first[0]["cpu"], lab.quick), reference)
-            records += [{**run, "program": f"denoise {denoise}", "scene": scene.name, "setting": name,
-                         "rmse": math.sqrt(run["mse"])} for run, denoise in zip(runs, ("on", "off"))]
-            if all(record["rmse"] < min(errors.values()) for record in records[-2:]):
-                break
-    return records
+def setting(scene, variance, denoise):
+    return scene.shot(TILT_LENS, size=SIZE, declare=(*suite.limits(8, 16384, variance), ("Denoise", denoise)))
 
 
-def compare(records, errors):
-    """One line an error: the CPU time for it without, and RMSE without over RMSE with after that time; where one of the
-    two takes longer for its roughest picture, after that."""
-    on, off = ([(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
-               for program in ("denoise on", "denoise off"))
-    fastest = max(min(settings)[0] for settings in (on, off))
-    lines = []
-    for target, error in sorted(errors.items()):
-        seconds = seconds_for(off, error)
-        if seconds:
-            seconds = max(seconds, fastest)
-        ratio = error_after(off, seconds)/error_after(on, seconds) if seconds else None
-        lines.append({"target": target, "seconds": seconds, "ratio": ratio})
-    return lines
-
-
-def error_and_bias(lab, scene, denoise):
+def error_and_bias(lab, scene, shot):
     """RMSE of one picture, and what independent pictures have in common besides the truth. With a squared bias b and a
     variance v of each, the error of the mean of k pictures is b + v/k, that of one b + v."""
-    reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
-    rough = setting(scene.shot(TILT_LENS, declare=ROUGH), denoise)
-    pictures = [lab.work / "bias" / f"{scene.name}-{denoise}-{number}.png" for number in range(1, PICTURES + 1)]
+    reference = lab.reference(scene.shot(TILT_LENS, size=SIZE), *scene.reference)
+    pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]
     for number, picture in enumerate(pictures, 1):
-        lab.render(lab.ours, rough.independent(number), picture)
+        lab.render(lab.ours, shot.independent(number), picture)
     of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
     of_each = lab.tool("noise", "errors", reference, *pictures)
     one = sum(figures["mse"] for figures in of_each)/PICTURES
@@ -66,7 +35,29 @@ def error_and_bias(lab, scene, denoise):
     return math.sqrt(one), math.sqrt(squared)
 
 
-def bias(lab, scene):
-    """Errors and biases with and without."""
-    (rmse_on, bias_on), (rmse_off, bias_off) = (error_and_bias(lab, scene, denoise) for denoise in (1, 0))
-    return {"scene": scene.name, "rmse_on": rmse_on, "bias_on": bias_on, "rmse_off": rmse_off, "bias_off": bias_off}
+def measure(lab, scene, count=instructions.count):
+    """A row for each variance, without and with. What start and parsing take is not counted: the pictures are small."""
+    lab.say(f"{scene.name}: with and without reconstruction")
+    rows = []
+    for variance in VARIANCES[:3] if lab.quick else VARIANCES:
+        for denoise in (0, 1):
+            shot = setting(scene, variance, denoise)
+            work = count(lab, lab.ours, shot) - count(lab, lab.ours, lab.one_pixel(shot))
+            rmse, bias = error_and_bias(lab, scene, shot)
+            rows.append({"scene": scene.name, "variance": variance, "denoise": denoise, "instructions": work,
+                         "rmse": rmse, "bias": bias})
+    return rows
+
+
+def compare(rows):
+    """Variance: RMSE without over RMSE with after the same work, that which it takes without, as far as both have
+    settings that take less and such that take more."""
+    off, on = ([(row["instructions"], row["rmse"]) for row in rows if row["denoise"] == denoise] for denoise in (0, 1))
+    least = max(pareto(points)[0][0] for points in (off, on))
+    most = min(pareto(points)[-1][0] for points in (off, on))
+    ratios = {}
+    for row in rows:
+        if not row["denoise"]:
+            work = min(max(row["instructions"], least), most)
+            ratios[row["variance"]] = error_after(off, work)/error_after(on, work)
+    return ratios

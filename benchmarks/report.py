@@ -8,7 +8,7 @@ import re
 
 import suite
 from front import geometric_mean
-from reconstruction import PICTURES
+from reconstruction import PICTURES, compare
 
 COLUMNS = ("program", "scene", "tilted", "setting", "cpu", "start_up", "runs", "rmse", "mean", "samples",
            "samples_99", "samples_most")
@@ -38,13 +38,13 @@ def ratio_cell(line):
     return f"{least}{line['ratio']:.1f} ({line['rmse']:.4f})"
 
 
-def ratios(comparisons, cell=ratio_cell, digits=1):
+def ratios(comparisons):
     """A table of scenes by errors and its last line, the geometric mean of each column."""
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
-    rows = [[TITLES[scene], *[cell(line) for line in lines]] for scene, lines in comparisons.items()]
+    rows = [[TITLES[scene], *[ratio_cell(line) for line in lines]] for scene, lines in comparisons.items()]
     means = [geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines
                             if line["target"] == target and line["ratio"]) for target in targets]
-    rows.append(["geometric mean", *[f"{mean:.{digits}f}" if mean else "-" for mean in means]])
+    rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
     return table(["scene", *[f"as stock with {target}" for target in targets]], rows)
 
 
@@ -72,18 +72,24 @@ def section_tilted(results):
 
 
 def section_denoise(results):
-    def cell(line):
-        return f"{line['ratio']:.2f} ({line['seconds']:.2f} s)" if line["ratio"] else "not reached"
-
-    worst = min((line["ratio"] for lines in results["denoise"].values() for line in lines if line["ratio"]), default=0)
-    rows = [[TITLES[row["scene"]], *[f"{row[name]:.4f}" for name in ("rmse_off", "bias_off", "rmse_on", "bias_on")]]
-            for row in results["bias"]]
-    return ["### Reconstruction: RMSE with `denoise off` over that with `denoise on` after the same CPU time", "",
-            "The time, in parentheses, is what `denoise off` takes for the error that stock has with so many samples.", "",
-            ratios(results["denoise"], cell, 2), "",
-            f"Aimed at: nowhere below 1; worst {worst:.2f}, {'reached' if worst >= 1.0 else 'missed'}.", "",
-            f"What remains however many such pictures are averaged, `variance 1/1000`, means of {PICTURES} pictures:", "",
-            table(["scene", "RMSE, `denoise off`", "of it bias", "RMSE, `denoise on`", "of it bias"], rows), ""]
+    rows = results["denoise"]
+    scenes = list(dict.fromkeys(row["scene"] for row in rows))
+    ratios_of = {scene: compare([row for row in rows if row["scene"] == scene]) for scene in scenes}
+    variances = list(dict.fromkeys(row["variance"] for row in rows))
+    means = [geometric_mean(ratios_of[scene][variance] for scene in scenes) for variance in variances]
+    worst = min(ratio for found in ratios_of.values() for ratio in found.values())
+    pairs = [(off, on) for off, on in zip(rows[::2], rows[1::2]) if off["variance"] == 1e-3]
+    return ["### Reconstruction: RMSE with `denoise off` over that with `denoise on` after the same work", "",
+            "Work is instructions (callgrind): as many as `denoise off` takes with that `variance`, where both have settings"
+            f" that take more and such that take less. Errors are of {PICTURES} independent pictures.", "",
+            table(["scene", *[f"variance {variance:g}" for variance in variances]],
+                  [[TITLES[scene], *[f"{ratio:.3f}" for ratio in ratios_of[scene].values()]] for scene in scenes]
+                  + [["geometric mean", *[f"{mean:.3f}" for mean in means]]]), "",
+            f"Aimed at: nowhere below 1; worst {worst:.3f}, {'reached' if worst >= 1.0 else 'missed'}.", "",
+            "What remains however many such pictures are averaged, `variance 1/1000`:", "",
+            table(["scene", "RMSE, `denoise off`", "of it bias", "RMSE, `denoise on`", "of it bias"],
+                  [[TITLES[off["scene"]], *[f"{row[name]:.4f}" for row in (off, on) for name in ("rmse", "bias")]]
+                   for off, on in pairs]), ""]
 
 
 def section_pan(results):

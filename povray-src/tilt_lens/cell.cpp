@@ -14,13 +14,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Samples aimed at emitters that must have missed before they are believed hidden: an object fills only
-/// part of the sphere around it, and that may lie over two pixels.
-constexpr std::uint32_t kFewestAimed = 16;
-
-/// Own samples that a pixel needs until they count as much as what is seen around it.
-constexpr double kDoubts = 32.0;
-
 double Square(double x) { return x * x; }
 
 /// How far the true variance may lie above an estimate from n samples, with probability `confidence`.
@@ -53,14 +46,6 @@ double GainOfMean(double gainByHalves, double n)
 
 } // namespace
 
-const Cell* Holder(const Cell::Neighbours& neighbours, std::int64_t x, std::int64_t y)
-{
-    const Area& area = neighbours[4]->area;
-    const int column = x < area.left ? 0 : x < area.Right() ? 1 : 2;
-    const int row = y < area.top ? 0 : y < area.Bottom() ? 1 : 2;
-    return neighbours[3 * row + column];
-}
-
 void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
 {
     const std::lock_guard<std::mutex> lock(busy);
@@ -74,12 +59,13 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
         {
             TakeSamples(x, y, until, trace);
             const Pixel& pixel = pixels[Index(x, y)];
-            first.push_back({pixel.spread, std::sqrt(Worst(pixel.spread, MeanOf(pixel))), pixel.blur});
+            first.push_back({pixel.own, std::sqrt(Worst(pixel.own.variance, MeanOf(pixel))), pixel.blur});
         }
+    varied = IsVaried();
     gainByHalves = 1.0;
     NoteGain(until);
     if (limits.Denoises())
-        firstEstimates = Estimates();
+        NoteEstimates(until);
     begun = true;
 }
 
@@ -91,11 +77,12 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     const std::vector<Pixel> begin = pixels;
     const double gainAtBegin = gainByHalves;
     laterEstimates.clear();
+    estimatedSamples = limits.First();
     try
     {
         if (limits.variance > 0.0)  // else nobody asks
         {
-            SpreadBlurred(neighbours);
+            NoteBlurred(neighbours);
             NoteUsualDeviation(neighbours);
         }
 
@@ -109,6 +96,8 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
                         TakeSamples(x, y, until, trace);
             NoteGain(until);
         }
+        if (limits.Denoises())
+            NoteEstimates(until);
     }
     catch (...)
     {
@@ -146,6 +135,11 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
         pixel.half[1][c] = 0.0;
     }
     pixel.middle = pixel.samples == 0 ? until / 2 : pixel.samples;
+    if (pixel.samples == 0)
+    {
+        pixel.least.fill(HUGE_VAL);
+        pixel.most.fill(-HUGE_VAL);
+    }
 
     SampleId id{x, y, 0};
     const PixelSampler sampler(x, y, 0);
@@ -166,15 +160,18 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
         {
             sum[c] += value[c];
             pixel.squares[c] += Square(value[c]);
+            pixel.least[c] = std::min(pixel.least[c], value[c]);
+            pixel.most[c] = std::max(pixel.most[c], value[c]);
         }
-        if (traced.aimed)
+        if (traced.sought > 0.0)
         {
             AddTo(pixel.aimed, value);
             pixel.aimedSamples++;
+            pixel.sought = traced.sought;
         }
     }
     pixel.samples = until;
-    pixel.spread = Spread(pixel);
+    pixel.own = VariationOf(pixel);
 }
 
 /// Closes the cell's pixels that are good enough, notes how good the others are, and tells whether
@@ -184,53 +181,49 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
     if (samples < 2)
         return true;  // one sample says nothing of its error
     const double caution = UpperLimit(samples, limits.confidence);
-    const std::vector<Radiance> around = SpreadAround(neighbours);
+    const Allowance allowed(limits, samples);
+    const bool variedAround = IsVariedAround(neighbours);
     std::vector<Judged> judged;
     for (std::size_t i = 0; i < pixels.size(); i++)
     {
         Pixel& pixel = pixels[i];
         if (!pixel.open)
             continue;
-        Radiance variance = DoubtedSpread(pixel, around[i]);
-        const Radiance mean = MeanOf(pixel);
-        const double unusual = std::sqrt(Worst(variance, mean)) / usualDeviation;
+        const Radiance mean = MeanOf(pixel), unseen = variedAround ? Unseen(pixel, VariationAround(i, neighbours)) : Radiance{};
+        Radiance variance;
         for (std::size_t c = 0; c < variance.size(); c++)
-            variance[c] *= pixel.gain / samples / Brightness(mean[c]);
+            variance[c] = pixel.gain * (pixel.own.variance[c] / samples + unseen[c]) / Brightness(mean[c]);
         pixel.variance = *std::max_element(variance.begin(), variance.end());
-        judged.push_back({&pixel, variance, limits.Allowed(samples, unusual) / caution});
+        const double unusual = std::sqrt(pixel.variance / pixel.gain * samples) / usualDeviation;
+        judged.push_back({&pixel, variance, allowed(unusual) / caution});
     }
     if (limits.Denoises())
-    {
-        if (samples > limits.First())
-            laterEstimates = Estimates();
-        CreditReconstruction(neighbours, judged);
-    }
+        CreditReconstruction(neighbours, samples, judged);
 
     bool any = false;
     for (const Judged& one : judged)
     {
         const double left = *std::max_element(one.variance.begin(), one.variance.end());
-        const std::uint32_t aimed = one.pixel->aimedSamples;
-        const bool tried = aimed == 0 || aimed >= kFewestAimed;
-        one.pixel->open = !(limits.variance > 0.0 && left <= one.allowed && tried);
+        one.pixel->open = !(limits.variance > 0.0 && left <= one.allowed && HasSought(*one.pixel, one.allowed));
         any = any || one.pixel->open;
     }
     return any;
 }
 
-Radiance Cell::Spread(const Pixel& pixel)
+Variation Cell::VariationOf(const Pixel& pixel)
 {
-    Radiance variance{};
+    Variation own;
     const double n = pixel.samples, aimed = pixel.aimedSamples;
-    for (std::size_t c = 0; c < variance.size() && n > 1.0; c++)
+    for (std::size_t c = 0; c < own.variance.size() && n > 1.0; c++)
     {
-        const double sum = pixel.half[0][c] + pixel.half[1][c];
+        const double sum = pixel.half[0][c] + pixel.half[1][c], mean = sum / n;
         double between = Square(sum - pixel.aimed[c]) / (n - aimed);
         if (aimed > 0.0)
             between += Square(pixel.aimed[c]) / aimed;
-        variance[c] = std::max(0.0, pixel.squares[c] - between) / (n - 1.0);
+        own.variance[c] = std::max(0.0, pixel.squares[c] - between) / (n - 1.0);
+        own.leap[c] = Square(std::max(pixel.most[c] - mean, mean - pixel.least[c]));
     }
-    return variance;
+    return own;
 }
 
 /// Variance of the open pixels' means by their halves, over their variance if samples were
@@ -244,7 +237,7 @@ double Cell::GainByHalves(double before) const
         if (!pixel.open || pixel.samples < 2)
             continue;
         const double n = pixel.samples, a = pixel.middle, b = n - a;
-        const Radiance& spread = pixel.spread;
+        const Radiance& spread = pixel.own.variance;
         double ofPixel = 0.0;
         for (std::size_t c = 0; c < spread.size(); c++)
         {
@@ -268,86 +261,6 @@ void Cell::NoteGain(std::uint32_t samples)
     for (Pixel& pixel : pixels)
         if (pixel.open)
             pixel.gain = gain;
-}
-
-/// Mean variance of one sample over the 3 by 3 pixels around each of the cell's. Pixels outside the cell count by
-/// their first samples, where there are neighbours.
-std::vector<Radiance> Cell::SpreadAround(const Neighbours& neighbours) const
-{
-    const std::int64_t width = area.width, height = area.height;
-    std::array<std::array<Radiance, kCell>, kCell + 2> rows{};  // sums of three pixels side by side
-    for (std::int64_t v = -1; v <= height; v++)
-    {
-        std::array<Radiance, kCell + 2> row{};
-        for (std::int64_t u = -1; u <= width; u++)
-        {
-            if (u >= 0 && u < width && v >= 0 && v < height)
-                row[u + 1] = pixels[v * width + u].spread;
-            else if (const Cell* holder = Holder(neighbours, area.left + u, area.top + v))
-                row[u + 1] = holder->FirstOf(area.left + u, area.top + v).spread;
-        }
-        for (std::int64_t u = 0; u < width; u++)
-            for (std::size_t c = 0; c < row[u].size(); c++)
-                rows[v + 1][u][c] = row[u][c] + row[u + 1][c] + row[u + 2][c];
-    }
-    std::vector<Radiance> around(pixels.size());
-    for (std::int64_t y = 0; y < height; y++)
-        for (std::int64_t x = 0; x < width; x++)
-        {
-            const int columns = 1 + (x > 0 || neighbours[3]) + (x + 1 < width || neighbours[5]);
-            const int lines = 1 + (y > 0 || neighbours[1]) + (y + 1 < height || neighbours[7]);
-            Radiance& mean = around[y * width + x];
-            for (std::size_t c = 0; c < mean.size(); c++)
-                mean[c] = (rows[y][x][c] + rows[y + 1][x][c] + rows[y + 2][x][c]) / (columns * lines);
-        }
-    return around;
-}
-
-/// Variance of one sample: the pixel's own, or, as long as its samples are few, towards the mean around it
-/// where that is larger.
-Radiance Cell::DoubtedSpread(const Pixel& pixel, const Radiance& around)
-{
-    Radiance spread = pixel.spread;
-    const double doubt = kDoubts / (kDoubts + pixel.samples);
-    for (std::size_t c = 0; c < spread.size(); c++)
-        spread[c] += doubt * std::max(0.0, std::max(around[c], pixel.blurredSpread[c]) - spread[c]);
-    return spread;
-}
-
-/// Notes for each pixel the mean variance of one sample in the first round, over the cell and the pixels
-/// beside it, of what is blurred far enough to lie over this pixel too: a point covers all pixels within
-/// its blur's radius, so two pixels that see it are at most twice that apart.
-void Cell::SpreadBlurred(const Neighbours& neighbours)
-{
-    Radiance everywhere{};  // of what is blurred over the whole cell
-    int count = 0;
-    for (std::int64_t v = std::int64_t(area.top) - 1; v <= area.Bottom(); v++)
-        for (std::int64_t u = std::int64_t(area.left) - 1; u <= area.Right(); u++)
-        {
-            const Cell* holder = Holder(neighbours, u, v);
-            if (holder == nullptr || !holder->area.Has(u, v))
-                continue;
-            count++;
-            const First& other = holder->FirstOf(u, v);
-            if (2.0 * other.blur >= kCell)
-                AddTo(everywhere, other.spread);
-            else
-                SpreadOver(u, v, 2.0 * other.blur, other.spread);
-        }
-    for (Pixel& pixel : pixels)
-        for (std::size_t c = 0; c < everywhere.size(); c++)
-            pixel.blurredSpread[c] = (pixel.blurredSpread[c] + everywhere[c]) / count;
-}
-
-/// Adds to the cell's pixels that are no farther from (x, y) than `reach` columns and rows.
-void Cell::SpreadOver(std::int64_t x, std::int64_t y, double reach, const Radiance& spread)
-{
-    if (std::all_of(spread.begin(), spread.end(), [](double channel) { return channel == 0.0; }))
-        return;
-    const std::int64_t most = std::int64_t(reach);
-    for (std::int64_t v = std::max<std::int64_t>(area.top, y - most); v <= y + most && v < area.Bottom(); v++)
-        for (std::int64_t u = std::max<std::int64_t>(area.left, x - most); u <= x + most && u < area.Right(); u++)
-            AddTo(pixels[Index(u, v)].blurredSpread, spread);
 }
 
 Radiance Cell::MeanOf(const Pixel& pixel)

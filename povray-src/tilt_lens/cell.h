@@ -19,13 +19,17 @@
 ///     gain           the second over the first, pooled over the cell, and leaning on that of the round
 ///                    before where few pixels of the cell are noisy.
 ///
-/// What decides is gain s^2 / n, with s^2 drawn towards its mean over the neighbouring pixels (a few
-/// equal samples beside an edge are no certainty) and over all that is blurred as far as the pixel (a
-/// small light far out of focus shows in few samples, but in some of every pixel that it covers), where
-/// that is larger; the less, the more samples the pixel has of its own. It is raised to the upper limit of
-/// the confidence interval that the number of samples leaves (chi-square), and lowered to what the
-/// reconstruction will leave of it where that is asked for and less than half. What a pixel may keep is
-/// SamplingLimits::Allowed(): noisy ones more than quiet ones, so that a picture gets the most out of its rays.
+/// What decides is gain (s^2 / n + u), with u for what the pixel's samples may have missed: a few equal samples beside
+/// an edge are no certainty, and a small light far out of focus shows in few samples, but in some of every pixel that
+/// it covers. Where the pixels around, or what is blurred as far as over this pixel, vary more than its own samples by
+/// v, and by up to a from their mean in one sample, something fills a share p = v / a^2 there. Here it may be any
+/// smaller share, which n samples miss with probability (1 - p)^n, for a square error of (p a)^2: u is the largest of
+/// (p a)^2 exp(-p n).
+///
+/// The estimate is raised to the upper limit of the confidence interval that the number of samples leaves
+/// (chi-square), and lowered to what the reconstruction will leave of it where that is asked for and less than half.
+/// What a pixel may keep is the Allowance: noisy ones more than quiet ones, so that a picture gets the most out of its
+/// rays.
 ///
 /// A sample that is not finite counts as black and is counted apart.
 ///
@@ -49,6 +53,15 @@
 namespace tilt_lens
 {
 
+/// How the samples of a pixel, or of several, differ.
+struct Variation
+{
+    Radiance variance{};  ///< of one sample; of several pixels the sum or the mean
+    Radiance leap{};      ///< largest square by which one sample leaves its pixel's mean
+
+    void Join(const Variation& other);
+};
+
 /// A square of pixels, sampled in two steps: the first samples, which neighbours look at, and the
 /// rest. Steps may be asked for by any thread; each is done once.
 class Cell
@@ -57,7 +70,7 @@ class Cell
     /// A pixel after its first samples.
     struct First
     {
-        Radiance spread{};       ///< variance of one sample
+        Variation own;
         double deviation = 0.0;  ///< of one sample, worst channel; relative to what is above 1
         double blur = 0.0;       ///< widest blur met, pixels
     };
@@ -103,14 +116,16 @@ class Cell
     {
         std::array<Radiance, 2> half{};  ///< sums of the samples before and after the middle
         Radiance squares{};              ///< sum over both halves
+        Radiance least, most;            ///< of a sample
         Radiance aimed{};                ///< sum of the samples that were aimed
-        Radiance spread{};               ///< variance of one sample, from the pixel's own
-        Radiance blurredSpread{};        ///< as SpreadBlurred() notes it
+        Variation own;                   ///< of its samples
+        Variation blurred;               ///< as NoteBlurred() has it
         std::uint32_t samples = 0;
         std::uint32_t middle = 0;        ///< samples in the first half
         std::uint32_t aimedSamples = 0;
         std::uint32_t notFinite = 0;
         double blur = 0.0;               ///< widest of the first round
+        double sought = 0.0;             ///< as Traced has it
         double gain = 1.0;               ///< of the last round
         double variance = 0.0;           ///< as Final has it
         double remains = kLeastRemains;  ///< share of the variance after the reconstruction, when last asked
@@ -127,12 +142,14 @@ class Cell
 
     std::mutex busy;
     bool begun = false;
+    bool varied = true;           ///< whether the first samples of any pixel differ
     std::atomic<bool> done{false};
     std::vector<Pixel> pixels;
     double gainByHalves = 1.0;    ///< of the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
     std::vector<First> first;
     std::vector<Estimate> firstEstimates, laterEstimates;  ///< after the first round; after the last if there were more
+    std::uint32_t estimatedSamples = 0;  ///< of a pixel that is still open, when last noted
     std::vector<Final> final;
 
     std::size_t Index(std::uint32_t x, std::uint32_t y) const
@@ -144,17 +161,22 @@ class Cell
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     void NoteGain(std::uint32_t samples);
     double GainByHalves(double before) const;
+    std::array<Radiance, kCell * kCell> VarianceAround() const;
     std::vector<Estimate> Estimates() const;
+    void NoteEstimates(std::uint32_t samples);
     const std::vector<Estimate>& LastEstimates() const { return laterEstimates.empty() ? firstEstimates : laterEstimates; }
-    void CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged);
+    void CreditReconstruction(const Neighbours& neighbours, std::uint32_t samples, std::vector<Judged>& judged);
     template<class EstimateOf>
     static Surroundings Gather(const Neighbours& cells, const EstimateOf& estimateOf);
     CellPlane Remains(const Neighbours& neighbours) const;
-    std::vector<Radiance> SpreadAround(const Neighbours& neighbours) const;
-    void SpreadBlurred(const Neighbours& neighbours);
-    void SpreadOver(std::int64_t x, std::int64_t y, double reach, const Radiance& spread);
-    static Radiance Spread(const Pixel& pixel);
-    static Radiance DoubtedSpread(const Pixel& pixel, const Radiance& around);
+    bool IsVaried() const;
+    bool IsVariedAround(const Neighbours& neighbours) const;
+    Variation VariationAround(std::size_t pixel, const Neighbours& neighbours) const;
+    void NoteBlurred(const Neighbours& neighbours);
+    void NoteBlurredOver(std::int64_t x, std::int64_t y, double reach, const Variation& variation);
+    static Variation VariationOf(const Pixel& pixel);
+    static Radiance Unseen(const Pixel& pixel, const Variation& around);
+    static bool HasSought(const Pixel& pixel, double allowed);
     static Radiance MeanOf(const Pixel& pixel);
 };
 

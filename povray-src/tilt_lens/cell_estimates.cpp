@@ -34,8 +34,16 @@ bool IsKnown(const Estimate& estimate)
 
 /// Takes from the variances of pixels what the reconstruction will take: of what their own samples
 /// show, not of what is only feared because neighbours saw it.
-void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged>& judged)
+void Cell::CreditReconstruction(const Neighbours& neighbours, std::uint32_t samples, std::vector<Judged>& judged)
 {
+    const auto isGood = [](const Radiance& variance, const Judged& one)
+    {
+        return *std::max_element(variance.begin(), variance.end()) <= one.allowed;
+    };
+    if (std::none_of(judged.begin(), judged.end(), [&](const Judged& one)
+        { return one.pixel->remains < kCounts && !isGood(one.variance, one); }))
+        return;
+    NoteEstimates(samples);
     const std::vector<Estimate>& estimates = LastEstimates();
     const auto credited = [&](const Judged& one)
     {
@@ -51,10 +59,6 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
         }
         return variance;
     };
-    const auto isGood = [](const Radiance& variance, const Judged& one)
-    {
-        return *std::max_element(variance.begin(), variance.end()) <= one.allowed;
-    };
     // Only where it makes a difference: the less noise, the better pixels are told apart, so that no more than
     // in the round before is to be hoped for.
     if (std::none_of(judged.begin(), judged.end(), [&](const Judged& one)
@@ -69,11 +73,33 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::vector<Judged
     }
 }
 
+/// Mean variance of one sample over the 3 by 3 pixels around each, as far as they are in the cell.
+std::array<Radiance, kCell * kCell> Cell::VarianceAround() const
+{
+    std::array<Radiance, kCell * kCell> around{};
+    std::array<std::array<Radiance, kCell>, kCell + 2> rows{};  // sums of three pixels side by side
+    for (std::uint32_t y = 0; y < area.height; y++)
+        for (std::uint32_t x = 0; x < area.width; x++)
+            for (std::uint32_t u = x > 0 ? x - 1 : 0; u < std::min(x + 2, area.width); u++)
+                AddTo(rows[y + 1][x], pixels[y * area.width + u].own.variance);
+    for (std::uint32_t y = 0; y < area.height; y++)
+        for (std::uint32_t x = 0; x < area.width; x++)
+        {
+            const int columns = 1 + (x > 0) + (x + 1 < area.width), lines = 1 + (y > 0) + (y + 1 < area.height);
+            const double share = 1.0 / (columns * lines);
+            Radiance& mean = around[y * area.width + x];
+            for (std::size_t c = 0; c < mean.size(); c++)
+                mean[c] = share * (rows[y][x][c] + rows[y + 1][x][c] + rows[y + 2][x][c]);
+        }
+    return around;
+}
+
 /// What is known of the pixels, for the reconstruction: the variance of the mean from the samples of a
 /// pixel and of those around it in the cell.
 std::vector<Estimate> Cell::Estimates() const
 {
-    const std::vector<Radiance> around = SpreadAround({nullptr, nullptr, nullptr, nullptr, this});
+    const bool varied = IsVaried();  // where nothing differs, there is no noise to estimate
+    const std::array<Radiance, kCell * kCell> variance = varied ? VarianceAround() : std::array<Radiance, kCell * kCell>{};
     std::vector<Estimate> estimates(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); i++)
     {
@@ -81,15 +107,23 @@ std::vector<Estimate> Cell::Estimates() const
         const Radiance mean = MeanOf(pixel);
         Estimate& estimate = estimates[i];
         estimate.samples = pixel.samples;
-        for (std::size_t c = 0; c < mean.size(); c++)
+        std::copy(mean.begin(), mean.end(), estimate.mean.begin());
+        for (std::size_t c = 0; varied && c < mean.size(); c++)
         {
-            estimate.mean[c] = mean[c];
-            estimate.variance[c] = pixel.gain * around[i][c] / pixel.samples;
-            if (pixel.samples > 1)
-                estimate.halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
+            estimate.variance[c] = pixel.gain * variance[i][c] / pixel.samples;
+            estimate.halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
         }
     }
     return estimates;
+}
+
+/// Of the samples taken so far.
+void Cell::NoteEstimates(std::uint32_t samples)
+{
+    if (samples == estimatedSamples)
+        return;
+    (estimatedSamples == 0 ? firstEstimates : laterEstimates) = Estimates();
+    estimatedSamples = samples;
 }
 
 /// @param estimateOf  of a cell's pixel by its index

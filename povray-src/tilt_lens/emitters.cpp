@@ -149,7 +149,7 @@ Emitters::Targets Emitters::Of(std::uint32_t x, std::uint32_t y) const
     Targets result;
     if (kept.empty())
         return result;
-    double light = 0.0;
+    double& light = result.light;
     for (const std::uint32_t i : blocks[std::size_t(y / block) * columns + x / block])
     {
         if (!Reaches(kept[i], x, y))
@@ -170,7 +170,7 @@ Emitters::Targets Emitters::Of(std::uint32_t x, std::uint32_t y) const
 
 Start Emitters::Aim(const Targets& targets, const SampleId& id, const Sample& sample) const
 {
-    Start start{(id.x + sample.pixelX) / width - 0.5, 0.5 - (id.y + sample.pixelY) / height, {0.0, 0.0}, 1.0, false};
+    Start start{(id.x + sample.pixelX) / width - 0.5, 0.5 - (id.y + sample.pixelY) / height, {0.0, 0.0}, 1.0, 0.0};
     if (targets.targets.empty() || id.index >= usable)
     {
         start.point = aperture(sample.lensU, sample.lensV);
@@ -180,7 +180,7 @@ Start Emitters::Aim(const Targets& targets, const SampleId& id, const Sample& sa
         start.point = aperture((sample.lensU - targets.share) / (1.0 - targets.share), sample.lensV);
     else
     {
-        start.aimed = true;
+        start.sought = targets.light;
         double u = sample.lensU;
         std::size_t i = 0;
         while (i + 1 < targets.targets.size() && u >= targets.targets[i].share)

@@ -49,7 +49,7 @@ struct Start
     double x, y;          ///< film point as in MakeRay
     AperturePoint point;  ///< of the lens
     double weight;        ///< of its light; 0: there is nothing to trace
-    bool aimed;           ///< at an emitter
+    double sought;        ///< as Traced has it
 };
 
 /// The emitters of a picture. Immutable: threads share it.
@@ -71,6 +71,7 @@ class Emitters
     struct Targets
     {
         double share = 0.0;  ///< of the samples that are aimed
+        double light = 0.0;  ///< that all of them bring to the pixel, if nothing hides them
         struct Target
         {
             std::uint32_t emitter;

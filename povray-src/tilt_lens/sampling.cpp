@@ -17,11 +17,12 @@ std::uint32_t SamplingLimits::First() const
     return std::min(power, max);
 }
 
-double SamplingLimits::Allowed(std::uint32_t samples, double unusual) const
+double Allowance::operator()(double unusual) const
 {
-    // written so that a pixel among those without any noise, 0/0, may keep `variance`
-    const double most = unusual > 1.0 ? std::min(unusual, kMostAllowed) : 1.0;
-    return variance * std::clamp(samples * variance / kUsualSpread, kLeastAllowed, most);
+    // written so that a pixel among those without any noise, 0/0, may keep as much as one among its like
+    const double most = unusual > 1.0 ? std::min(unusual, kMost) : 1.0;
+    const double least = unusual < 1.0 ? std::max(kLeast, kLeastWhereEven * unusual) : kLeastWhereEven;
+    return variance * std::clamp(proportional, least, most);
 }
 
 void SamplingAccount::Add(const SamplingAccount& other)

@@ -34,6 +34,15 @@ inline bool IsLight(const Radiance& value)
     return std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
 }
 
+/// Whether any channel is not zero.
+inline bool IsAny(const Radiance& value)
+{
+    bool any = false;
+    for (const double x : value)
+        any |= x != 0.0;
+    return any;
+}
+
 /// What a variance is divided by where the mean is so bright: above white an error is seen relative to it.
 inline double Brightness(double mean) { return mean > 1.0 ? mean * mean : 1.0; }
 
@@ -42,13 +51,14 @@ struct Traced
 {
     Radiance light;
     double blur = 0.0;   ///< radius in pixels over which the surface that was met is spread, at most
-    bool aimed = false;  ///< at an emitter (emitters.h); every fourth sample is, every second or none
+    double sought = 0.0; ///< light of the emitters that the pixel's aimed samples are sent at (emitters.h), if nothing
+                         ///< hides them; 0: this sample was not aimed. Every fourth is, every second or none
 
     Traced& operator=(const Radiance& value)
     {
         light = value;
         blur = 0.0;
-        aimed = false;
+        sought = 0.0;
         return *this;
     }
 };
@@ -64,22 +74,35 @@ struct SamplingLimits
     /// Samples that every pixel gets before it is judged: min, rounded up to a power of two that max allows.
     std::uint32_t First() const;
 
-    /// Variance that a pixel may keep after so many samples: `variance` on the whole, but more where noise is
-    /// strong and less where it is weak. Rays lower the mean square error of a picture most if a pixel gets them
-    /// in proportion to the standard deviation of its samples, not to their variance (J. Neyman, "On the two
-    /// different aspects of the representative method", 1934): n of a deviation s leave s^2/n, which is then in
-    /// proportion to n.
+    /// Fewer samples say too little of their variance for the reconstruction to tell pixels apart by it.
+    static constexpr std::uint32_t kFewestToDenoise = 8;
+    /// `variance 0` asks for the samples as they are.
+    bool Denoises() const { return denoise && variance > 0.0 && First() >= kFewestToDenoise; }
+};
+
+/// Variance that pixels may keep after a number of samples: `variance` on the whole, but more where noise is strong and
+/// less where it is weak. Rays lower the mean square error of a picture most if a pixel gets them in proportion to the
+/// standard deviation of its samples, not to their variance (J. Neyman, "On the two different aspects of the
+/// representative method", 1934): n of a deviation s leave s^2/n, which is then in proportion to n.
+class Allowance
+{
+  public:
+    Allowance(const SamplingLimits& limits, std::uint32_t samples) :
+        variance(limits.variance), proportional(samples * limits.variance / kUsualSpread) {}
+
     /// @param unusual  standard deviation of one sample over its mean around the pixel: more than `variance` is
-    ///                 for pixels that stand out; where all are as noisy, all keep what was asked for
-    double Allowed(std::uint32_t samples, double unusual) const;
+    ///                 for pixels that stand out, and much less for those that are quiet beside others; where all are as
+    ///                 noisy or as quiet, all keep about what was asked for, so that no ray is wasted
+    double operator()(double unusual) const;
 
     /// Variance of one sample where a pixel keeps just `variance`: between what texture and blurred edges have.
     static constexpr double kUsualSpread = 0.003;
     /// And how far from `variance` a pixel's own may be, as factors: so that nothing looks rough in a good picture.
-    static constexpr double kLeastAllowed = 0.25, kMostAllowed = 2.0;
+    static constexpr double kLeast = 0.25, kLeastWhereEven = 0.75, kMost = 2.0;
 
-    /// `variance 0` asks for the samples as they are.
-    bool Denoises() const { return denoise && variance > 0.0; }
+  private:
+    double variance;
+    double proportional;  ///< what the samples are in proportion to, as a factor
 };
 
 /// Identifies one sample of one pixel.

@@ -242,7 +242,7 @@ TEST(Emitters, AimAFixedShareOfEveryBlockOfFour)
             {
                 int count = 0;
                 for (std::uint32_t i = from; i < from + 4; i++)
-                    count += aimed.Aim(targets, {x, y, i}, sampler(i)).aimed;
+                    count += aimed.Aim(targets, {x, y, i}, sampler(i)).sought > 0.0;
                 EXPECT_EQ(count, from + 4 > 39 ? 0 : int(4 * targets.share)) << x << ", " << y << " from " << from;
             }
         }

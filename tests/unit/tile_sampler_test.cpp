@@ -243,6 +243,17 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
     EXPECT_EQ(stopped, 0);
 }
 
+TEST(TileSamplerStop, FewSamplesAreNotReconstructed)
+{
+    for (const std::uint32_t min : {2u, 4u, 8u})
+    {
+        SamplingLimits limits = Limits(min, 1024, 1e-2);
+        const std::vector<Result> plain = ResultsOf(limits, 8, 8, WhiteNoise);
+        limits.denoise = true;
+        EXPECT_EQ(ResultsOf(limits, 8, 8, WhiteNoise) == plain, min < SamplingLimits::kFewestToDenoise) << min;
+    }
+}
+
 TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
 {
     const auto bright = [](const SampleId& id, const Sample&, Traced& light)

@@ -197,19 +197,26 @@ TEST_P(VarianceAskedFor, NoisyPixelsAmongQuietOnesKeepMore)
     EXPECT_LT(adaptive.MeanError(), even);
 }
 
-TEST(SamplingLimits, AllowWhatWasAskedForWhereAllAreAsNoisy)
+TEST(Allowance, IsWhatWasAskedForWhereAllAreAsNoisy)
 {
     const SamplingLimits limits = Limits(8, 65536, 1e-4);
     for (const std::uint32_t n : {8u, 64u, 65536u})
     {
-        EXPECT_LE(limits.Allowed(n, 1.0), limits.variance) << n;
-        EXPECT_GE(limits.Allowed(n, 1.0), SamplingLimits::kLeastAllowed * limits.variance) << n;
-        EXPECT_LE(limits.Allowed(n, 100.0), SamplingLimits::kMostAllowed * limits.variance) << n;
-        // 0/0, a pixel among those without any noise
-        EXPECT_LE(limits.Allowed(n, std::nan("")), limits.variance) << n;
+        const Allowance allowed(limits, n);
+        // 0/0: a pixel among those without any noise
+        for (const double like : {1.0, std::nan("")})
+        {
+            EXPECT_LE(allowed(like), limits.variance) << n;
+            EXPECT_GE(allowed(like), Allowance::kLeastWhereEven * limits.variance) << n;
+        }
+        EXPECT_GE(allowed(0.0), Allowance::kLeast * limits.variance) << n;
+        EXPECT_LE(allowed(100.0), Allowance::kMost * limits.variance) << n;
     }
-    EXPECT_LT(limits.Allowed(8, 2.0), limits.variance);
-    EXPECT_GT(limits.Allowed(4096, 2.0), limits.variance);
+    // strong noise that took many samples may keep more, weak noise beside it less
+    EXPECT_GT(Allowance(limits, 4096)(2.0), limits.variance);
+    EXPECT_LT(Allowance(limits, 8)(0.2), 0.5 * limits.variance);
+    // where all are as quiet, there is nobody to save rays for
+    EXPECT_GT(Allowance(limits, 8)(1.0), Allowance(limits, 8)(0.2));
 }
 
 TEST(TileSamplerStop, ClaimedVarianceOfWhiteNoiseIsItsVariance)

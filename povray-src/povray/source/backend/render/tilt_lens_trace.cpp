@@ -69,7 +69,7 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start&
     if (start.weight == 0.0)
     {
         traced = Radiance{};
-        traced.aimed = start.aimed;
+        traced.sought = start.sought;
         return;
     }
     // from a point of the lens through the focus of that film point
@@ -97,7 +97,7 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start&
     const DBL distance = TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
     traced.light = {start.weight * colour[pRED], start.weight * colour[pGREEN], start.weight * colour[pBLUE],
                     start.weight * colour[pFILTER], start.weight * colour[pTRANSM]};
-    traced.aimed = start.aimed;
+    traced.sought = start.sought;
     traced.blur = tiltLens->BlurRadius(way.w, distance / length, width);
 }
 

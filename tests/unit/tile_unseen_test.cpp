@@ -1,0 +1,79 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// What a pixel may have missed: how long it looks for what its neighbours met, and for a lamp that it aims at.
+
+#include "tilt_lens/tile_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tile_results.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+/// Black and white noise in every fourth column, grey beside it.
+void NoisyColumns(const SampleId& id, const Sample&, Traced& light)
+{
+    light = Grey(id.x % 4 == 0 ? (Noise(id, 1) > 0.5 ? 1.0 : 0.0) : 0.5);
+}
+
+/// Samples of the quiet pixels beside the noise.
+std::uint32_t SamplesBesideNoise(double variance)
+{
+    std::uint32_t most = 0;
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, variance), 16, 8, NoisyColumns);
+    for (std::uint32_t i = 0; i < results.size(); i++)
+        if (i % 4 == 1 || i % 4 == 3)
+            most = std::max(most, results[i].samples);
+    return most;
+}
+
+// What leaves the mean by 1/2 and fills a share p is missed by n samples with an expected square error of at most
+// (2 / n / e)^2 / 4, so that n = 0.37 / sqrt(V) suffice: the round after that is the last, and the first is not.
+TEST(TileSamplerUnseen, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)
+{
+    for (const double variance : {1e-4, 1e-5, 1e-6})
+    {
+        const double enough = 0.5 * 2.0 / std::exp(1.0) / std::sqrt(variance);
+        EXPECT_GT(SamplesBesideNoise(variance), 0.5 * enough) << variance;
+        EXPECT_LT(SamplesBesideNoise(variance), 4.0 * enough) << variance;
+    }
+}
+
+/// Every fourth sample is aimed at a lamp of so much light and meets what hides it.
+Tracer HiddenLamp(double light)
+{
+    return [light](const SampleId& id, const Sample&, Traced& traced)
+    {
+        traced = Grey(0.0);
+        if (id.index % 4 == 0)
+            traced.sought = light;
+    };
+}
+
+std::uint32_t SamplesForHiddenLamp(double light, double variance)
+{
+    std::uint32_t most = 0;
+    for (const Result& result : ResultsOf(Limits(8, 65536, variance), 8, 8, HiddenLamp(light)))
+        most = std::max(most, result.samples);
+    return most;
+}
+
+TEST(TileSamplerUnseen, AHiddenLampIsSoughtAsLongAsItsLightIsWorth)
+{
+    EXPECT_EQ(SamplesForHiddenLamp(0.02, 1e-3), 8u);
+    EXPECT_GT(SamplesForHiddenLamp(0.2, 1e-3), 8u);
+    EXPECT_LT(SamplesForHiddenLamp(0.2, 1e-3), 64u);
+    // whatever it is worth, after sixteen that met what hides it, it is believed hidden
+    EXPECT_EQ(SamplesForHiddenLamp(1.0, 1e-5), 64u);
+    EXPECT_EQ(SamplesForHiddenLamp(100.0, 1e-5), 64u);
+}
+
+} // namespace
+} // namespace tilt_lens
