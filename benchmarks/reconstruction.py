@@ -10,7 +10,7 @@ import math
 import instructions
 import suite
 from front import error_after, pareto
-from lab import TILT_LENS
+from lab import TILT_LENS, digest
 
 SIZE = (100, 75)        # callgrind takes fifty times as long as the program
 VARIANCES = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
@@ -25,14 +25,19 @@ def error_and_bias(lab, scene, shot):
     """RMSE of one picture, and what independent pictures have in common besides the truth. With a squared bias b and a
     variance v of each, the error of the mean of k pictures is b + v/k, that of one b + v."""
     reference = lab.reference(scene.shot(TILT_LENS, size=SIZE), *scene.reference)
-    pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]
-    for number, picture in enumerate(pictures, 1):
-        lab.render(lab.ours, shot.independent(number), picture)
-    of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
-    of_each = lab.tool("noise", "errors", reference, *pictures)
-    one = sum(figures["mse"] for figures in of_each)/PICTURES
-    squared = max(0.0, (PICTURES*of_mean["mse"] - one)/(PICTURES - 1))
-    return math.sqrt(one), math.sqrt(squared)
+    key = digest("bias", lab.hashes[lab.ours], shot.arguments()[2:], shot.sources(), reference.name, PICTURES)
+    record = lab.runs.get((key, 0))
+    if record is None:
+        pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]
+        for number, picture in enumerate(pictures, 1):
+            lab.render(lab.ours, shot.independent(number), picture)
+        of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
+        of_each = lab.tool("noise", "errors", reference, *pictures)
+        one = sum(figures["mse"] for figures in of_each)/PICTURES
+        squared = max(0.0, (PICTURES*of_mean["mse"] - one)/(PICTURES - 1))
+        record = {"key": key, "repetition": 0, "rmse": math.sqrt(one), "bias": math.sqrt(squared)}
+        lab.keep(record)
+    return record["rmse"], record["bias"]
 
 
 def measure(lab, scene, count=instructions.count):

@@ -101,8 +101,6 @@ json Errors(const Picture& picture, const Reference& reference, const std::vecto
 /// The mean square error of the pixels that took more than `least` samples, and how many they are.
 json ErrorsOfMore(const Picture& picture, const Reference& reference, const Picture& samples, double least)
 {
-    if (!picture.SameSize(samples))
-        throw std::runtime_error("the layers have another size than the picture");
     double squares = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < picture.Size(); ++i)
@@ -144,8 +142,8 @@ void PrintErrors(const Arguments& arguments)
         json line = Errors(picture, reference, arguments.limits);
         line["picture"] = path;
         if (!arguments.layers.empty())
-            line.update(ErrorsOfMore(picture, reference, witness::ReadChannel(arguments.layers, "samples"),
-                                     arguments.moreThan));
+            line.update(ErrorsOfMore(picture, reference, Inner(witness::ReadChannel(arguments.layers, "samples"),
+                                                               picture.width, picture.height), arguments.moreThan));
         std::cout << line.dump() << '\n';
     }
 }
