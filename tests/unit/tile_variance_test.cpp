@@ -213,6 +213,7 @@ TEST(Allowance, IsWhatWasAskedForWhereAllAreAsNoisy)
         EXPECT_LE(allowed(100.0), Allowance::kMost * limits.variance) << n;
     }
     // strong noise that took many samples may keep more, weak noise beside it less
+    EXPECT_LT(Allowance(limits, 8)(2.0), limits.variance);
     EXPECT_GT(Allowance(limits, 4096)(2.0), limits.variance);
     EXPECT_LT(Allowance(limits, 8)(0.2), 0.5 * limits.variance);
     // where all are as quiet, there is nobody to save rays for
