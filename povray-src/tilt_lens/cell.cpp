@@ -14,6 +14,9 @@ namespace tilt_lens
 namespace
 {
 
+/// Share of a cell's samples that must have met anything: what meets nothing is cheaper to sample than to rebuild.
+constexpr double kFewestMet = 0.5;
+
 double Square(double x) { return x * x; }
 
 /// How far the true variance may lie above an estimate from n samples, with probability `confidence`.
@@ -53,6 +56,7 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
         return;
     pixels.assign(area.width * area.height, Pixel());  // a step that was broken off begins anew
     first.clear();
+    met = 0;
     const std::uint32_t until = limits.First();
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
@@ -64,7 +68,8 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
     varied = IsVaried();
     gainByHalves = 1.0;
     NoteGain(until);
-    if (limits.Denoises())
+    denoises = limits.Denoises() && met >= kFewestMet * until * pixels.size();
+    if (denoises)
         NoteEstimates(until);
     begun = true;
 }
@@ -96,7 +101,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
                         TakeSamples(x, y, until, trace);
             NoteGain(until);
         }
-        if (limits.Denoises())
+        if (denoises)
             NoteEstimates(until);
     }
     catch (...)
@@ -147,6 +152,7 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
     for (id.index = pixel.samples; id.index < until; id.index++)
     {
         trace(id, sampler(id.index), traced);
+        met += traced.met;
         Radiance& value = traced.light;
         if (!IsLight(value))
         {
@@ -197,7 +203,7 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
         const double unusual = std::sqrt(pixel.variance / pixel.gain * samples) / usualDeviation;
         judged.push_back({&pixel, variance, allowed(unusual) / caution});
     }
-    if (limits.Denoises())
+    if (denoises)
         CreditReconstruction(neighbours, samples, judged);
 
     bool any = false;

@@ -107,8 +107,8 @@ class Cell
 
     /// For the reconstruction, once the cells have taken their last samples. Null outside the picture.
     static Surroundings SurroundingsOf(const Neighbours& cells);
-    /// Whether the reconstruction would leave all of the cell's pixels as they are.
-    bool IsNoiseless() const;
+    /// The rows that are worth rebuilding.
+    Rows NoisyRows(const SamplingLimits& limits) const;
     bool IsFinished() const { return done; }
 
   private:
@@ -143,6 +143,8 @@ class Cell
     std::mutex busy;
     bool begun = false;
     bool varied = true;           ///< whether the first samples of any pixel differ
+    bool denoises = false;        ///< whether the reconstruction looks at the cell, for itself or for its neighbours
+    std::uint32_t met = 0;        ///< samples that met anything
     std::atomic<bool> done{false};
     std::vector<Pixel> pixels;
     double gainByHalves = 1.0;    ///< of the last round

@@ -18,6 +18,12 @@ namespace
 /// as uncertain as what it would save.
 constexpr double kCounts = 0.5;
 
+/// Rays that finding out what it leaves takes the time of, about: two for each pixel of a cell.
+constexpr double kWorth = 2.0 * kCell * kCell;
+
+/// Rows with less than this share of the variance that is asked for are as good as without noise.
+constexpr double kNoticed = 1.0 / 32.0;
+
 /// Whether a pixel's noise is less than half of its brightness.
 bool IsKnown(const Estimate& estimate)
 {
@@ -54,15 +60,16 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::uint32_t samp
             return variance;
         for (std::size_t c = 0; c < variance.size(); c++)
         {
-            const double seen = estimate.variance[c] / Brightness(estimate.mean[c]);
+            const double seen = one.pixel->gain * one.pixel->own.variance[c] / samples / Brightness(estimate.mean[c]);
             variance[c] -= (1.0 - one.pixel->remains) * std::min(seen, variance[c]);
         }
         return variance;
     };
-    // Only where it makes a difference: the less noise, the better pixels are told apart, so that no more than
-    // in the round before is to be hoped for.
-    if (std::none_of(judged.begin(), judged.end(), [&](const Judged& one)
-        { return !isGood(one.variance, one) && isGood(credited(one), one); }))
+    // Only where it may save enough rays: the less noise, the better pixels are told apart, so that no more
+    // than in the round before is to be hoped for.
+    const auto hoped = std::count_if(judged.begin(), judged.end(), [&](const Judged& one)
+        { return !isGood(one.variance, one) && isGood(credited(one), one); });
+    if (hoped * samples < kWorth)
         return;
     const CellPlane remains = Remains(neighbours);
     for (Judged& one : judged)
@@ -135,7 +142,7 @@ Surroundings Cell::Gather(const Neighbours& cells, const EstimateOf& estimateOf)
     Surroundings around;
     for (const Cell* cell : cells)
     {
-        if (cell == nullptr)
+        if (cell == nullptr || !cell->denoises)
             continue;
         const Area& area = cell->area;
         for (std::int64_t y = std::max(area.top - top, -border); y < std::min(area.Bottom() - top, end); y++)
@@ -156,12 +163,19 @@ CellPlane Cell::Remains(const Neighbours& neighbours) const
     return Rebuild(around, false).remains;
 }
 
-bool Cell::IsNoiseless() const
+/// From the first to the last with noise that is noticed beside what is asked for.
+Rows Cell::NoisyRows(const SamplingLimits& limits) const
 {
-    return std::all_of(LastEstimates().begin(), LastEstimates().end(), [](const Estimate& estimate)
+    Rows rows{int(area.height), 0};
+    for (int y = 0; denoises && y < int(area.height); y++)
     {
-        return std::all_of(estimate.variance.begin(), estimate.variance.end(), [](float x) { return x == 0.0f; });
-    });
+        double variance = 0.0;
+        for (std::uint32_t x = 0; x < area.width; x++)
+            variance += final[y * area.width + x].variance;
+        if (variance > kNoticed * limits.variance * area.width)
+            rows = {std::min(rows.begin, y), y + 1};
+    }
+    return rows;
 }
 
 Surroundings Cell::SurroundingsOf(const Neighbours& cells)

@@ -50,11 +50,11 @@ inline Four Falloff(Four x)
     return base * base;
 }
 
-/// Distances of single pixels to those at an offset.
+/// Distances of single pixels to those at an offset, from the row before the first to that after the last.
 template<int kChannels>
-void Compare(const Surroundings& around, int offset, float* distance)
+void Compare(const Surroundings& around, const Rows& wanted, int offset, float* distance)
 {
-    for (int y = 0; y < kCompared; y++)
+    for (int y = wanted.begin; y < wanted.end + 2; y++)
         for (int x = 0; x < kRow; x += 4)
         {
             const int i = At(x - 1, y - 1);
@@ -70,13 +70,14 @@ void Compare(const Surroundings& around, int offset, float* distance)
 }
 
 /// Weights from the 3 by 3 means of the distances and the samples at both ends.
-void Weigh(const Surroundings& around, const CellPlane& perSample, int offset, const float* distance, CellPlane& weight)
+void Weigh(const Surroundings& around, const Rows& wanted, const CellPlane& perSample, int offset, const float* distance,
+           CellPlane& weight)
 {
     float rows[int(kCell) * kRow];
-    for (int i = 0; i < int(kCell) * kRow; i += 4)
+    for (int i = wanted.begin * kRow; i < wanted.end * kRow; i += 4)
         Store(rows + i, Load(distance + i) + Load(distance + i + kRow) + Load(distance + i + 2 * kRow));
     const Four one = Four() + 1.0f;
-    for (int y = 0; y < int(kCell); y++)
+    for (int y = wanted.begin; y < wanted.end; y++)
         for (int x = 0; x < int(kCell); x += 4)
         {
             const float* d = rows + y * kRow + x;
@@ -86,9 +87,9 @@ void Weigh(const Surroundings& around, const CellPlane& perSample, int offset, c
         }
 }
 
-void AddWeighted(const Plane& values, int offset, const CellPlane& weight, CellPlane& sum)
+void AddWeighted(const Plane& values, const Rows& wanted, int offset, const CellPlane& weight, CellPlane& sum)
 {
-    for (int y = 0; y < int(kCell); y++)
+    for (int y = wanted.begin; y < wanted.end; y++)
         for (int x = 0; x < int(kCell); x += 4)
         {
             const int i = y * kCell + x;
@@ -127,7 +128,7 @@ CellPlane Remains(const Surroundings& around, const std::array<CellPlane, 5>& fi
 }
 
 template<int kChannels>
-Rebuilt RebuildChannels(const Surroundings& around, bool means)
+Rebuilt RebuildChannels(const Surroundings& around, bool means, const Rows& wanted)
 {
     Rebuilt sum{};
     std::array<CellPlane, 5> halves{};
@@ -135,27 +136,28 @@ Rebuilt RebuildChannels(const Surroundings& around, bool means)
     float distance[kCompared * kRow];
     for (int i = 0; i < kPixels; i++)
         perSample[i] = 1.0f / std::max(1.0f, around.Samples()[At(i % kCell, i / kCell)]);
+    const auto add = [&](const Rows& rows, int offset)
+    {
+        for (int i = rows.begin * int(kCell); i < rows.end * int(kCell); i++)
+            weights[i] += weight[i];
+        for (int c = 0; c < kChannels; c++)
+        {
+            AddWeighted(around.Halves()[c], rows, offset, weight, halves[c]);
+            if (means)
+                AddWeighted(around.Means()[c], rows, offset, weight, sum.mean[c]);
+        }
+    };
+    weight.fill(1.0f);
+    add(Rows(), 0);
     for (int dy = -kReach; dy <= kReach; dy++)
         for (int dx = -kReach; dx <= kReach; dx++)
         {
-            if (dx * dx + dy * dy > kFarthest)
-                continue;
             const int offset = dy * kSide + dx;
-            if (offset == 0)
-                weight.fill(1.0f);
-            else
-            {
-                Compare<kChannels>(around, offset, distance);
-                Weigh(around, perSample, offset, distance, weight);
-            }
-            for (int i = 0; i < kPixels; i++)
-                weights[i] += weight[i];
-            for (int c = 0; c < kChannels; c++)
-            {
-                AddWeighted(around.Halves()[c], offset, weight, halves[c]);
-                if (means)
-                    AddWeighted(around.Means()[c], offset, weight, sum.mean[c]);
-            }
+            if (offset == 0 || dx * dx + dy * dy > kFarthest)
+                continue;
+            Compare<kChannels>(around, wanted, offset, distance);
+            Weigh(around, wanted, perSample, offset, distance, weight);
+            add(wanted, offset);
         }
     for (int c = 0; c < kChannels; c++)
         for (int i = 0; i < kPixels; i++)
@@ -192,9 +194,9 @@ Radiance Rebuilt::MeanOf(std::size_t pixel) const
     return light;
 }
 
-Rebuilt Rebuild(const Surroundings& around, bool means)
+Rebuilt Rebuild(const Surroundings& around, bool means, const Rows& rows)
 {
-    return around.Transparent() ? RebuildChannels<5>(around, means) : RebuildChannels<3>(around, means);
+    return around.Transparent() ? RebuildChannels<5>(around, means, rows) : RebuildChannels<3>(around, means, rows);
 }
 
 } // namespace tilt_lens

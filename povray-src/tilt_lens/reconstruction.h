@@ -81,6 +81,12 @@ class Surroundings
 /// A value of each pixel of a cell, row by row.
 using CellPlane = std::array<float, kCell * kCell>;
 
+/// Rows of a cell, from the first to before the end.
+struct Rows
+{
+    int begin = 0, end = int(kCell);
+};
+
 /// A cell's pixels rebuilt.
 struct Rebuilt
 {
@@ -92,7 +98,8 @@ struct Rebuilt
 };
 
 /// @param means  whether the means are wanted too, or only what would remain of the variances
-Rebuilt Rebuild(const Surroundings& around, bool means);
+/// @param rows   that are wanted; the others stay as they are
+Rebuilt Rebuild(const Surroundings& around, bool means, const Rows& rows = Rows());
 
 } // namespace tilt_lens
 

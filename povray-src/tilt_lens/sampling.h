@@ -53,12 +53,14 @@ struct Traced
     double blur = 0.0;   ///< radius in pixels over which the surface that was met is spread, at most
     double sought = 0.0; ///< light of the emitters that the pixel's aimed samples are sent at (emitters.h), if nothing
                          ///< hides them; 0: this sample was not aimed. Every fourth is, every second or none
+    bool met = true;     ///< anything on its way, were it only haze
 
     Traced& operator=(const Radiance& value)
     {
         light = value;
         blur = 0.0;
         sought = 0.0;
+        met = true;
         return *this;
     }
 };
@@ -74,10 +76,8 @@ struct SamplingLimits
     /// Samples that every pixel gets before it is judged: min, rounded up to a power of two that max allows.
     std::uint32_t First() const;
 
-    /// Fewer samples say too little of their variance for the reconstruction to tell pixels apart by it.
-    static constexpr std::uint32_t kFewestToDenoise = 8;
     /// `variance 0` asks for the samples as they are.
-    bool Denoises() const { return denoise && variance > 0.0 && First() >= kFewestToDenoise; }
+    bool Denoises() const { return denoise && variance > 0.0; }
 };
 
 /// Variance that pixels may keep after a number of samples: `variance` on the whole, but more where noise is strong and
@@ -135,7 +135,7 @@ struct SamplingAccount
     double variance = 0.0;                                   ///< sum over pixels, worst channel each
     std::uint64_t notFinite = 0;                             ///< samples that were no light
     std::uint64_t aimed = 0;                                 ///< samples that were aimed at emitters
-    std::uint64_t rebuilt = 0;                               ///< pixels that the reconstruction looked at
+    std::uint64_t rebuilt = 0;                               ///< pixels that were averaged
     std::uint64_t lightPoints = 0;                           ///< points of area lights that were asked for
     std::uint64_t lightPointsLeft = 0;                       ///< and those beside them that were not
 

@@ -28,17 +28,19 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
                     visit(x, y, At(x, y));
     };
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel) { pixel = cell.FinalOf(x, y); });
-    if (!store.limits.Denoises() || cell.IsNoiseless())
+    const Rows rows = cell.NoisyRows(store.limits);
+    if (rows.begin >= rows.end)
         return;
     Cell::Neighbours cells;
     for (std::size_t i = 0; i < block.size(); i++)
         cells[i] = block[i].get();
-    const Rebuilt rebuilt = Rebuild(Cell::SurroundingsOf(cells), true);
+    const Rebuilt rebuilt = Rebuild(Cell::SurroundingsOf(cells), true, rows);
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel)
     {
-        const std::size_t i = (y - cell.area.top) * kCell + x - cell.area.left;
+        const int row = y - cell.area.top;
+        const std::size_t i = row * kCell + x - cell.area.left;
         const Radiance mean = rebuilt.MeanOf(i);
-        if (!IsLight(mean))  // beside what is brighter than a float can hold
+        if (row < rows.begin || row >= rows.end || !IsLight(mean))  // beside what is brighter than a float can hold
             return;
         pixel.mean = mean;
         pixel.variance *= rebuilt.remains[i];

@@ -243,15 +243,33 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
     EXPECT_EQ(stopped, 0);
 }
 
-TEST(TileSamplerStop, FewSamplesAreNotReconstructed)
+TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsLeftAlone)
 {
-    for (const std::uint32_t min : {2u, 4u, 8u})
+    for (const std::uint32_t met : {3u, 5u})  // of every eight samples
     {
-        SamplingLimits limits = Limits(min, 1024, 1e-2);
-        const std::vector<Result> plain = ResultsOf(limits, 8, 8, WhiteNoise);
+        const auto trace = [met](const SampleId& id, const Sample&, Traced& traced)
+        {
+            traced = Grey(Noise(id, 1));
+            traced.met = id.index % 8 < met;
+        };
+        SamplingLimits limits = Limits(8, 1024, 1e-2);
+        const std::vector<Result> plain = ResultsOf(limits, 8, 8, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, 8, 8, WhiteNoise) == plain, min < SamplingLimits::kFewestToDenoise) << min;
+        EXPECT_EQ(ResultsOf(limits, 8, 8, trace) == plain, met == 3) << met;
     }
+}
+
+TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
+{
+    const auto trace = [](const SampleId& id, const Sample&, Traced& light)
+    { light = Grey(0.5 + (id.y < 5 ? 0.02 : 1.0) * (Noise(id, 1) - 0.5)); };
+    SamplingLimits limits = Limits(8, 8, 1e-2);
+    const std::vector<Result> plain = ResultsOf(limits, 8, 0, trace);
+    limits.denoise = true;
+    const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
+    for (std::uint32_t i = 0; i < rebuilt.size(); i++)
+        if (i / kCell != 4)  // there what is beside may have been missed
+            EXPECT_EQ(rebuilt[i] == plain[i], i / kCell < 4) << i;
 }
 
 TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)

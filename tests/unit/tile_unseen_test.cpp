@@ -46,6 +46,38 @@ TEST(TileSamplerUnseen, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)
     }
 }
 
+/// One sample in twelve meets something bright.
+void Seldom(const SampleId& id, const Sample&, Traced& light)
+{
+    light = Grey(Noise(id, 1) < 1.0 / 12.0 ? 1.0 : 0.5);
+}
+
+/// Pixels whose samples all missed it.
+std::uint32_t MissedBy(bool denoise)
+{
+    SamplingLimits limits = Limits(8, 65536, 3e-4);
+    limits.denoise = denoise;
+    std::uint32_t missed = 0;
+    for (std::uint32_t left = 0; left < 20 * kCell; left += kCell)
+    {
+        const std::vector<Result> results = ResultsOf(limits, left, kCell, Seldom);
+        for (std::uint32_t i = 0; i < results.size(); i++)
+        {
+            bool met = false;
+            for (SampleId id{left + i % kCell, kCell + i / kCell, 0}; id.index < results[i].samples; id.index++)
+                met = met || Noise(id, 1) < 1.0 / 12.0;
+            missed += !met;
+        }
+    }
+    return missed;
+}
+
+// The reconstruction averages noise that a pixel has; what it has not met is still to be looked for.
+TEST(TileSamplerUnseen, IsNotLeftToTheReconstruction)
+{
+    EXPECT_EQ(MissedBy(true), MissedBy(false));
+}
+
 /// Every fourth sample is aimed at a lamp of so much light and meets what hides it.
 Tracer HiddenLamp(double light)
 {

@@ -70,6 +70,7 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start&
     {
         traced = Radiance{};
         traced.sought = start.sought;
+        traced.met = false;
         return;
     }
     // from a point of the lens through the focus of that film point
@@ -98,6 +99,7 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start&
     traced.light = {start.weight * colour[pRED], start.weight * colour[pGREEN], start.weight * colour[pBLUE],
                     start.weight * colour[pFILTER], start.weight * colour[pTRANSM]};
     traced.sought = start.sought;
+    traced.met = distance < HUGE_VAL || !sceneData->atmosphere.empty();
     traced.blur = tiltLens->BlurRadius(way.w, distance / length, width);
 }
 

@@ -94,7 +94,7 @@ std::string TiltLensView::Skipped() const
         text += Line("  Ended at the minimum.%.0f of %.0f pixels, after %.0f samples\n",
                      account.PixelsUpTo(limits.First()), pixels, limits.First());
     if (limits.Denoises())
-        text += Line("  Reconstruction.......%.0f pixels, %.0f without noise left alone\n", account.rebuilt,
+        text += Line("  Reconstruction.......%.0f pixels, %.0f left as they were\n", account.rebuilt,
                      pixels - account.rebuilt);
     if (account.lightPoints > 0)
         text += Line("  Area lights..........%.0f points asked, %.0f more left out\n",
