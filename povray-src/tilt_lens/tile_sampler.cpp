@@ -40,7 +40,7 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
         const int row = y - cell.area.top;
         const std::size_t i = row * kCell + x - cell.area.left;
         const Radiance mean = rebuilt.MeanOf(i);
-        if (row < rows.begin || row >= rows.end || !IsLight(mean))  // beside what is brighter than a float can hold
+        if (row < rows.begin || row >= rows.end || !IsLight(mean))  // no light beside what a float cannot hold
             return;
         pixel.mean = mean;
         pixel.variance *= rebuilt.remains[i];
