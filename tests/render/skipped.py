@@ -46,9 +46,12 @@ class Skipped(rendering.RenderTest):
     def test_pixels_without_noise_are_not_rebuilt(self):
         self.assertEqual(numbers("Reconstruction", said_of(EVEN)), [0, 64 * 48])
         ball = "sphere { <0, 0.5, 0.5>, 0.3 pigment { checker rgb 1 rgb 0 scale 0.1 } finish { ambient 1 diffuse 0 } }\n"
-        rebuilt = numbers("Reconstruction", said_of(ball + EVEN))
+        wall = "plane { z, 20 pigment { rgb 0.5 } finish { ambient 1 diffuse 0 } }\n"
+        rebuilt = numbers("Reconstruction", said_of(ball + wall))
         self.assertGreater(rebuilt[0], 100)
         self.assertGreater(rebuilt[1], 1000)
+        # the same where most rays of a cell meet nothing
+        self.assertEqual(numbers("Reconstruction", said_of(ball + EVEN)), [0, 64 * 48])
         self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, lens="denoise off")))
         self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, "blur_samples 8, 16 variance 0 ")))
 
