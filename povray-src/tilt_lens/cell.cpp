@@ -56,12 +56,12 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
         return;
     pixels.assign(area.width * area.height, Pixel());  // a step that was broken off begins anew
     first.clear();
-    met = 0;
     const std::uint32_t until = limits.First();
+    std::uint32_t met = 0;
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
         {
-            TakeSamples(x, y, until, trace);
+            met += TakeSamples(x, y, until, trace);
             const Pixel& pixel = pixels[Index(x, y)];
             first.push_back({pixel.own, std::sqrt(Worst(pixel.own.variance, MeanOf(pixel))), pixel.blur});
         }
@@ -131,7 +131,8 @@ void Cell::NoteUsualDeviation(const Neighbours& neighbours)
     usualDeviation = sum / count;
 }
 
-void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
+/// @return those of them that met anything
+std::uint32_t Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
 {
     Pixel& pixel = pixels[Index(x, y)];
     for (std::size_t c = 0; c < pixel.squares.size(); c++)
@@ -149,6 +150,7 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
     SampleId id{x, y, 0};
     const PixelSampler sampler(x, y, 0);
     Traced traced;
+    std::uint32_t met = 0;
     for (id.index = pixel.samples; id.index < until; id.index++)
     {
         trace(id, sampler(id.index), traced);
@@ -178,6 +180,7 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
     }
     pixel.samples = until;
     pixel.own = VariationOf(pixel);
+    return met;
 }
 
 /// Closes the cell's pixels that are good enough, notes how good the others are, and tells whether

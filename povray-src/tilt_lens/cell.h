@@ -144,7 +144,6 @@ class Cell
     bool begun = false;
     bool varied = true;           ///< whether the first samples of any pixel differ
     bool denoises = false;        ///< whether the reconstruction looks at the cell, for itself or for its neighbours
-    std::uint32_t met = 0;        ///< samples that met anything
     std::atomic<bool> done{false};
     std::vector<Pixel> pixels;
     double gainByHalves = 1.0;    ///< of the last round
@@ -158,7 +157,7 @@ class Cell
     {
         return (y - area.top) * std::size_t(area.width) + (x - area.left);
     }
-    void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
+    std::uint32_t TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
     void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     void NoteGain(std::uint32_t samples);

@@ -12,9 +12,9 @@
 /// with squares and variances summed over the channels.
 ///
 /// It looks at nothing but colours and their variances: no depth, no normals. So a mirror image, a
-/// refraction, a medium or a far blurred light is treated as what it looks like. A pixel without noise
-/// stays what it is. The step is biased: what it makes equal may differ by less than the noise. It is
-/// one of the things that `denoise off` leaves out.
+/// refraction, a medium or a far blurred light is treated as what it looks like. Pixels without noise
+/// among their like stay what they are. The step is biased: what it makes equal may differ by less than
+/// the noise. It is one of the things that `denoise off` leaves out.
 ///
 /// Source: F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering",
 /// ACM Trans. Graph. 31(6), 2012. Here: one buffer instead of two halves, since the halves of a
@@ -85,6 +85,9 @@ using CellPlane = std::array<float, kCell * kCell>;
 struct Rows
 {
     int begin = 0, end = int(kCell);
+
+    bool IsEmpty() const { return begin >= end; }
+    bool Has(int row) const { return row >= begin && row < end; }
 };
 
 /// A cell's pixels rebuilt.

@@ -29,7 +29,7 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
     };
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel) { pixel = cell.FinalOf(x, y); });
     const Rows rows = cell.NoisyRows(store.limits);
-    if (rows.begin >= rows.end)
+    if (rows.IsEmpty())
         return;
     Cell::Neighbours cells;
     for (std::size_t i = 0; i < block.size(); i++)
@@ -40,7 +40,7 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
         const int row = y - cell.area.top;
         const std::size_t i = row * kCell + x - cell.area.left;
         const Radiance mean = rebuilt.MeanOf(i);
-        if (row < rows.begin || row >= rows.end || !IsLight(mean))  // no light beside what a float cannot hold
+        if (!rows.Has(row) || !IsLight(mean))  // no light beside what a float cannot hold
             return;
         pixel.mean = mean;
         pixel.variance *= rebuilt.remains[i];

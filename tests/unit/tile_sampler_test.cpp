@@ -268,8 +268,11 @@ TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
     limits.denoise = true;
     const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
     for (std::uint32_t i = 0; i < rebuilt.size(); i++)
-        if (i / kCell != 4)  // there what is beside may have been missed
-            EXPECT_EQ(rebuilt[i] == plain[i], i / kCell < 4) << i;
+    {
+        if (i / kCell == 4)  // there what is beside may have been missed
+            continue;
+        EXPECT_EQ(rebuilt[i] == plain[i], i / kCell < 4) << i;
+    }
 }
 
 TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
