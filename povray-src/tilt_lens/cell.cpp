@@ -14,9 +14,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Share of a cell's samples that must have met anything: what meets nothing is cheaper to sample than to rebuild.
-constexpr double kFewestMet = 0.5;
-
 double Square(double x) { return x * x; }
 
 /// How far the true variance may lie above an estimate from n samples, with probability `confidence`.
@@ -57,19 +54,18 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
     pixels.assign(area.width * area.height, Pixel());  // a step that was broken off begins anew
     first.clear();
     const std::uint32_t until = limits.First();
-    std::uint32_t met = 0;
+    met = 0;
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
         {
-            met += TakeSamples(x, y, until, trace);
+            TakeSamples(x, y, until, trace);
             const Pixel& pixel = pixels[Index(x, y)];
             first.push_back({pixel.own, std::sqrt(Worst(pixel.own.variance, MeanOf(pixel))), pixel.blur});
         }
     varied = IsVaried();
     gainByHalves = 1.0;
     NoteGain(until);
-    denoises = limits.Denoises() && met >= kFewestMet * until * pixels.size();
-    if (denoises)
+    if (IsWorthRebuilding(limits))
         NoteEstimates(until);
     begun = true;
 }
@@ -81,6 +77,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
         return;
     const std::vector<Pixel> begin = pixels;
     const double gainAtBegin = gainByHalves;
+    const std::uint64_t metAtBegin = met;
     laterEstimates.clear();
     estimatedSamples = limits.First();
     try
@@ -101,13 +98,14 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
                         TakeSamples(x, y, until, trace);
             NoteGain(until);
         }
-        if (denoises)
+        if (IsWorthRebuilding(limits))
             NoteEstimates(until);
     }
     catch (...)
     {
         pixels = begin;
         gainByHalves = gainAtBegin;
+        met = metAtBegin;
         throw;
     }
     for (const Pixel& pixel : pixels)
@@ -131,8 +129,7 @@ void Cell::NoteUsualDeviation(const Neighbours& neighbours)
     usualDeviation = sum / count;
 }
 
-/// @return those of them that met anything
-std::uint32_t Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
+void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
 {
     Pixel& pixel = pixels[Index(x, y)];
     for (std::size_t c = 0; c < pixel.squares.size(); c++)
@@ -150,7 +147,6 @@ std::uint32_t Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t 
     SampleId id{x, y, 0};
     const PixelSampler sampler(x, y, 0);
     Traced traced;
-    std::uint32_t met = 0;
     for (id.index = pixel.samples; id.index < until; id.index++)
     {
         trace(id, sampler(id.index), traced);
@@ -180,7 +176,6 @@ std::uint32_t Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t 
     }
     pixel.samples = until;
     pixel.own = VariationOf(pixel);
-    return met;
 }
 
 /// Closes the cell's pixels that are good enough, notes how good the others are, and tells whether
@@ -206,7 +201,7 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
         const double unusual = std::sqrt(pixel.variance / pixel.gain * samples) / usualDeviation;
         judged.push_back({&pixel, variance, allowed(unusual) / caution});
     }
-    if (denoises)
+    if (IsWorthRebuilding(limits))
         CreditReconstruction(neighbours, samples, judged);
 
     bool any = false;

@@ -143,7 +143,7 @@ class Cell
     std::mutex busy;
     bool begun = false;
     bool varied = true;           ///< whether the first samples of any pixel differ
-    bool denoises = false;        ///< whether the reconstruction looks at the cell, for itself or for its neighbours
+    std::uint64_t met = 0;        ///< samples that met anything
     std::atomic<bool> done{false};
     std::vector<Pixel> pixels;
     double gainByHalves = 1.0;    ///< of the last round
@@ -157,18 +157,19 @@ class Cell
     {
         return (y - area.top) * std::size_t(area.width) + (x - area.left);
     }
-    std::uint32_t TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
+    void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
     void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     void NoteGain(std::uint32_t samples);
     double GainByHalves(double before) const;
     std::array<Radiance, kCell * kCell> VarianceAround() const;
     std::vector<Estimate> Estimates() const;
+    bool IsWorthRebuilding(const SamplingLimits& limits) const;
     void NoteEstimates(std::uint32_t samples);
     const std::vector<Estimate>& LastEstimates() const { return laterEstimates.empty() ? firstEstimates : laterEstimates; }
     void CreditReconstruction(const Neighbours& neighbours, std::uint32_t samples, std::vector<Judged>& judged);
-    template<class EstimateOf>
-    static Surroundings Gather(const Neighbours& cells, const EstimateOf& estimateOf);
+    template<class EstimatesOf>
+    static Surroundings Gather(const Neighbours& cells, const EstimatesOf& estimatesOf);
     CellPlane Remains(const Neighbours& neighbours) const;
     bool IsVaried() const;
     bool IsVariedAround(const Neighbours& neighbours) const;

@@ -21,6 +21,10 @@ constexpr double kCounts = 0.5;
 /// Rays that finding out what it leaves takes the time of, about: two for each pixel of a cell.
 constexpr double kWorth = 2.0 * kCell * kCell;
 
+/// Samples a pixel that must have met anything, if most of the first ones did not: what meets nothing is cheaper to
+/// sample than to rebuild, and few hits of something bright say little of what is alike.
+constexpr double kEnoughMet = 32.0;
+
 /// Rows with less than this share of the variance that is asked for are as good as without noise.
 constexpr double kNoticed = 1.0 / 32.0;
 
@@ -124,6 +128,13 @@ std::vector<Estimate> Cell::Estimates() const
     return estimates;
 }
 
+/// Whether the samples so far met enough for the reconstruction to look at the cell, for itself or for its neighbours.
+bool Cell::IsWorthRebuilding(const SamplingLimits& limits) const
+{
+    const double enough = begun ? kEnoughMet : std::min(kEnoughMet, 0.5 * limits.First());
+    return limits.Denoises() && (!firstEstimates.empty() || met >= enough * pixels.size());
+}
+
 /// Of the samples taken so far.
 void Cell::NoteEstimates(std::uint32_t samples)
 {
@@ -133,21 +144,25 @@ void Cell::NoteEstimates(std::uint32_t samples)
     estimatedSamples = samples;
 }
 
-/// @param estimateOf  of a cell's pixel by its index
-template<class EstimateOf>
-Surroundings Cell::Gather(const Neighbours& cells, const EstimateOf& estimateOf)
+/// @param estimatesOf  a cell's pixels; none where there are none yet or the cell is left out
+template<class EstimatesOf>
+Surroundings Cell::Gather(const Neighbours& cells, const EstimatesOf& estimatesOf)
 {
     constexpr std::int64_t border = Surroundings::kBorder, end = kCell + border;
     const std::int64_t left = cells[4]->area.left, top = cells[4]->area.top;
-    Surroundings around;
+    Surroundings around(std::all_of(cells.begin(), cells.end(), [&](const Cell* cell)
+        { return cell != nullptr && estimatesOf(*cell).size() == kCell * kCell; }));
     for (const Cell* cell : cells)
     {
-        if (cell == nullptr || !cell->denoises)
+        if (cell == nullptr)
+            continue;
+        const std::vector<Estimate>& estimates = estimatesOf(*cell);
+        if (estimates.empty())
             continue;
         const Area& area = cell->area;
         for (std::int64_t y = std::max(area.top - top, -border); y < std::min(area.Bottom() - top, end); y++)
             for (std::int64_t x = std::max(area.left - left, -border); x < std::min(area.Right() - left, end); x++)
-                around.Set(x, y, estimateOf(*cell, cell->Index(x + left, y + top)));
+                around.Set(x, y, estimates[cell->Index(x + left, y + top)]);
     }
     return around;
 }
@@ -156,9 +171,9 @@ Surroundings Cell::Gather(const Neighbours& cells, const EstimateOf& estimateOf)
 /// the neighbours tell.
 CellPlane Cell::Remains(const Neighbours& neighbours) const
 {
-    const Surroundings around = Gather(neighbours, [this](const Cell& cell, std::size_t i) -> const Estimate&
+    const Surroundings around = Gather(neighbours, [this](const Cell& cell) -> const std::vector<Estimate>&
     {
-        return (&cell == this ? LastEstimates() : cell.firstEstimates)[i];
+        return &cell == this ? LastEstimates() : cell.firstEstimates;
     });
     return Rebuild(around, false).remains;
 }
@@ -167,7 +182,7 @@ CellPlane Cell::Remains(const Neighbours& neighbours) const
 Rows Cell::NoisyRows(const SamplingLimits& limits) const
 {
     Rows rows{int(area.height), 0};
-    for (int y = 0; denoises && y < int(area.height); y++)
+    for (int y = 0; !LastEstimates().empty() && y < int(area.height); y++)
     {
         double variance = 0.0;
         for (std::uint32_t x = 0; x < area.width; x++)
@@ -180,7 +195,7 @@ Rows Cell::NoisyRows(const SamplingLimits& limits) const
 
 Surroundings Cell::SurroundingsOf(const Neighbours& cells)
 {
-    return Gather(cells, [](const Cell& cell, std::size_t i) -> const Estimate& { return cell.LastEstimates()[i]; });
+    return Gather(cells, [](const Cell& cell) -> const std::vector<Estimate>& { return cell.LastEstimates(); });
 }
 
 } // namespace tilt_lens

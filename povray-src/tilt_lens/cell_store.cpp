@@ -100,13 +100,17 @@ std::shared_ptr<Cell> CellStore::FinishedCell(const Place& place, const Tracer& 
     return cell;
 }
 
-CellStore::Block CellStore::Finished(std::uint32_t x, std::uint32_t y, const Tracer& trace)
+std::shared_ptr<const Cell> CellStore::Finished(std::uint32_t x, std::uint32_t y, const Tracer& trace)
+{
+    return FinishedCell({y / kCell, x / kCell}, trace);
+}
+
+CellStore::Block CellStore::FinishedAround(std::uint32_t x, std::uint32_t y, const Tracer& trace)
 {
     Block block;
     const Place place(y / kCell, x / kCell);
     for (int i = 0; i < 9; i++)
-        if (i == 4 || limits.Denoises())
-            block[i] = FinishedCell({place.first + i / 3 - 1, place.second + i % 3 - 1}, trace);
+        block[i] = FinishedCell({place.first + i / 3 - 1, place.second + i % 3 - 1}, trace);
     return block;
 }
 

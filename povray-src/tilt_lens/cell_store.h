@@ -29,10 +29,12 @@ class CellStore
 
     const SamplingLimits limits;
 
-    /// The finished cell that holds pixel (x, y), and the same around it where the reconstruction
-    /// looks at those; null outside the picture. They stay while the caller holds them.
+    /// The finished cell that holds pixel (x, y). It stays while the caller holds it.
+    std::shared_ptr<const Cell> Finished(std::uint32_t x, std::uint32_t y, const Tracer& trace);
+
+    /// The same and the eight around it, row by row; null outside the picture.
     using Block = std::array<std::shared_ptr<const Cell>, 9>;
-    Block Finished(std::uint32_t x, std::uint32_t y, const Tracer& trace);
+    Block FinishedAround(std::uint32_t x, std::uint32_t y, const Tracer& trace);
 
     /// Tells that the pixels of `tile` will not be asked for again.
     void Forget(const Area& tile);

@@ -171,6 +171,16 @@ Rebuilt RebuildChannels(const Surroundings& around, bool means, const Rows& want
 
 } // namespace
 
+Surroundings::Surroundings(bool complete)
+{
+    if (complete)
+        return;
+    mean.fill({});
+    halves.fill({});
+    noise.fill(0.0f);
+    samples.fill(0.0f);
+}
+
 void Surroundings::Set(int x, int y, const Estimate& estimate)
 {
     const int i = At(x, y);

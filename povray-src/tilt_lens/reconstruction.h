@@ -61,6 +61,9 @@ class Surroundings
     /// A value of each pixel, row by row.
     using Plane = std::array<float, kSide * kSide>;
 
+    /// @param complete  whether all pixels will be Set; those that are not are outside the picture
+    explicit Surroundings(bool complete = false);
+
     /// @param x, y  relative to the cell's first pixel, -kBorder <= x, y < kCell + kBorder
     void Set(int x, int y, const Estimate& estimate);
 
@@ -73,8 +76,8 @@ class Surroundings
     const Plane& Samples() const { return samples; }
 
   private:
-    std::array<Plane, 5> mean{}, halves{};
-    Plane noise{}, samples{};
+    std::array<Plane, 5> mean, halves;
+    Plane noise, samples;
     bool transparent = false;
 };
 

@@ -18,8 +18,8 @@ void TileSampler::Run(const Area& wanted, const Tracer& trace)
 
 void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& trace)
 {
-    const CellStore::Block block = store.Finished(left, top, trace);
-    const Cell& cell = *block[4];
+    const std::shared_ptr<const Cell> held = store.Finished(left, top, trace);
+    const Cell& cell = *held;
     const auto forEach = [&](const auto& visit)
     {
         for (std::uint32_t y = cell.area.top; y < cell.area.Bottom(); y++)
@@ -31,6 +31,7 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
     const Rows rows = cell.NoisyRows(store.limits);
     if (rows.IsEmpty())
         return;
+    const CellStore::Block block = store.FinishedAround(left, top, trace);
     Cell::Neighbours cells;
     for (std::size_t i = 0; i < block.size(); i++)
         cells[i] = block[i].get();

@@ -259,6 +259,22 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsLeftAlone)
     }
 }
 
+TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltAfterManySamples)
+{
+    const auto trace = [](const SampleId& id, const Sample&, Traced& traced)
+    {
+        traced = Grey(Noise(id, 1));
+        traced.met = id.index % 8 < 2;
+    };
+    for (const std::uint32_t samples : {64u, 128u})
+    {
+        SamplingLimits limits = Limits(8, samples, 1e-6);
+        const std::vector<Result> plain = ResultsOf(limits, 8, 8, trace);
+        limits.denoise = true;
+        EXPECT_EQ(ResultsOf(limits, 8, 8, trace) == plain, samples == 64) << samples;
+    }
+}
+
 TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
 {
     const auto trace = [](const SampleId& id, const Sample&, Traced& light)
