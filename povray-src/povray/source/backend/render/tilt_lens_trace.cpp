@@ -75,8 +75,7 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start&
     }
     // from a point of the lens through the focus of that film point
     const tilt_lens::LensRay way = MakeRay(tiltLens->lens, start.x, start.y, start.point.a, start.point.b);
-    Ray ray;
-    ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
+    Ray ray(Ray::PrimaryRay, false, false, false, false, pretrace);
     Make_Vector(ray.Origin, camera.Location[X] + way.origin.x, camera.Location[Y] + way.origin.y,
                 camera.Location[Z] + way.origin.z);
     const DBL length = Length(way.direction);
@@ -122,9 +121,12 @@ bool TracePixel::ChooseAreaLightPoint(const LightSource& light, const TraceTicke
 /// The lens points of one picture lie in few objects or none: the view has found out which to ask.
 void TracePixel::EnterTiltLensInteriors(Ray& ray)
 {
-    for (ObjectPtr object : tiltLens->aroundLens)
-        if (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, threadData))
+    for (const ObjectAroundLens& around : tiltLens->aroundLens)
+    {
+        const ObjectPtr object = around.object;
+        if (around.holdsLens || (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, threadData)))
             ray.AppendInterior(object->interior);
+    }
 }
 
 void TracePixel::SeedRandomNumbers(unsigned int seed)

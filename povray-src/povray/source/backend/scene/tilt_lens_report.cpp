@@ -70,6 +70,8 @@ std::string TiltLensView::Summary(const TiltLensCost& cost) const
     const double pixels = std::max<double>(1.0, account.Pixels());
     text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", account.Samples() / pixels,
                  account.Quantile(0.99), account.Most());
+    if (limits.max < 2)
+        return text + "  Standard error.......unknown, since one sample a pixel does not tell\n" + Skipped();
     text += Line("  Standard error.......%.2g of white (estimated), ", account.StandardError());
     text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance))
                                   : std::string("all samples asked for\n");
@@ -102,8 +104,12 @@ std::string TiltLensView::Skipped() const
     if (!emitters.Empty())
         text += Line("  Aimed at lamps.......%.0f samples, lamps in view: %.0f\n", account.aimed, emitters.Count());
     if (objectsWithInterior > 0)
-        text += Line("  Around the lens......%.0f of %.0f objects with an interior, asked by each ray\n",
-                     aroundLens.size(), objectsWithInterior);
+    {
+        const std::size_t hold = std::count_if(aroundLens.begin(), aroundLens.end(),
+                                               [](const ObjectAroundLens& around) { return around.holdsLens; });
+        text += Line("  Around the lens......%.0f of %.0f interiors asked by each ray, %.0f hold all of it\n",
+                     aroundLens.size() - hold, objectsWithInterior, hold);
+    }
     if (account.notFinite > 0)
         text += Line("  Not finite...........%.0f samples, counted as black\n", account.notFinite);
     return text;

@@ -20,8 +20,6 @@
 namespace pov
 {
 
-using tilt_lens::Vec3;
-
 namespace
 {
 
@@ -61,36 +59,6 @@ tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
     limits.confidence = camera.Confidence;
     limits.denoise = camera.TiltLens.statement.denoise;
     return limits;
-}
-
-/// Half the extent of the lens along one world axis; a picture in the lens fills the square around the disc.
-double HalfExtent(double x, double y, bool square)
-{
-    return square ? std::fabs(x) + std::fabs(y) : std::hypot(x, y);
-}
-
-/// Every object with an interior whose bounding box meets the box around the lens.
-std::vector<ObjectPtr> ObjectsAroundLens(const Camera& camera, const tilt_lens::Lens& lens, const SceneData& scene)
-{
-    const bool square = camera.Bokeh != NULL;
-    const double half[3] = {HalfExtent(lens.lensX.x, lens.lensY.x, square),
-                            HalfExtent(lens.lensX.y, lens.lensY.y, square),
-                            HalfExtent(lens.lensX.z, lens.lensY.z, square)};
-    std::vector<ObjectPtr> objects;
-    for (ObjectPtr object : scene.objects)
-    {
-        bool apart = object->interior == NULL;
-        for (int i = X; i <= Z; i++)
-        {
-            const double low = object->BBox.Lower_Left[i], high = low + object->BBox.Lengths[i];
-            // boxes are single precision; leave them that much room
-            const double room = half[i] + 1e-6 * (std::fabs(low) + std::fabs(high));
-            apart = apart || camera.Location[i] + room < low || camera.Location[i] - room > high;
-        }
-        if (!apart)
-            objects.push_back(object);
-    }
-    return objects;
 }
 
 std::size_t ObjectsWithInterior(const SceneData& scene)

@@ -17,6 +17,7 @@
 
 #include "backend/frame.h"
 #include "backend/scene/camera.h"
+#include "backend/scene/objects_around_lens.h"
 #include "backend/scene/tilt_lens_aids.h"
 #include "base/povmscpp.h"
 #include "base/povmsgid.h"
@@ -67,8 +68,8 @@ class TiltLensView
     /// The pixels that are being sampled.
     const shared_ptr<tilt_lens::CellStore> cells;
 
-    /// Objects that some lens point may lie in; rays from the lens ask no others.
-    const std::vector<ObjectPtr> aroundLens;
+    /// Rays from the lens ask no other objects whether they start inside.
+    const std::vector<ObjectAroundLens> aroundLens;
 
     /// Of the scene: what would be asked for each ray if it were not known where the lens is.
     const std::size_t objectsWithInterior;

@@ -1,0 +1,102 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/scene/objects_around_lens.h"
+
+#include <cmath>
+
+#include "backend/frame.h"
+#include "backend/scene/camera.h"
+#include "backend/scene/objects.h"
+#include "backend/scene/scene.h"
+#include "backend/shape/boxes.h"
+#include "backend/shape/planes.h"
+#include "backend/shape/spheres.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+/// Half the extent of the lens along one world axis; a picture in the lens fills the square around the disc.
+double HalfExtent(double x, double y, bool square)
+{
+    return square ? std::fabs(x) + std::fabs(y) : std::hypot(x, y);
+}
+
+/// The box around the lens, scene units.
+struct LensBox
+{
+    double low[3], high[3];
+};
+
+LensBox BoxOfLens(const Camera& camera, const tilt_lens::Lens& lens)
+{
+    const bool square = camera.Bokeh != NULL;
+    const double half[3] = {HalfExtent(lens.lensX.x, lens.lensY.x, square),
+                            HalfExtent(lens.lensX.y, lens.lensY.y, square),
+                            HalfExtent(lens.lensX.z, lens.lensY.z, square)};
+    LensBox box;
+    for (int i = X; i <= Z; i++)
+    {
+        const double room = half[i] + 1e-9 * std::fabs(camera.Location[i]);  // for rounding
+        box.low[i] = camera.Location[i] - room;
+        box.high[i] = camera.Location[i] + room;
+    }
+    return box;
+}
+
+/// Whether no point of the box is in the object, as far as the object's own box tells.
+bool IsApart(const LensBox& box, const ObjectBase& object)
+{
+    for (int i = X; i <= Z; i++)
+    {
+        const double low = object.BBox.Lower_Left[i], high = low + object.BBox.Lengths[i];
+        const double room = 1e-6 * (std::fabs(low) + std::fabs(high));  // objects' boxes are single precision
+        if (box.high[i] + room < low || box.low[i] - room > high)
+            return true;
+    }
+    return false;
+}
+
+/// How many corners of the box are in the object.
+int CornersInside(const LensBox& box, const ObjectBase& object)
+{
+    int inside = 0;
+    for (int corner = 0; corner < 8; corner++)
+    {
+        const VECTOR point = {corner & 1 ? box.low[X] : box.high[X], corner & 2 ? box.low[Y] : box.high[Y],
+                              corner & 4 ? box.low[Z] : box.high[Z]};
+        inside += object.Inside(point, NULL);
+    }
+    return inside;
+}
+
+/// Whether the box lies in the object if its corners do. Of a plane, both what is in it and what is not are convex.
+bool IsConvex(const ObjectBase& object)
+{
+    const bool solid = dynamic_cast<const Sphere*>(&object) != NULL || dynamic_cast<const Box*>(&object) != NULL;
+    return (solid && !Test_Flag((&object), INVERTED_FLAG)) || dynamic_cast<const Plane*>(&object) != NULL;
+}
+
+} // namespace
+
+std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::Lens& lens, const SceneData& scene)
+{
+    const LensBox box = BoxOfLens(camera, lens);
+    std::vector<ObjectAroundLens> objects;
+    for (ObjectPtr object : scene.objects)
+    {
+        if (object->interior == NULL || IsApart(box, *object))
+            continue;
+        const int inside = IsConvex(*object) ? CornersInside(box, *object) : 1;
+        if (inside > 0 || dynamic_cast<const Plane*>(object) == NULL)
+            objects.push_back({object, inside == 8});
+    }
+    return objects;
+}
+
+} // namespace pov
