@@ -12,6 +12,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import accumulation  # noqa: E402
 import builds  # noqa: E402
+import camera_share  # noqa: E402
 import contract  # noqa: E402
 import growth  # noqa: E402
 import instructions  # noqa: E402
@@ -100,6 +101,7 @@ def measure(lab, args):
         results["tilt"] = tilt_cost.measure(lab)
     if "instructions" in args.parts:
         results["instructions"] = instructions.measure(lab, args.unpatched.resolve())
+        results["camera"] = camera_share.measure(lab)
     if "loops" in args.parts:
         results["loops"] = instructions.inner_loops(lab)
     if "growth" in args.parts:
@@ -123,7 +125,7 @@ def draw(folder, results, runs):
         plots.growth(folder / f"growth_{name.replace(' ', '_')}.svg", name, rows)
     if runs:
         report.write_csv(folder / "runs.csv", runs, report.COLUMNS)
-    for part in ("growth", "contract", "pan", "tilt", "instructions", "denoise", "builds"):
+    for part in ("growth", "contract", "pan", "tilt", "instructions", "camera", "denoise", "builds"):
         if results.get(part):
             report.write_csv(folder / f"{part}.csv", results[part])
 

@@ -19,13 +19,15 @@ CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
          ("area light, pinhole", Shot("shadows", PINHOLE, size=SIZE))]
 
 
-def count(lab, binary, shot, times=1):
-    """Instructions of a whole run. Threads that wait for each other make it waver a little: least of several."""
-    key = digest("callgrind", binary.read_bytes(), shot.arguments()[2:], shot.sources())
+def count(lab, binary, shot, times=1, within=None):
+    """Instructions of a whole run, or of a function and all that it calls. Threads that wait for each other make it
+    waver a little: least of several."""
+    key = digest("callgrind", binary.read_bytes(), shot.arguments()[2:], shot.sources(), *filter(None, [within]))
     record = lab.runs.get((key, 0))
     if record is None:
         with tempfile.TemporaryDirectory() as folder:
-            command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", binary,
+            command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
+                       *([f"--toggle-collect={within}"] if within else []), binary,
                        *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/picture.png"]
             counts = []
             for _ in range(times):

@@ -14,6 +14,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
 import accumulation  # noqa: E402
+import camera_share  # noqa: E402
 import contract  # noqa: E402
 import instructions  # noqa: E402
 import pan_focus  # noqa: E402
@@ -87,7 +88,12 @@ class SmallRun(unittest.TestCase):
         self.assertTrue(all(0.5 < ratio < 3.0 for ratio in reconstruction.compare(rows).values()), rows)
         for row in rows:
             self.assertLess(row["bias"], (0.7 if row["denoise"] else 0.3)*row["rmse"], row)
-        self.assertIn("Aimed at: nowhere below 1", report.text({"version": "a test", "denoise": rows}, quick=True))
+        self.assertIn("Aimed at: above 1 in every scene", report.text({"version": "a test", "denoise": rows}, quick=True))
+
+    def test_share_of_camera_and_sampler(self):
+        rows = camera_share.measure(self.lab, lambda *_, within: 1000 if within == camera_share.ALL else 750)
+        self.assertEqual([row["share"] for row in rows], [0.25])
+        self.assertIn("worst 25.0 %, missed", report.text({"version": "a test", "camera": rows}, quick=True))
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
