@@ -33,6 +33,26 @@ INFINITE = """
 plane { y, -0.6 pigment { checker rgb 0.2 rgb 0.8 } } plane { -z, -8 pigment { rgb <0.3, 0.4, 0.7> } }
 sphere { <1, 0, 1e6>, 1e5 pigment { rgb 1 } } sphere { <0, 0, 2>, 1e-4 pigment { rgb 1 } }
 """
+# more than a walk has room for
+CROWD = """
+#for (I, 1, 90) plane { -z, I/10 - 18 pigment { rgb <0.3, I/90, 0.7> } }
+  sphere { <I/300, 0.7, 0>, 0.5 + I/300 pigment { rgbf <1, I/90, 0.5, 0.9> } } #end
+"""
+# a mesh whose triangles may be passed over, one whose inside is known, so that all are wanted, and one for each triangle
+TRIANGLES = """
+#declare Dice = seed(5);
+#macro Leaf()
+  #local Place = <rand(Dice), rand(Dice), rand(Dice)>;
+  triangle { Place, Place + 0.3*<rand(Dice), rand(Dice), 0>, Place + 0.3*<0, rand(Dice), rand(Dice)> }
+#end
+union { %s pigment { rgbf <0.4, 1, 0.6, 0.7> } scale <3, 2, 2.5> translate <-1.5, -0.3, 0> }
+plane { y, -0.6 pigment { checker rgb 0.2 rgb 0.8 } }
+"""
+LEAVES = {
+    "passed over": "mesh { #for (I, 1, 150) Leaf() #end }",
+    "all wanted": "mesh { #for (I, 1, 150) Leaf() #end inside_vector <1, 2, 3> }",
+    "one by one": "#for (I, 1, 150) mesh { Leaf() } #end",
+}
 WORLD = LIGHT + NESTED + SCATTERED + MESHES + INFINITE
 CAMERAS = {
     "perspective": "camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> }\n",
@@ -52,10 +72,16 @@ class Hierarchy(rendering.RenderTest):
                                  name)
 
     def test_of_one_object_and_of_infinite_ones(self):
-        for name, world in (("one", LIGHT + "sphere { 0, 1 pigment { rgb 1 } }"), ("infinite", LIGHT + 4*INFINITE)):
+        for name, world in (("one", LIGHT + "sphere { 0, 1 pigment { rgb 1 } }"), ("infinite", LIGHT + 4*INFINITE),
+                            ("crowd", LIGHT + CROWD)):
             with self.subTest(name):
                 self.assert_same(rendering.render(TILTED + world, "+MB1", **SIZE),
                                  rendering.render(TILTED + world, "-MB", **SIZE), name)
+
+    def test_of_meshes(self):
+        pictures = {name: rendering.render(TILTED + LIGHT + TRIANGLES % leaves, **SIZE) for name, leaves in LEAVES.items()}
+        for name in ("passed over", "all wanted"):
+            self.assert_same(pictures[name], pictures["one by one"], name)
 
 
 if __name__ == "__main__":

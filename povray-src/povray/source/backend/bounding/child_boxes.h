@@ -62,68 +62,33 @@ class BoxRay
         return (EnterTwo(boxes, 0, depth) | EnterTwo(boxes, 2, depth)) & boxes.finite;
     }
 
-    /// The same but for the rounding of the sum: faster, and for those who need not take stock's every decision.
-    unsigned int EnterRounded(const FourBoxes& boxes, float depth[4]) const
-    {
-        Four enter, leave;
-        Cross<Four>(boxes, 0, enter, leave);
-        std::memcpy(depth, &enter, sizeof(Four));
-        return SignBits((FourMask)((enter <= leave) & (leave >= float(EPSILON)))) & boxes.finite;
-    }
-
   private:
-    typedef float Four __attribute__((vector_size(16)));
-    typedef int FourMask __attribute__((vector_size(16)));
     typedef float TwoFloats __attribute__((vector_size(8)));
     typedef double Two __attribute__((vector_size(16)));
     typedef long long Mask __attribute__((vector_size(16)));
 
-    /// Where the ray enters and leaves boxes, from the one numbered `first` on. Products are rounded to floats, their
-    /// sum to what Sums holds; Check_And_Enqueue()'s is a double.
-    template<class Floats, class Sums>
-    void Cross(const FourBoxes& boxes, int first, Sums& enter, Sums& leave) const
+    /// Where the ray enters and leaves two boxes. Products are rounded to floats as Check_And_Enqueue()'s are, their
+    /// sum is a double.
+    unsigned int EnterTwo(const FourBoxes& boxes, int first, DBL* depth) const
     {
-        enter = Sums() - HUGE_VALF;
-        leave = Sums() + HUGE_VALF;
+        Two enter = Two() - HUGE_VAL, leave = Two() + HUGE_VAL;
         for (int axis = X; axis <= Z; axis++)
         {
-            Floats lowerLeft, lengths;
-            std::memcpy(&lowerLeft, boxes.lowerLeft[axis] + first, sizeof(Floats));
-            std::memcpy(&lengths, boxes.lengths[axis] + first, sizeof(Floats));
-            const Sums one = __builtin_convertvector((lowerLeft - info.slab_num[axis]) * info.slab_den[axis], Sums);
-            const Sums other = one + __builtin_convertvector(lengths * info.slab_den[axis], Sums);
-            const Sums near = info.positive[axis] ? one : other, far = info.positive[axis] ? other : one;
+            TwoFloats lowerLeft, lengths;
+            std::memcpy(&lowerLeft, boxes.lowerLeft[axis] + first, sizeof(TwoFloats));
+            std::memcpy(&lengths, boxes.lengths[axis] + first, sizeof(TwoFloats));
+            const Two one = __builtin_convertvector((lowerLeft - info.slab_num[axis]) * info.slab_den[axis], Two);
+            const Two other = one + __builtin_convertvector(lengths * info.slab_den[axis], Two);
+            const Two near = info.positive[axis] ? one : other, far = info.positive[axis] ? other : one;
             enter = near > enter ? near : enter;
             leave = far < leave ? far : leave;
         }
-    }
-
-    unsigned int EnterTwo(const FourBoxes& boxes, int first, DBL* depth) const
-    {
-        Two enter, leave;
-        Cross<TwoFloats>(boxes, first, enter, leave);
         std::memcpy(depth + first, &enter, sizeof(Two));
-        return SignBits((Mask)((enter <= leave) & (leave >= EPSILON))) << first;
-    }
-
-    static unsigned int SignBits(Mask mask)
-    {
+        const Mask mask = (enter <= leave) & (leave >= EPSILON);
 #ifdef __SSE2__
-        return __builtin_ia32_movmskpd((Two)mask);
+        return __builtin_ia32_movmskpd((Two)mask) << first;
 #else
-        return (mask[0] < 0 ? 1u : 0u) | (mask[1] < 0 ? 2u : 0u);
-#endif
-    }
-
-    static unsigned int SignBits(FourMask mask)
-    {
-#ifdef __SSE2__
-        return __builtin_ia32_movmskps((Four)mask);
-#else
-        unsigned int bits = 0;
-        for (int i = 0; i < 4; i++)
-            bits |= (mask[i] < 0 ? 1u : 0u) << i;
-        return bits;
+        return ((mask[0] < 0 ? 1u : 0u) | (mask[1] < 0 ? 2u : 0u)) << first;
 #endif
     }
 };
