@@ -182,7 +182,9 @@ CellPlane Cell::Remains(const Neighbours& neighbours) const
 Rows Cell::NoisyRows(const SamplingLimits& limits) const
 {
     Rows rows{int(area.height), 0};
-    for (int y = 0; !LastEstimates().empty() && y < int(area.height); y++)
+    if (LastEstimates().empty())
+        return rows;
+    for (int y = 0; y < int(area.height); y++)
     {
         double variance = 0.0;
         for (std::uint32_t x = 0; x < area.width; x++)

@@ -75,11 +75,11 @@ int CornersInside(const LensBox& box, const ObjectBase& object)
     return inside;
 }
 
-/// Whether the box lies in the object if its corners do. Of a plane, both what is in it and what is not are convex.
-bool IsConvex(const ObjectBase& object)
+/// Spheres and boxes, which hold what lies between their points.
+bool IsConvexSolid(const ObjectBase& object)
 {
     const bool solid = dynamic_cast<const Sphere*>(&object) != NULL || dynamic_cast<const Box*>(&object) != NULL;
-    return (solid && !Test_Flag((&object), INVERTED_FLAG)) || dynamic_cast<const Plane*>(&object) != NULL;
+    return solid && !Test_Flag((&object), INVERTED_FLAG);
 }
 
 } // namespace
@@ -92,9 +92,11 @@ std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt
     {
         if (object->interior == NULL || IsApart(box, *object))
             continue;
-        const int inside = IsConvex(*object) ? CornersInside(box, *object) : 1;
-        if (inside > 0 || dynamic_cast<const Plane*>(object) == NULL)
-            objects.push_back({object, inside == 8});
+        const bool plane = dynamic_cast<const Plane*>(object) != NULL;
+        const int inside = plane || IsConvexSolid(*object) ? CornersInside(box, *object) : 0;
+        if (plane && inside == 0)
+            continue;  // its own box is all of space, but what lies before it is convex as well
+        objects.push_back({object, inside == 8});
     }
     return objects;
 }
