@@ -130,6 +130,9 @@ class Cell
         double variance = 0.0;           ///< as Final has it
         double remains = kLeastRemains;  ///< share of the variance after the reconstruction, when last asked
         bool open = true;                ///< wants more samples
+
+        template<class Channels>
+        void Add(const Radiance& value, Radiance& sum, std::size_t first);
     };
 
     /// An open pixel, the variance that decides about it, and what it may be.

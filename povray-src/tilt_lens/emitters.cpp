@@ -168,14 +168,8 @@ Emitters::Targets Emitters::Of(std::uint32_t x, std::uint32_t y) const
     return result;
 }
 
-Start Emitters::Aim(const Targets& targets, const SampleId& id, const Sample& sample) const
+void Emitters::AimAtOneOf(const Targets& targets, const SampleId& id, const Sample& sample, Start& start) const
 {
-    Start start{(id.x + sample.pixelX) / width - 0.5, 0.5 - (id.y + sample.pixelY) / height, {0.0, 0.0}, 1.0, 0.0};
-    if (targets.targets.empty() || id.index >= usable)
-    {
-        start.point = aperture(sample.lensU, sample.lensV);
-        return start;
-    }
     if (sample.lensU >= targets.share)
         start.point = aperture((sample.lensU - targets.share) / (1.0 - targets.share), sample.lensV);
     else
@@ -189,14 +183,13 @@ Start Emitters::Aim(const Targets& targets, const SampleId& id, const Sample& sa
         if (!AimAt(kept[targets.targets[i].emitter], u, sample.lensV, id, sample, start))
         {
             start.weight = 0.0;
-            return start;
+            return;
         }
     }
     double density = 1.0 - targets.share;  // of such samples, plain ones being 1
     for (const Targets::Target& target : targets.targets)
         density += target.share * Density(kept[target.emitter], start);
     start.weight = 1.0 / density;
-    return start;
 }
 
 /// The lens points from which a film point sees an emitter, or a little more. On the ray

@@ -82,7 +82,15 @@ class Emitters
     Targets Of(std::uint32_t x, std::uint32_t y) const;
 
     /// @param targets  of the sample's pixel
-    Start Aim(const Targets& targets, const SampleId& id, const Sample& sample) const;
+    Start Aim(const Targets& targets, const SampleId& id, const Sample& sample) const
+    {
+        Start start{(id.x + sample.pixelX) / width - 0.5, 0.5 - (id.y + sample.pixelY) / height, {0.0, 0.0}, 1.0, 0.0};
+        if (targets.targets.empty() || id.index >= usable)
+            start.point = aperture(sample.lensU, sample.lensV);
+        else
+            AimAtOneOf(targets, id, sample, start);
+        return start;
+    }
 
   private:
     struct Box
@@ -118,6 +126,7 @@ class Emitters
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
     bool Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const;
+    void AimAtOneOf(const Targets& targets, const SampleId& id, const Sample& sample, Start& start) const;
     bool AimAt(const Kept& emitter, double u, double v, const SampleId& id, const Sample& sample, Start& start) const;
     double Density(const Kept& emitter, const Start& start) const;
 };

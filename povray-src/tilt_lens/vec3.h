@@ -51,7 +51,11 @@ inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)
 }
 
 /// Length without overflow or underflow: scenes span 1e-9 to 1e12 units.
-inline double Length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
+inline double Length(const Vec3& a)
+{
+    const double squared = Dot(a, a);
+    return squared > 1e-200 && squared < 1e200 ? std::sqrt(squared) : std::hypot(a.x, a.y, a.z);
+}
 
 /// The same for a type whose exponents reach far beyond those of the doubles that it holds.
 template <typename N>

@@ -10,6 +10,9 @@ import rendering
 import scenes
 
 SIZE = {"width": 131, "height": 93}  # no multiple of any tile; large enough for the map's scale
+AREA_LIT = """light_source { <4, 8, -6>, rgb 1 area_light x*3, z*3, 5, 5 adaptive 1 }
+plane { y, 0 pigment { checker rgb 1 rgb 0.7 } } sphere { <0.3, 0.8, 0>, 0.7 pigment { rgb <0.8, 0.3, 0.2> } }
+"""
 LENS = "tilt 4 swing 2 shift <2, -1> "
 PEAKING = "focus_peaking rgb <0, 1, 0>, 1.5 "
 AIDS = (PEAKING, "focus_map ", "show_planes ", "show_planes focus_peaking rgb <1, 0, 1> ")
@@ -63,18 +66,28 @@ class Repeatable(rendering.RenderTest):
 
 
 class Peaking(rendering.RenderTest):
-    def test_tints_what_is_sharp_and_nothing_else(self):
-        sharp, plain = picture(PEAKING), pinhole()
+    def count_tinted(self, drawn, plain):
+        """Pixels that are tinted; all others must be those of the plain picture."""
         tinted = 0
         for i in range(plain.width * plain.height):
             x, y = i % plain.width, i // plain.width
-            was, now = plain.pixel(x, y), sharp.pixel(x, y)
+            was, now = plain.pixel(x, y), drawn.pixel(x, y)
             if max(abs(a - b) for a, b in zip(was, now)) < 1e-4:
                 continue
             half = [0.5 * was[0], 0.5 * was[1] + 0.5, 0.5 * was[2]]
-            self.assertLess(max(abs(a - b) for a, b in zip(half, now)), 1e-4, f"column {x}, row {y}: {was} became {now}\n{sharp.told}")
+            self.assertLess(max(abs(a - b) for a, b in zip(half, now)), 1e-4, f"column {x}, row {y}: {was} became {now}\n{drawn.told}")
             tinted += 1
+        return tinted
+
+    def test_tints_what_is_sharp_and_nothing_else(self):
+        sharp = picture(PEAKING)
+        tinted = self.count_tinted(sharp, pinhole())
         self.assertTrue(300 < tinted < 9000, f"{tinted} pixels are tinted\n{sharp.told}")
+
+    def test_an_area_light_lights_with_all_its_points(self):
+        """One ray for a pixel has to do with what many rays share."""
+        tinted = self.count_tinted(picture(PEAKING, world=AREA_LIT), pinhole(world=AREA_LIT))
+        self.assertGreater(tinted, 300)
 
     def test_the_pixels_of_blur(self):
         """A wall blurred over 1.05 pixels: with a limit of 1 and of 1.1; from both sides."""

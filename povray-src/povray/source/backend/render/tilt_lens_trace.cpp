@@ -21,6 +21,7 @@
 namespace pov
 {
 
+using tilt_lens::PixelSampler;
 using tilt_lens::Radiance;
 using tilt_lens::Sample;
 using tilt_lens::SampleId;
@@ -64,7 +65,8 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 } // namespace
 
 /// Film point and lens point in, light out.
-void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start& start, DBL width, tilt_lens::Traced& traced)
+void TracePixel::TraceTiltLensSample(const PixelSampler& pixel, unsigned int index, const tilt_lens::Start& start,
+                                     DBL width, tilt_lens::Traced& traced)
 {
     if (start.weight == 0.0)
     {
@@ -86,15 +88,18 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start&
         Perturb_Normal(ray.Direction, camera.Tnormal, film, NULL, NULL, threadData);
         VNormalizeEq(ray.Direction);
     }
-    EnterTiltLensInteriors(ray);
+    if (!tiltLens->aroundLens.empty())
+        EnterTiltLensInteriors(ray);
 
     // whatever draws random numbers on the way draws this sample's own
-    SeedRandomNumbers(tilt_lens::PixelHash(id.x, id.y, id.index, 0));
-    tiltLensSample = id;
+    SeedRandomNumbers(pixel.Hash(index));
+    tiltLensPixel = &pixel;
+    tiltLensSample = index;
     areaLightsMet = 0;
     Colour colour;
     Trace::TraceTicket ticket(maxTraceLevel, adcBailout, sceneData->outputAlpha);
     const DBL distance = TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
+    tiltLensPixel = NULL;
     traced.light = {start.weight * colour[pRED], start.weight * colour[pGREEN], start.weight * colour[pBLUE],
                     start.weight * colour[pFILTER], start.weight * colour[pTRANSM]};
     traced.sought = start.sought;
@@ -104,13 +109,13 @@ void TracePixel::TraceTiltLensSample(const SampleId& id, const tilt_lens::Start&
 
 /// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
 /// of the whole grid at the cost of one shadow ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray
-/// Tracing", 1984). Radiosity keeps its samples for other pixels and gets the whole light.
+/// Tracing", 1984). Radiosity keeps its samples for other pixels and gets the whole light, as does the one ray of a
+/// pixel with focus aids.
 bool TracePixel::ChooseAreaLightPoint(const LightSource& light, const TraceTicket& ticket, int& u, int& v)
 {
-    if (!tiltLens || pretrace || ticket.radiosityRecursionDepth > 0)
+    if (tiltLensPixel == NULL || pretrace || ticket.radiosityRecursionDepth > 0)
         return false;
-    const tilt_lens::Pair point =
-        tilt_lens::PixelSampler(tiltLensSample.x, tiltLensSample.y, 0).Further(tiltLensSample.index, areaLightsMet++);
+    const tilt_lens::Pair point = tiltLensPixel->Further(tiltLensSample, areaLightsMet++);
     areaLightPointsLeft += std::uint64_t(light.Area_Size1) * light.Area_Size2 - 1;
     areaLightPoints++;
     u = PointOfRow(light.Area_Size1, point.u);
@@ -166,12 +171,12 @@ void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colou
     const unsigned int samples = pretrace ? 1 : std::min(tiltLens->limits.min, tiltLens->limits.max);
     // pretrace positions lie between pixels and, at the picture's edge, outside
     SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
-    const tilt_lens::PixelSampler sampler(id.x, id.y, 0);
+    const PixelSampler pixel(id.x, id.y, 0);
     colour.clear();
     for (id.index = 0; id.index < samples; id.index++)
     {
         tilt_lens::Traced traced;
-        TraceTiltLensSample(id, tiltLens->emitters.Aim({}, id, sampler(id.index)), width, traced);
+        TraceTiltLensSample(pixel, id.index, tiltLens->emitters.Aim({}, id, pixel(id.index)), width, traced);
         colour += ToColour(traced.light);
     }
     colour /= samples;
@@ -189,15 +194,19 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::CellStore own(tiltLens->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *tiltLens->cells);
-    tilt_lens::Emitters::Targets targets;  // of the pixel before, as long as its samples go on
     SampleId before{width, height, 0};
+    PixelSampler pixel(before.x, before.y, 0);
+    tilt_lens::Emitters::Targets targets;  // these two are of the pixel before, as long as its samples go on
     areaLightPoints = areaLightPointsLeft = 0;
     sampler.Run(tile, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
     {
         if (id.x != before.x || id.y != before.y)
+        {
+            pixel = PixelSampler(id.x, id.y, 0);
             targets = tiltLens->emitters.Of(id.x, id.y);
-        before = id;
-        TraceTiltLensSample(id, tiltLens->emitters.Aim(targets, id, sample), width, traced);
+            before = id;
+        }
+        TraceTiltLensSample(pixel, id.index, tiltLens->emitters.Aim(targets, id, sample), width, traced);
     });
 
     pixels.clear();
@@ -226,14 +235,14 @@ void TracePixel::TryTiltLensWork(unsigned int width, unsigned int height)
     while (const auto probe = tiltLens->work.NextProbe())
     {
         const auto before = rays();
-        const tilt_lens::PixelSampler sampler(probe->x, probe->y, 0);
+        const PixelSampler pixel(probe->x, probe->y, 0);
         std::vector<Radiance> tried;
         tilt_lens::Traced traced;
         const tilt_lens::Emitters::Targets targets = tiltLens->emitters.Of(probe->x, probe->y);
         for (unsigned int index = 0; index < samples; index++)
         {
             const SampleId id{probe->x, probe->y, index};
-            TraceTiltLensSample(id, tiltLens->emitters.Aim(targets, id, sampler(index)), width, traced);
+            TraceTiltLensSample(pixel, index, tiltLens->emitters.Aim(targets, id, pixel(index)), width, traced);
             tried.push_back(traced.light);
         }
         tiltLens->work.SetWeight(probe->block, (rays() - before) * ExpectedSamples(limits, tried));
