@@ -121,15 +121,34 @@ class Corpus(unittest.TestCase):
 
 
 class Soak(unittest.TestCase):
-    """A picture that is done early says nothing of an hour."""
+    """A picture that is done early says nothing of an hour; memory that grows is told from memory taken at once."""
 
     def faults(self, **large):
-        flat = {"exit": 0, "growth_kib": 0}
-        return soak.faults({"animation": {**flat, "frames": 9}, "large": {**flat, "asked_seconds": 60, **large}})
+        flat = {"exit": 0, "course": self.course(lambda i: 20000)}
+        return soak.faults({"animation": {**flat, "frames": 9},
+                            "large": {**flat, "processor_seconds": 60, "asked_seconds": 60, **large}})
+
+    @staticmethod
+    def course(kib):
+        """Of a run of 60 measurings."""
+        return [{"seconds": i, "kib": kib(i)} for i in range(60)]
 
     def test_an_hour_is_an_hour(self):
         self.assertEqual(self.faults(processor_seconds=60, exit=-9), [])
         self.assertEqual(len(self.faults(processor_seconds=59)), 1)
+
+    def test_what_is_left_behind_again_and_again(self):
+        self.assertEqual(soak.growth(self.course(lambda i: 20000 + 30*i)), 5*5*30)
+        self.assertEqual(len(self.faults(course=self.course(lambda i: 20000 + 30*i))), 1)
+        self.assertEqual(len(self.faults(course=self.course(lambda i: 20000 + 300*(i//4)))), 1)
+
+    def test_what_is_taken_at_once(self):
+        for at in range(60):
+            self.assertEqual(self.faults(course=self.course(lambda i, at=at: 20000 + 9000*(i >= at))), [])
+        self.assertEqual(self.faults(course=self.course(lambda i: 20000*min(i, 29))), [])
+
+    def test_a_run_of_few_measurings(self):
+        self.assertEqual(len(self.faults(course=self.course(lambda i: 20000)[:23])), 1)
 
 
 class Findings(unittest.TestCase):

@@ -7,6 +7,7 @@ import subprocess
 import common
 import rays
 import reports
+import soak
 
 TITLES = {
     "random": "what people photograph", "corners": "corners of a picture 100,000 pixels wide",
@@ -181,13 +182,13 @@ def faults_section(result):
 
 def soak_section(result):
     """Memory over time."""
-    text = "\n## Memory over time\n\n| run | seconds | processor | peak | growth, last quarter |\n| --- | --: | --: | --: | --: |\n"
+    text = "\n## Memory over time\n\n| run | seconds | processor | peak | growth, second half |\n| --- | --: | --: | --: | --: |\n"
     for title, row in ((f"{result['animation']['frames']} frames of 16 by 12", result["animation"]),
                        (f"one picture of {result['large']['width']} by {result['large']['height']}"
                         f"{', ended there' if result['large']['exit'] else ''}",
                         result["large"])):
         text += (f"| {title} | {row['seconds']} | {row['processor_seconds']} s | {row['peak_kib'] / 1024:.1f} MiB | "
-                 f"{row['growth_kib']} KiB |\n")
+                 f"{soak.growth(row['course'])} KiB |\n")
     if "heap" in result:
         text += (f"\nheaptrack: what is held at the end grows by {result['heap']['bytes_per_frame']} bytes for each frame more "
                  f"({result['heap']['frames']} and twice as many).\n")
