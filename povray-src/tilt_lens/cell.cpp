@@ -97,7 +97,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     const std::vector<Pixel> begin = pixels;
     const double gainAtBegin = gainByHalves;
     const std::uint64_t metAtBegin = met;
-    laterEstimates.clear();
+    laterEstimates.reset();
     estimatedSamples = limits.First();
     try
     {

@@ -152,7 +152,7 @@ class Cell
     double gainByHalves = 1.0;    ///< of the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
     std::vector<First> first;
-    std::vector<Estimate> firstEstimates, laterEstimates;  ///< after the first round; after the last if there were more
+    std::unique_ptr<const Estimates> firstEstimates, laterEstimates;  ///< after the first round; after the last if there were more
     std::uint32_t estimatedSamples = 0;  ///< of a pixel that is still open, when last noted
     std::vector<Final> final;
 
@@ -166,10 +166,11 @@ class Cell
     void NoteGain(std::uint32_t samples);
     double GainByHalves(double before) const;
     std::array<Radiance, kCell * kCell> VarianceAround() const;
-    std::vector<Estimate> Estimates() const;
+    std::unique_ptr<const Estimates> Estimated() const;
     bool IsWorthRebuilding(const SamplingLimits& limits) const;
     void NoteEstimates(std::uint32_t samples);
-    const std::vector<Estimate>& LastEstimates() const { return laterEstimates.empty() ? firstEstimates : laterEstimates; }
+    /// Null where the cell is left out.
+    const Estimates* LastEstimates() const { return laterEstimates ? laterEstimates.get() : firstEstimates.get(); }
     void CreditReconstruction(const Neighbours& neighbours, std::uint32_t samples, std::vector<Judged>& judged);
     template<class EstimatesOf>
     static Surroundings Gather(const Neighbours& cells, const EstimatesOf& estimatesOf);

@@ -29,15 +29,12 @@ constexpr double kEnoughMet = 32.0;
 constexpr double kNoticed = 1.0 / 32.0;
 
 /// Whether a pixel's noise is less than half of its brightness.
-bool IsKnown(const Estimate& estimate)
+bool IsKnown(const Estimates& estimates, std::size_t pixel)
 {
-    double noise = 0.0, light = 0.0;
-    for (std::size_t c = 0; c < estimate.mean.size(); c++)
-    {
-        noise += estimate.variance[c];
-        light += double(estimate.mean[c]) * estimate.mean[c];
-    }
-    return noise <= 0.25 * light;
+    double light = 0.0;
+    for (const CellPlane& mean : estimates.mean)
+        light += double(mean[pixel]) * mean[pixel];
+    return estimates.noise[pixel] <= 0.25 * light;
 }
 
 } // namespace
@@ -54,17 +51,22 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::uint32_t samp
         { return one.pixel->remains < kCounts && !isGood(one.variance, one); }))
         return;
     NoteEstimates(samples);
-    const std::vector<Estimate>& estimates = LastEstimates();
+    const Estimates& estimates = *LastEstimates();
+    const auto placeOf = [&](const Judged& one)
+    {
+        const std::size_t i = one.pixel - pixels.data();
+        return i / area.width * kCell + i % area.width;
+    };
     const auto credited = [&](const Judged& one)
     {
-        const Estimate& estimate = estimates[one.pixel - pixels.data()];
+        const std::size_t place = placeOf(one);
         Radiance variance = one.variance;
         // a few hits of something bright say little of how often it is hit
-        if (one.pixel->remains >= kCounts || !IsKnown(estimate))
+        if (one.pixel->remains >= kCounts || !IsKnown(estimates, place))
             return variance;
         for (std::size_t c = 0; c < variance.size(); c++)
         {
-            const double seen = one.pixel->gain * one.pixel->own.variance[c] / samples / Brightness(estimate.mean[c]);
+            const double seen = one.pixel->gain * one.pixel->own.variance[c] / samples / Brightness(estimates.mean[c][place]);
             variance[c] -= (1.0 - one.pixel->remains) * std::min(seen, variance[c]);
         }
         return variance;
@@ -78,8 +80,7 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::uint32_t samp
     const CellPlane remains = Remains(neighbours);
     for (Judged& one : judged)
     {
-        const std::size_t i = one.pixel - pixels.data();
-        one.pixel->remains = remains[i / area.width * kCell + i % area.width];
+        one.pixel->remains = remains[placeOf(one)];
         one.variance = credited(one);
     }
 }
@@ -107,24 +108,24 @@ std::array<Radiance, kCell * kCell> Cell::VarianceAround() const
 
 /// What is known of the pixels, for the reconstruction: the variance of the mean from the samples of a
 /// pixel and of those around it in the cell.
-std::vector<Estimate> Cell::Estimates() const
+std::unique_ptr<const Estimates> Cell::Estimated() const
 {
     const bool varied = IsVaried();  // where nothing differs, there is no noise to estimate
     const std::array<Radiance, kCell * kCell> variance = varied ? VarianceAround() : std::array<Radiance, kCell * kCell>{};
-    std::vector<Estimate> estimates(pixels.size());
+    auto estimates = std::make_unique<Estimates>();
     for (std::size_t i = 0; i < pixels.size(); i++)
     {
         const Pixel& pixel = pixels[i];
-        const Radiance mean = MeanOf(pixel);
-        Estimate& estimate = estimates[i];
-        estimate.samples = pixel.samples;
-        std::copy(mean.begin(), mean.end(), estimate.mean.begin());
-        for (std::size_t c = 0; varied && c < mean.size(); c++)
+        Radiance halves{};
+        double noise = 0.0;
+        for (std::size_t c = 0; varied && c < halves.size(); c++)
         {
-            estimate.variance[c] = pixel.gain * variance[i][c] / pixel.samples;
-            estimate.halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
+            noise += variance[i][c];
+            halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
         }
+        estimates->Set(i % area.width, i / area.width, MeanOf(pixel), halves, pixel.gain * noise / pixel.samples);
     }
+    estimates->RepeatEdges(area.width, area.height);
     return estimates;
 }
 
@@ -132,7 +133,7 @@ std::vector<Estimate> Cell::Estimates() const
 bool Cell::IsWorthRebuilding(const SamplingLimits& limits) const
 {
     const double enough = begun ? kEnoughMet : std::min(kEnoughMet, 0.5 * limits.First());
-    return limits.Denoises() && (!firstEstimates.empty() || met >= enough * pixels.size());
+    return limits.Denoises() && (firstEstimates || met >= enough * pixels.size());
 }
 
 /// Of the samples taken so far.
@@ -140,49 +141,36 @@ void Cell::NoteEstimates(std::uint32_t samples)
 {
     if (samples == estimatedSamples)
         return;
-    (estimatedSamples == 0 ? firstEstimates : laterEstimates) = Estimates();
+    (estimatedSamples == 0 ? firstEstimates : laterEstimates) = Estimated();
     estimatedSamples = samples;
 }
 
-/// @param estimatesOf  a cell's pixels; none where there are none yet or the cell is left out
+/// @param estimatesOf  a cell's pixels; null where they are not known: the cell is left out
 template<class EstimatesOf>
 Surroundings Cell::Gather(const Neighbours& cells, const EstimatesOf& estimatesOf)
 {
-    constexpr std::int64_t border = Surroundings::kBorder, end = kCell + border;
-    const std::int64_t left = cells[4]->area.left, top = cells[4]->area.top;
-    Surroundings around(std::all_of(cells.begin(), cells.end(), [&](const Cell* cell)
-        { return cell != nullptr && estimatesOf(*cell).size() == kCell * kCell; }));
-    for (const Cell* cell : cells)
-    {
-        if (cell == nullptr)
-            continue;
-        const std::vector<Estimate>& estimates = estimatesOf(*cell);
-        if (estimates.empty())
-            continue;
-        const Area& area = cell->area;
-        for (std::int64_t y = std::max(area.top - top, -border); y < std::min(area.Bottom() - top, end); y++)
-            for (std::int64_t x = std::max(area.left - left, -border); x < std::min(area.Right() - left, end); x++)
-                around.Set(x, y, estimates[cell->Index(x + left, y + top)]);
-    }
-    return around;
+    std::array<const Estimates*, 9> known;
+    std::transform(cells.begin(), cells.end(), known.begin(), [&](const Cell* cell)
+        { return cell != nullptr ? estimatesOf(*cell) : nullptr; });
+    return Surroundings(known);
 }
 
-/// What share of the pixels' variances the reconstruction will leave, as far as the first samples of
-/// the neighbours tell.
+/// What share of the pixels' variances the reconstruction will leave, as far as the cell and the first samples of its
+/// neighbours tell; once it has more samples itself, the cell alone: noise of theirs would pass for its own error.
 CellPlane Cell::Remains(const Neighbours& neighbours) const
 {
-    const Surroundings around = Gather(neighbours, [this](const Cell& cell) -> const std::vector<Estimate>&
+    const Surroundings around = Gather(neighbours, [this](const Cell& cell)
     {
-        return &cell == this ? LastEstimates() : cell.firstEstimates;
+        return &cell == this ? LastEstimates() : laterEstimates ? nullptr : cell.firstEstimates.get();
     });
-    return Rebuild(around, false).remains;
+    return Rebuild(around).remains;
 }
 
 /// From the first to the last with noise that is noticed beside what is asked for.
 Rows Cell::NoisyRows(const SamplingLimits& limits) const
 {
     Rows rows{int(area.height), 0};
-    if (LastEstimates().empty())
+    if (LastEstimates() == nullptr)
         return rows;
     for (int y = 0; y < int(area.height); y++)
     {
@@ -197,7 +185,7 @@ Rows Cell::NoisyRows(const SamplingLimits& limits) const
 
 Surroundings Cell::SurroundingsOf(const Neighbours& cells)
 {
-    return Gather(cells, [](const Cell& cell) -> const std::vector<Estimate>& { return cell.LastEstimates(); });
+    return Gather(cells, [](const Cell& cell) { return cell.LastEstimates(); });
 }
 
 } // namespace tilt_lens

@@ -35,7 +35,7 @@ void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& t
     Cell::Neighbours cells;
     for (std::size_t i = 0; i < block.size(); i++)
         cells[i] = block[i].get();
-    const Rebuilt rebuilt = Rebuild(Cell::SurroundingsOf(cells), true, rows);
+    const Rebuilt rebuilt = Rebuild(Cell::SurroundingsOf(cells), rows);
     forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel)
     {
         const int row = y - cell.area.top;
