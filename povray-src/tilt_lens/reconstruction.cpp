@@ -76,7 +76,7 @@ constexpr float kTaps[kFilters][kReach + 1] = {
 constexpr Filter kBank[][2] = {
     {kNone, kNone}, {kFit5, kNone}, {kNone, kFit5}, {kFit5, kFit5},
     {kFit9, kNone}, {kNone, kFit9}, {kFit9, kFit9}, {kFit5, kFit9}, {kFit9, kFit5},
-    {kMean9, kNone}, {kNone, kMean9}, {kMean9, kMean9},
+    {kMean9, kNone}, {kNone, kMean9}, {kMean9, kMean9}, {kMean9, kFit5}, {kFit5, kMean9},
     {kAhead5, kNone}, {kBehind5, kNone}, {kNone, kAhead5}, {kNone, kBehind5},
 };
 
@@ -289,15 +289,15 @@ Rebuilt RebuildChannels(const Surroundings& around, const Rows& rows)
 }
 
 /// Copies what of a cell's row lies around another cell; `place` is -1 left of it, 0, or 1 right of it. Instead of the
-/// neighbour's own row the nearest pixel of a cell in the middle may be repeated.
-void CopyRow(const float* from, int place, bool repeat, float* row)
+/// neighbour's own row that of a cell in the middle may be mirrored.
+void CopyRow(const float* from, int place, bool mirror, float* row)
 {
     constexpr int border = Surroundings::kBorder;
     float* to = row + (place < 0 ? 0 : place == 0 ? border : border + kSide);
     if (place == 0)
         std::copy_n(from, kSide, to);
-    else if (repeat)
-        std::fill_n(to, border, from[place < 0 ? 0 : kSide - 1]);
+    else if (mirror)
+        std::reverse_copy(place < 0 ? from : from + kSide - border, place < 0 ? from + border : from + kSide, to);
     else
         std::copy_n(place < 0 ? from + kSide - border : from, border, to);
     if (place > 0)
@@ -341,16 +341,16 @@ Surroundings::Surroundings(const std::array<const Estimates*, 9>& cells)
         const int row = i / 3, column = i % 3;
         // the neighbour itself, or the nearest of those that are known
         const bool sameRow = cells[row * 3 + 1] != nullptr, sameColumn = cells[3 + column] != nullptr;
-        const bool repeatX = cells[i] == nullptr && (sameRow || !sameColumn);
-        const bool repeatY = cells[i] == nullptr && !sameRow;
-        const Estimates& cell = *cells[(repeatY ? 1 : row) * 3 + (repeatX ? 1 : column)];
+        const bool mirrorX = cells[i] == nullptr && (sameRow || !sameColumn);
+        const bool mirrorY = cells[i] == nullptr && !sameRow;
+        const Estimates& cell = *cells[(mirrorY ? 1 : row) * 3 + (mirrorX ? 1 : column)];
         transparent = transparent || cell.transparent;
         for (int y = begin[row]; y < begin[row + 1]; y++)
         {
-            const int from = (repeatY ? std::clamp(y, 0, kSide - 1) : y - (row - 1) * kSide) * kSide;
+            const int inside = y - (row - 1) * kSide, from = (mirrorY ? kSide - 1 - inside : inside) * kSide;
             const auto copy = [&](const CellPlane& plane, Plane& to)
             {
-                CopyRow(&plane[from], column - 1, repeatX, &to[At(-kBorder, y)]);
+                CopyRow(&plane[from], column - 1, mirrorX, &to[At(-kBorder, y)]);
             };
             for (std::size_t c = 0; c < mean.size(); c++)
             {

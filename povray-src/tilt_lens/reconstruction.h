@@ -78,7 +78,7 @@ class Surroundings
     static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
     /// @param cells  the cell, which is in the middle, and its eight neighbours, row by row. Those that are null are
-    ///               outside the picture or not known: there pixels at the edge are repeated.
+    ///               outside the picture or not known: there the nearest cell is mirrored.
     explicit Surroundings(const std::array<const Estimates*, 9>& cells);
 
     bool Transparent() const { return transparent; }

@@ -125,7 +125,7 @@ TEST(Reconstruction, DoesNoHarmToDetailThatItCannotTellFromNoise)
     EXPECT_LT(s.after, 1.0001 * s.before);  // but for rounding
 }
 
-TEST(Reconstruction, RepeatsThePixelsAtTheEdgeOfThePicture)
+TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
 {
     // each cell but the middle one known or not; known ones hold 10 times their number, the middle one its place
     for (int known = 0; known < 256; known++)
@@ -145,15 +145,15 @@ TEST(Reconstruction, RepeatsThePixelsAtTheEdgeOfThePicture)
             for (int x = -Surroundings::kBorder; x < kSide + Surroundings::kBorder; x++)
             {
                 const auto cellOf = [](int at) { return at < 0 ? 0 : at < kSide ? 1 : 2; };
+                const auto mirror = [](int& at) { at = at < 0 ? -1 - at : at < kSide ? at : 2 * kSide - 1 - at; };
                 int u = x, v = y;
                 if (!places[3 * cellOf(v) + cellOf(u)])  // the nearest in this row, or else in this column, or in the cell
                 {
-                    if (places[3 * cellOf(v) + 1])
-                        u = std::clamp(u, 0, kSide - 1);
-                    else if (places[3 + cellOf(u)])
-                        v = std::clamp(v, 0, kSide - 1);
-                    else
-                        u = std::clamp(u, 0, kSide - 1), v = std::clamp(v, 0, kSide - 1);
+                    const bool sameRow = places[3 * cellOf(v) + 1], sameColumn = places[3 + cellOf(u)];
+                    if (sameRow || !sameColumn)
+                        mirror(u);
+                    if (!sameRow)
+                        mirror(v);
                 }
                 const int cell = 3 * cellOf(v) + cellOf(u);
                 const double expected = 1000.0 * cell + 10.0 * ((v + kSide) % kSide) + (u + kSide) % kSide;
