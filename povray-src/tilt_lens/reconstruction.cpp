@@ -201,7 +201,15 @@ class Mixture
     }
 
     /// Of a pixel of the cell: its mean, and its halves' difference. Pixels among such as have no noise stay.
-    float MeanOf(int c, int i) const { return weights[i] > 0.0f ? means[c][i] / weights[i] : around.Means()[c][i]; }
+    float MeanOf(int c, int i) const
+    {
+        const float own = around.Means()[c][i];
+        if (!(weights[i] > 0.0f))
+            return own;
+        // parabolas reach beyond what they are fitted to: colours are not negative for it, and no transparency is above 1
+        const float mean = std::max(means[c][i] / weights[i], std::min(0.0f, own));
+        return c < 3 ? mean : std::min(mean, std::max(1.0f, own));
+    }
     float HalvesOf(int c, int i) const { return weights[i] > 0.0f ? halves[c][i] / weights[i] : around.Halves()[c][i]; }
 
   private:

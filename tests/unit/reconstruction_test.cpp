@@ -213,6 +213,32 @@ TEST(Reconstruction, TransparencyGoesWithTheColours)
             EXPECT_NEAR(rebuilt.mean[4][y * kSide + x], x < 4 ? 1.0 : 0.0, 0.05 * std::sqrt(0.5e-3));
 }
 
+TEST(Reconstruction, ReachesNotBeyondWhatColoursCanBe)
+{
+    std::mt19937 random(11);
+    int touched = 0;
+    for (int picture = 0; picture < 50; picture++)
+    {
+        const Surroundings around = Make([&](int x, int y)
+        {
+            Pixel pixel = Noisy(0.5 * std::max(0, x - 3), 1e-2, random);
+            for (double& mean : pixel.mean)
+                mean = std::max(0.0, mean);
+            pixel.mean[4] = std::min(1.0, 0.25 * std::max(0, y + 1));
+            return pixel;
+        });
+        const Rebuilt rebuilt = Rebuild(around);
+        for (int i = 0; i < kSide * kSide; i++)
+        {
+            EXPECT_GE(rebuilt.mean[0][i], 0.0f) << i;
+            EXPECT_GE(rebuilt.mean[4][i], 0.0f) << i;
+            EXPECT_LE(rebuilt.mean[4][i], 1.0f) << i;
+            touched += rebuilt.mean[0][i] == 0.0f || rebuilt.mean[4][i] == 1.0f;
+        }
+    }
+    EXPECT_GT(touched, 100) << "there was nothing to hold back";
+}
+
 TEST(Reconstruction, WhatIsLeftOfFewNoisyPixelsIsNotKnown)
 {
     const auto remains = [](int side)
