@@ -71,7 +71,7 @@ struct SamplingLimits
     std::uint32_t min = 8, max = 1024;  ///< samples per pixel, 1 <= min <= max
     double variance = 1e-4;             ///< of a pixel's value, where its brightness is at most 1
     double confidence = 0.9;            ///< that the variance is below, (0, 1)
-    bool denoise = false;               ///< average pixels that see the same (reconstruction.h)
+    bool denoise = false;               ///< smooth the noise away (reconstruction.h)
 
     /// Samples that every pixel gets before it is judged: min, rounded up to a power of two that max allows.
     std::uint32_t First() const;
