@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include <boost/math/distributions/chi_squared.hpp>
+
+#include "vector_registers.h"
 
 namespace tilt_lens
 {
@@ -47,21 +48,6 @@ double GainOfMean(double gainByHalves, double n)
 
 /// Two channels side by side, since compilers leave five of them in five registers.
 typedef double Two __attribute__((vector_size(16)));
-
-/// Some channels from the one numbered `first` on.
-template<class Channels>
-Channels Load(const Radiance& from, std::size_t first)
-{
-    Channels channels;
-    std::memcpy(&channels, &from[first], sizeof(channels));
-    return channels;
-}
-
-template<class Channels>
-void Store(Radiance& to, std::size_t first, Channels channels)
-{
-    std::memcpy(&to[first], &channels, sizeof(channels));
-}
 
 } // namespace
 
@@ -152,11 +138,11 @@ void Cell::NoteUsualDeviation(const Neighbours& neighbours)
 template<class Channels>
 void Cell::Pixel::Add(const Radiance& value, Radiance& sum, std::size_t first)
 {
-    const Channels x = Load<Channels>(value, first), a = Load<Channels>(least, first), b = Load<Channels>(most, first);
-    Store<Channels>(sum, first, Load<Channels>(sum, first) + x);
-    Store<Channels>(squares, first, Load<Channels>(squares, first) + x * x);
-    Store<Channels>(least, first, x < a ? x : a);
-    Store<Channels>(most, first, x > b ? x : b);
+    const Channels x = Load<Channels>(&value[first]), a = Load<Channels>(&least[first]), b = Load<Channels>(&most[first]);
+    Store(&sum[first], Load<Channels>(&sum[first]) + x);
+    Store(&squares[first], Load<Channels>(&squares[first]) + x * x);
+    Store(&least[first], x < a ? x : a);
+    Store(&most[first], x > b ? x : b);
 }
 
 void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)

@@ -4,9 +4,10 @@
 #include "reconstruction.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <utility>
+
+#include "vector_registers.h"
 
 namespace tilt_lens
 {
@@ -47,14 +48,6 @@ constexpr int At(int x, int y) { return Surroundings::At(x, y); }
 /// Four pixels of a row. What compilers make of plain loops over so short rows takes three times as long.
 typedef float Four __attribute__((vector_size(16)));
 
-inline Four Load(const float* from)
-{
-    Four four;
-    std::memcpy(&four, from, sizeof(four));
-    return four;
-}
-
-inline void Store(float* to, Four four) { std::memcpy(to, &four, sizeof(four)); }
 inline Four Min(Four a, Four b) { return a < b ? a : b; }  // b if either is no number
 inline Four Max(Four a, Four b) { return a > b ? a : b; }  // the same
 
@@ -85,13 +78,13 @@ template<Filter kFilter>
 Four Filtered(const float* at, int step)
 {
     constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : kReach;
-    Four sum = kTaps[kFilter][0] * Load(at);
+    Four sum = kTaps[kFilter][0] * Load<Four>(at);
     for (int i = 1; i <= reach; i++)
     {
         if (kFilter == kAhead5 || kFilter == kBehind5)
-            sum += kTaps[kFilter][i] * Load(at + (kFilter == kAhead5 ? i : -i) * step);
+            sum += kTaps[kFilter][i] * Load<Four>(at + (kFilter == kAhead5 ? i : -i) * step);
         else
-            sum += kTaps[kFilter][i] * (Load(at - i * step) + Load(at + i * step));
+            sum += kTaps[kFilter][i] * (Load<Four>(at - i * step) + Load<Four>(at + i * step));
     }
     return sum;
 }
@@ -128,14 +121,14 @@ void MeanAround(const Plane& values, const Rows& rows, Plane& means)
         {
             Four sum = Four();
             for (int dy = -kFar; dy <= kFar; dy++)
-                sum += Load(&values[At(x, y + dy)]);
+                sum += Load<Four>(&values[At(x, y + dy)]);
             Store(column + x + kFar, sum);
         }
         for (int x = 0; x < kSide; x += 4)
         {
             Four sum = Four();
             for (int dx = 0; dx <= 2 * kFar; dx++)
-                sum += Load(column + x + dx);
+                sum += Load<Four>(column + x + dx);
             Store(&means[At(x, y)], share * sum);
         }
     }
@@ -154,8 +147,9 @@ class Mixture
         {
             Four light = Four();
             for (int c = 0; c < kChannels; c++)
-                light += Load(&around.Means()[c][i]) * Load(&around.Means()[c][i]);
-            const Four variance = Min(Load(&around.Noise()[i]), most), unit = 1.0f / (variance + kFaint * light + least);
+                light += Load<Four>(&around.Means()[c][i]) * Load<Four>(&around.Means()[c][i]);
+            const Four variance = Min(Load<Four>(&around.Noise()[i]), most);
+            const Four unit = 1.0f / (variance + kFaint * light + least);
             Store(&units[i], unit);
             Store(&noises[i], unit * variance);
         });
@@ -177,10 +171,11 @@ class Mixture
             Four squares = Four();
             for (int c = 0; c < kChannels; c++)
             {
-                const Four difference = Filtered<kDown>(&Means(kAcross)[c][i], kColumns) - Load(&around.Means()[c][i]);
+                const Four difference = Filtered<kDown>(&Means(kAcross)[c][i], kColumns) - Load<Four>(&around.Means()[c][i]);
                 squares += difference * difference;
             }
-            const Four noise = Load(&noises[i]), whole = Min(squares * Load(&units[i]) - noiseTaken * noise, Four() + kHuge);
+            const Four noise = Load<Four>(&noises[i]), all = squares * Load<Four>(&units[i]) - noiseTaken * noise;
+            const Four whole = Min(all, Four() + kHuge);
             Store(&risk[i], whole);
             Store(&limited[i], Min(whole, kLimit * noise));
         });
@@ -188,14 +183,15 @@ class Mixture
         MeanAround<kBeside>(risk, rows, riskBeside);
         wanted.ForEachFour([&](int i)
         {
-            const Four before = Load(&noiseAround[i]), beside = Load(&riskBeside[i]) - kChance * Load(&noiseBeside[i]);
-            const Four after = Max(Max(Load(&riskAround[i]), beside), kLeastRisk * before + 1e-30f);
+            const Four before = Load<Four>(&noiseAround[i]);
+            const Four beside = Load<Four>(&riskBeside[i]) - kChance * Load<Four>(&noiseBeside[i]);
+            const Four after = Max(Max(Load<Four>(&riskAround[i]), beside), kLeastRisk * before + 1e-30f);
             const Four root = Max(before / after - 1.0f / kMostRisk, Four()), weight = root * root;
-            Store(&weights[i], Load(&weights[i]) + weight);
+            Store(&weights[i], Load<Four>(&weights[i]) + weight);
             for (int c = 0; c < kChannels; c++)
             {
-                Store(&means[c][i], Load(&means[c][i]) + weight * Filtered<kDown>(&Means(kAcross)[c][i], kColumns));
-                Store(&halves[c][i], Load(&halves[c][i]) + weight * Filtered<kDown>(&Halves(kAcross)[c][i], kColumns));
+                Store(&means[c][i], Load<Four>(&means[c][i]) + weight * Filtered<kDown>(&Means(kAcross)[c][i], kColumns));
+                Store(&halves[c][i], Load<Four>(&halves[c][i]) + weight * Filtered<kDown>(&Halves(kAcross)[c][i], kColumns));
             }
         });
     }
