@@ -18,11 +18,18 @@ namespace
 
 double Square(double x) { return x * x; }
 
-/// How far the true variance may lie above an estimate from n samples, with probability `confidence`.
-double UpperLimit(std::uint32_t n, double confidence)
+/// Few samples tell their variance badly, so it leans towards the mean of the 3 by 3 pixels around: by half after so many,
+/// by the square of their number less after more, so that what is even beside noise is not sampled as long.
+constexpr double kLean = 4.0;
+
+double Lean(double samples) { return Square(kLean) / (Square(kLean) + Square(samples)); }
+
+/// How far the true variance may lie above an estimate from n samples that leans so, with probability `confidence`.
+double UpperLimit(std::uint32_t n, double lean, double confidence)
 {
-    // the neighbourhood's samples count too: about four pixels' worth
-    const double freedom = 4.0 * (n - 1);
+    // what is pooled besides (gain, what is unseen, what the reconstruction leaves) counts too: about four pixels' worth
+    const double own = 1.0 - lean + lean / 9.0, others = 8.0 * Square(lean / 9.0);
+    const double freedom = 4.0 * (n - 1) / (Square(own) + others);
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);
 }
 
@@ -70,6 +77,8 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
     varied = IsVaried();
     gainByHalves = 1.0;
     NoteGain(until);
+    metShare = double(met) / until / pixels.size();
+    meetsEnough = MeetsEnough({this});
     if (IsWorthRebuilding(limits))
         NoteEstimates(until);
     begun = true;
@@ -84,7 +93,8 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     const double gainAtBegin = gainByHalves;
     const std::uint64_t metAtBegin = met;
     laterEstimates.reset();
-    estimatedSamples = limits.First();
+    estimatedSamples = firstEstimates ? limits.First() : 0;
+    meetsEnough = firstEstimates || MeetsEnough(neighbours);
     try
     {
         if (limits.variance > 0.0)  // else nobody asks
@@ -196,7 +206,7 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
 {
     if (samples < 2)
         return true;  // one sample says nothing of its error
-    const double caution = UpperLimit(samples, limits.confidence);
+    const double lean = Lean(samples), caution = UpperLimit(samples, lean, limits.confidence);
     const Allowance allowed(limits, samples);
     const bool variedAround = IsVariedAround(neighbours);
     std::vector<Judged> judged;
@@ -205,16 +215,24 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
         Pixel& pixel = pixels[i];
         if (!pixel.open)
             continue;
-        const Radiance mean = MeanOf(pixel), unseen = variedAround ? Unseen(pixel, VariationAround(i, neighbours)) : Radiance{};
-        Radiance variance;
-        for (std::size_t c = 0; c < variance.size(); c++)
-            variance[c] = pixel.gain * (pixel.own.variance[c] / samples + unseen[c]) / Brightness(mean[c]);
+        const Radiance mean = MeanOf(pixel);
+        Radiance variance{};
+        if (variedAround)
+        {
+            const Variation around = VariationAround(i, neighbours);
+            const Radiance unseen = Unseen(pixel, around);
+            for (std::size_t c = 0; c < variance.size(); c++)
+            {
+                const double ofSample = (1.0 - lean) * pixel.own.variance[c] + lean * around.variance[c];
+                variance[c] = pixel.gain * (ofSample / samples + unseen[c]) / Brightness(mean[c]);
+            }
+        }
         pixel.variance = *std::max_element(variance.begin(), variance.end());
         const double unusual = std::sqrt(pixel.variance / pixel.gain * samples) / usualDeviation;
         judged.push_back({&pixel, variance, allowed(unusual) / caution});
     }
     if (IsWorthRebuilding(limits))
-        CreditReconstruction(neighbours, samples, judged);
+        CreditReconstruction(neighbours, limits, samples, judged);
 
     bool any = false;
     for (const Judged& one : judged)

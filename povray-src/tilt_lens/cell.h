@@ -24,7 +24,7 @@
 /// it covers. Where the pixels around, or what is blurred as far as over this pixel, vary more than its own samples by
 /// v, and by up to a from their mean in one sample, something fills a share p = v / a^2 there. Here it may be any
 /// smaller share, which n samples miss with probability (1 - p)^n, for a square error of (p a)^2: u is the largest of
-/// (p a)^2 exp(-p n).
+/// (p a)^2 exp(-p n). After few samples s^2 leans towards the mean of that of the 3 by 3 pixels around.
 ///
 /// The estimate is raised to the upper limit of the confidence interval that the number of samples leaves
 /// (chi-square), and lowered to what the reconstruction will leave of it where that is asked for and less than half.
@@ -147,13 +147,15 @@ class Cell
     bool begun = false;
     bool varied = true;           ///< whether the first samples of any pixel differ
     std::uint64_t met = 0;        ///< samples that met anything
+    double metShare = 0.0;        ///< of the first samples, those that did
+    bool meetsEnough = false;     ///< for the reconstruction to look at the cell
     std::atomic<bool> done{false};
     std::vector<Pixel> pixels;
     double gainByHalves = 1.0;    ///< of the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
     std::vector<First> first;
-    std::unique_ptr<const Estimates> firstEstimates, laterEstimates;  ///< after the first round; after the last if there were more
-    std::uint32_t estimatedSamples = 0;  ///< of a pixel that is still open, when last noted
+    std::unique_ptr<const Estimates> firstEstimates, laterEstimates;  ///< of the first round, for neighbours too; of the last
+    std::uint32_t estimatedSamples = 0;  ///< of a pixel that is still open, when last noted; 0: never
     std::vector<Final> final;
 
     std::size_t Index(std::uint32_t x, std::uint32_t y) const
@@ -167,14 +169,16 @@ class Cell
     double GainByHalves(double before) const;
     std::array<Radiance, kCell * kCell> VarianceAround() const;
     std::unique_ptr<const Estimates> Estimated() const;
+    static bool MeetsEnough(const Neighbours& neighbours);
     bool IsWorthRebuilding(const SamplingLimits& limits) const;
     void NoteEstimates(std::uint32_t samples);
     /// Null where the cell is left out.
     const Estimates* LastEstimates() const { return laterEstimates ? laterEstimates.get() : firstEstimates.get(); }
-    void CreditReconstruction(const Neighbours& neighbours, std::uint32_t samples, std::vector<Judged>& judged);
+    void CreditReconstruction(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples,
+                              std::vector<Judged>& judged);
     template<class EstimatesOf>
     static Surroundings Gather(const Neighbours& cells, const EstimatesOf& estimatesOf);
-    CellPlane Remains(const Neighbours& neighbours) const;
+    CellPlane Remains(const Neighbours& neighbours, bool afterFirst) const;
     bool IsVaried() const;
     bool IsVariedAround(const Neighbours& neighbours) const;
     Variation VariationAround(std::size_t pixel, const Neighbours& neighbours) const;

@@ -21,8 +21,11 @@ constexpr double kCounts = 0.5;
 /// Rays that finding out what it leaves takes the time of, about: two for each pixel of a cell.
 constexpr double kWorth = 2.0 * kCell * kCell;
 
-/// Samples a pixel that must have met anything, if most of the first ones did not: what meets nothing is cheaper to
-/// sample than to rebuild, and few hits of something bright say little of what is alike.
+/// Share of the first samples of a cell, or of it and its neighbours, that must have met anything: what meets nothing is
+/// cheaper to sample than to rebuild, and few hits of something bright say little of what is alike.
+constexpr double kMetShare = 1.0 / 6.0;
+
+/// Samples a pixel that met anything which are enough else.
 constexpr double kEnoughMet = 32.0;
 
 /// Rows with less than this share of the variance that is asked for are as good as without noise.
@@ -41,7 +44,8 @@ bool IsKnown(const Estimates& estimates, std::size_t pixel)
 
 /// Takes from the variances of pixels what the reconstruction will take: of what their own samples
 /// show, not of what is only feared because neighbours saw it.
-void Cell::CreditReconstruction(const Neighbours& neighbours, std::uint32_t samples, std::vector<Judged>& judged)
+void Cell::CreditReconstruction(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples,
+                                std::vector<Judged>& judged)
 {
     const auto isGood = [](const Radiance& variance, const Judged& one)
     {
@@ -77,7 +81,7 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, std::uint32_t samp
         { return !isGood(one.variance, one) && isGood(credited(one), one); });
     if (hoped * samples < kWorth)
         return;
-    const CellPlane remains = Remains(neighbours);
+    const CellPlane remains = Remains(neighbours, samples == limits.First());
     for (Judged& one : judged)
     {
         one.pixel->remains = remains[placeOf(one)];
@@ -129,19 +133,32 @@ std::unique_ptr<const Estimates> Cell::Estimated() const
     return estimates;
 }
 
-/// Whether the samples so far met enough for the reconstruction to look at the cell, for itself or for its neighbours.
-bool Cell::IsWorthRebuilding(const SamplingLimits& limits) const
+/// Whether the first samples met enough for the reconstruction to look at the cell, for itself or for its neighbours.
+bool Cell::MeetsEnough(const Neighbours& neighbours)
 {
-    const double enough = begun ? kEnoughMet : std::min(kEnoughMet, 0.5 * limits.First());
-    return limits.Denoises() && (firstEstimates || met >= enough * pixels.size());
+    double sum = 0.0;
+    int count = 0;
+    for (const Cell* cell : neighbours)
+        if (cell != nullptr)
+        {
+            sum += cell->metShare;
+            count++;
+        }
+    return sum >= kMetShare * count;
 }
 
-/// Of the samples taken so far.
+/// Whether the samples so far did.
+bool Cell::IsWorthRebuilding(const SamplingLimits& limits) const
+{
+    return limits.Denoises() && (meetsEnough || met >= kEnoughMet * pixels.size());
+}
+
+/// Of the samples taken so far. After the first round neighbours look at what was noted in it.
 void Cell::NoteEstimates(std::uint32_t samples)
 {
     if (samples == estimatedSamples)
         return;
-    (estimatedSamples == 0 ? firstEstimates : laterEstimates) = Estimated();
+    (begun ? laterEstimates : firstEstimates) = Estimated();
     estimatedSamples = samples;
 }
 
@@ -157,11 +174,11 @@ Surroundings Cell::Gather(const Neighbours& cells, const EstimatesOf& estimatesO
 
 /// What share of the pixels' variances the reconstruction will leave, as far as the cell and the first samples of its
 /// neighbours tell; once it has more samples itself, the cell alone: noise of theirs would pass for its own error.
-CellPlane Cell::Remains(const Neighbours& neighbours) const
+CellPlane Cell::Remains(const Neighbours& neighbours, bool afterFirst) const
 {
-    const Surroundings around = Gather(neighbours, [this](const Cell& cell)
+    const Surroundings around = Gather(neighbours, [this, afterFirst](const Cell& cell)
     {
-        return &cell == this ? LastEstimates() : laterEstimates ? nullptr : cell.firstEstimates.get();
+        return &cell == this ? LastEstimates() : afterFirst ? cell.firstEstimates.get() : nullptr;
     });
     return Rebuild(around).remains;
 }
