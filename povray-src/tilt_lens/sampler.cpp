@@ -27,20 +27,8 @@ constexpr std::uint32_t ReverseBits(std::uint32_t x)
     return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// A primitive polynomial over GF(2) and initial direction numbers, in the notation of Joe and Kuo.
-struct Polynomial
-{
-    int degree;
-    std::uint32_t coefficients;
-    std::uint32_t initial[3];
-};
-
-/// The second to fourth lines of new-joe-kuo-6. The first dimension, van der Corput's sequence, has
-/// no polynomial.
-constexpr Polynomial polynomials[dimensions - 1] = {
-    {1, 0, {1, 0, 0}}, {2, 1, {1, 3, 0}}, {3, 1, {1, 3, 1}}};
-
-/// The direction numbers of one dimension, highest bit first.
+/// The directions of the first two dimensions of Sobol's sequence, highest bit first: van der Corput's, and the one
+/// of the polynomial x + 1.
 struct Directions
 {
     std::uint32_t v[bits];
@@ -49,26 +37,30 @@ struct Directions
 constexpr Directions MakeDirections(int dimension)
 {
     Directions d{};
-    if (dimension == 0)
-    {
-        for (int i = 0; i < bits; ++i)
-            d.v[i] = 1u << (bits - 1 - i);
-        return d;
-    }
-    const Polynomial& p = polynomials[dimension - 1];
     for (int i = 0; i < bits; ++i)
     {
-        if (i < p.degree)
-        {
-            d.v[i] = p.initial[i] << (bits - 1 - i);
-            continue;
-        }
-        d.v[i] = d.v[i - p.degree] ^ (d.v[i - p.degree] >> p.degree);
-        for (int k = 1; k < p.degree; ++k)
-            if ((p.coefficients >> (p.degree - 1 - k)) & 1u)
-                d.v[i] ^= d.v[i - k];
+        const std::uint32_t own = 1u << (bits - 1 - i);
+        d.v[i] = dimension == 0 || i == 0 ? own : d.v[i - 1] ^ (d.v[i - 1] >> 1);
     }
     return d;
+}
+
+/// The pixel pair is the lens pair in this order: index bit i adds to the index of its point the bits kOrder[i], the
+/// highest of which is bit i, so that the first 2^m points stay the first 2^m.
+constexpr std::uint32_t kOrder[bits] = {
+    0x1u, 0x3u, 0x6u, 0xdu, 0x11u, 0x22u, 0x44u, 0x89u,
+    0x1b2u, 0x36eu, 0x67du, 0xdd6u, 0x1837u, 0x3f50u, 0x4ac5u, 0xf917u,
+    0x19c80u, 0x20c2bu, 0x71ee5u, 0x8e386u, 0x14bfa5u, 0x3a2c59u, 0x4db1e9u, 0xe98bb7u,
+    0x1c16e6fu, 0x2befe92u, 0x4539d5eu, 0x821da0fu, 0x103d246eu, 0x374e88b6u, 0x5327f921u, 0xc16c6c80u};
+
+constexpr Directions Ordered(const Directions& directions)
+{
+    Directions ordered{};
+    for (int i = 0; i < bits; ++i)
+        for (int j = 0; j <= i; ++j)
+            if ((kOrder[i] >> j) & 1)
+                ordered.v[i] ^= directions.v[j];
+    return ordered;
 }
 
 /// What each hexadecimal digit of the index adds to the Sobol point. Bits are reversed, lowest
@@ -84,7 +76,7 @@ constexpr DigitTable MakeDigitTable()
     DigitTable table{};
     for (int dim = 0; dim < dimensions; ++dim)
     {
-        const Directions directions = MakeDirections(dim);
+        const Directions lens = MakeDirections(dim % 2), directions = dim < 2 ? lens : Ordered(lens);
         for (int place = 0; place < bits / 4; ++place)
             for (int digit = 0; digit < 16; ++digit)
                 for (int bit = 0; bit < 4; ++bit)

@@ -3,8 +3,8 @@
 
 /// @file sampler.h
 /// Where the rays of a pixel start: points of [0, 1)^4, two coordinates for the lens and two for
-/// the pixel's square. Sobol's sequence with Joe and Kuo's direction numbers, Owen-scrambled by
-/// hashing.
+/// the pixel's square. Each pair is Sobol's sequence in two dimensions, the pixel pair in another order,
+/// Owen-scrambled by hashing.
 ///
 /// Properties (each has its test, but for the last sentence):
 /// - Pure: a sample depends on (pixel, index, seed) alone; neither threads nor tiles nor the order of
@@ -12,32 +12,24 @@
 /// - Range: odd multiples of 2^-33, so neither 0 nor 1 occurs and the mean is exactly unbiased.
 /// - Stratification of the first 2^m samples, and of every aligned block of 2^m: each coordinate
 ///   alone has one sample in each of 2^m equal intervals; the lens pair is a (0, m, 2)-net, with
-///   one sample in every elementary interval of area 2^-m; all four are a (3, m, 4)-net, the pixel
-///   pair with it.
+///   one sample in every elementary interval of area 2^-m, and so is the pixel pair. The first 2^m are
+///   a (t, m, 4)-net with t <= 2 for m <= 6 and t <= 3 for m <= 14.
 /// - Independence: pixels and seeds have scramblings of their own. Means over two seeds are
 ///   independent and unbiased, so (A - B)^2 / 4 estimates the variance of (A + B) / 2 without bias,
 ///   whatever the integrand. Within one seed blocks of samples repel each other: the halves of one
 ///   sequence would overestimate its error.
 ///
-/// Which dimensions: measured as the RMS error over random edges, discs, checkers and sines seen
-/// through a lens that blurs by a radius of 0, 0.5, 1, 3, 10 and 50 pixels (geometric mean, as a
-/// fraction of the error of independent random samples):
+/// Why that order: what is sharp sees the pixel pair alone, what is far out of focus the lens pair, and a
+/// blur of about a pixel all four. Shuffled anyhow (padding), the pairs have no strata in common, and such a
+/// blur is little better than with random samples; Sobol's third and fourth dimension have them, but are no
+/// (0, m, 2)-net, and 16 or 32 samples of all four do little together. The order was searched: for the first
+/// seven bits of the index that of the least error over random edges, discs, checkers and sines (six in ten
+/// along an axis of the picture) at blurs of 0, 0.5, 1, 3, 10 and 50 pixels; for each further bit that of the
+/// most elementary intervals with their share of samples.
 ///
-///     samples                                         16     64    256   1024
-///     lens = dimensions 0, 1; pixel = 2, 3          0.54   0.37   0.27   0.19   (chosen)
-///     lens = dimensions 0, 2; pixel = 1, 3          0.55   0.37   0.29   0.19
-///     lens = dimensions 3, 2; pixel = 0, 1          0.54   0.38   0.29   0.20
-///     two (0, 2)-sequences, shuffled (padding)      0.59   0.48   0.41   0.37
-///     two (0, 2)-sequences, second reordered by
-///     a matrix searched for its 4-D quality         0.52   0.36   0.28   0.19
-///
-/// Padding spoils the strata across the pairs, which is what a blur of about a pixel needs: there
-/// it is little better than random. The searched matrix makes the pixel pair a (0, m, 2)-net too,
-/// but its 4-D quality decays with m (t = 7 at 2^18 samples) where the chosen one keeps t = 3.
-///
-/// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; S. Joe and F. Y.
-/// Kuo, "Constructing Sobol sequences with better two-dimensional projections", SIAM J. Sci.
-/// Comput. 30, 2008 (file new-joe-kuo-6); the hash is N. Vegdahl's improvement of Laine and
+/// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; I. M. Sobol', "On the
+/// distribution of points in a cube and the approximate evaluation of integrals", USSR Comput. Math. Math.
+/// Phys. 7(4), 1967; the hash is N. Vegdahl's improvement of Laine and
 /// Karras's, "Building a Better LK Hash", 2021. Unlike Burley's, indices are not shuffled: a
 /// scrambling of its own already sets each pixel apart.
 

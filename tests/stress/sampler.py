@@ -15,8 +15,9 @@ def faults(result):
     """What breaks the promises, in words."""
     found = []
     for row in result["projections"]:
-        allowed = 0 if row["pair"] == "lens u, lens v" else 3
-        found += [f"{row['pair']}: t = {t} at 2^{m} samples" for m, t in row["t"].items() if t > allowed]
+        own = row["pair"] in ("lens u, lens v", "pixel x, pixel y")
+        found += [f"{row['pair']}: t = {t} at 2^{m} samples" for m, t in row["t"].items()
+                  if t > (0 if own else 3 if int(m) <= 14 else 5)]
     if any(result["repeated"]) or result["overflow_faults"]:
         found.append(f"repeated {result['repeated']}, at the ends of the index {result['overflow_faults']}")
     for row in result["discrepancy"]:
