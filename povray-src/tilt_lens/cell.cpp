@@ -67,18 +67,25 @@ void Cell::TakeFirst(const SamplingLimits& limits, const Tracer& trace)
     first.clear();
     const std::uint32_t until = limits.First();
     met = 0;
+    std::array<double, 4> metBy{}, taken{};  // by the quarters of the cell
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
         {
+            const std::uint64_t before = met;
             TakeSamples(x, y, until, trace);
+            metBy[QuarterOf(Index(x, y))] += met - before;
+            taken[QuarterOf(Index(x, y))] += until;
             const Pixel& pixel = pixels[Index(x, y)];
             first.push_back({pixel.own, std::sqrt(Worst(pixel.own.variance, MeanOf(pixel))), pixel.blur});
         }
     varied = IsVaried();
-    gainByHalves = 1.0;
+    gainByHalves.fill(1.0);
     NoteGain(until);
     metShare = double(met) / until / pixels.size();
-    meetsEnough = MeetsEnough({this});
+    mostMet = 0.0;
+    for (std::size_t quarter = 0; quarter < taken.size(); quarter++)
+        mostMet = std::max(mostMet, metBy[quarter] / std::max(1.0, taken[quarter]));
+    meetsEnough = MeetsEnough({});
     if (IsWorthRebuilding(limits))
         NoteEstimates(until);
     begun = true;
@@ -90,7 +97,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     if (done)
         return;
     const std::vector<Pixel> begin = pixels;
-    const double gainAtBegin = gainByHalves;
+    const std::array<double, 4> gainAtBegin = gainByHalves;
     const std::uint64_t metAtBegin = met;
     laterEstimates.reset();
     estimatedSamples = firstEstimates ? limits.First() : 0;
@@ -260,15 +267,16 @@ Variation Cell::VariationOf(const Pixel& pixel)
     return own;
 }
 
-/// Variance of the open pixels' means by their halves, over their variance if samples were
-/// independent. Few noisy pixels in a cell make the ratio uncertain, so it leans towards what was known
+/// Variance of a quarter's open pixels' means by their halves, over their variance if samples were
+/// independent. Few noisy pixels make the ratio uncertain, so it leans towards what was known
 /// before, as if two average pixels more had shown that.
-double Cell::GainByHalves(double before) const
+double Cell::GainByHalves(std::size_t quarter) const
 {
     double byHalves = 0.0, independent = 0.0, squared = 0.0;
-    for (const Pixel& pixel : pixels)
+    for (std::size_t i = 0; i < pixels.size(); i++)
     {
-        if (!pixel.open || pixel.samples < 2)
+        const Pixel& pixel = pixels[i];
+        if (QuarterOf(i) != quarter || !pixel.open || pixel.samples < 2)
             continue;
         const double n = pixel.samples, a = pixel.middle, b = n - a;
         const Radiance& spread = pixel.own.variance;
@@ -281,6 +289,7 @@ double Cell::GainByHalves(double before) const
         independent += ofPixel;
         squared += Square(ofPixel);
     }
+    const double before = gainByHalves[quarter];
     if (!(independent > 0.0))
         return before;
     const double noisyPixels = Square(independent) / squared, lean = 2.0;
@@ -290,11 +299,15 @@ double Cell::GainByHalves(double before) const
 /// After a round: how much less than that of independent samples the open pixels' noise is.
 void Cell::NoteGain(std::uint32_t samples)
 {
-    gainByHalves = std::min(1.0, GainByHalves(gainByHalves));
-    const double gain = GainOfMean(gainByHalves, std::max(2u, samples));
-    for (Pixel& pixel : pixels)
-        if (pixel.open)
-            pixel.gain = gain;
+    std::array<double, 4> gain;
+    for (std::size_t quarter = 0; quarter < gain.size(); quarter++)
+    {
+        gainByHalves[quarter] = std::min(1.0, GainByHalves(quarter));
+        gain[quarter] = GainOfMean(gainByHalves[quarter], std::max(2u, samples));
+    }
+    for (std::size_t i = 0; i < pixels.size(); i++)
+        if (pixels[i].open)
+            pixels[i].gain = gain[QuarterOf(i)];
 }
 
 Radiance Cell::MeanOf(const Pixel& pixel)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file cell.h
-/// How many rays a pixel gets. Pixels are judged in cells of 8 by 8 on a grid fixed to the whole
+/// How many rays a pixel gets. Pixels are judged in cells of 16 by 16 on a grid fixed to the whole
 /// picture; beyond its own cell a pixel is only compared with the first samples of its neighbours.
 /// Both depend on places in the picture alone, so that neither threads nor tiles nor sub-images
 /// change a value.
@@ -16,8 +16,8 @@
 ///     (A - B)^2 / 4  with A and B the means of the two halves of the prefix: one number, but it sees
 ///                    what stratification gains. The halves of such a prefix fill each other's gaps,
 ///                    so that their difference overstates the error of their mean, never the reverse;
-///     gain           the second over the first, pooled over the cell, and leaning on that of the round
-///                    before where few pixels of the cell are noisy.
+///     gain           the second over the first, pooled over a quarter of the cell, and leaning on that of the
+///                    round before where few pixels of it are noisy.
 ///
 /// What decides is gain (s^2 / n + u), with u for what the pixel's samples may have missed: a few equal samples beside
 /// an edge are no certainty, and a small light far out of focus shows in few samples, but in some of every pixel that
@@ -148,10 +148,11 @@ class Cell
     bool varied = true;           ///< whether the first samples of any pixel differ
     std::uint64_t met = 0;        ///< samples that met anything
     double metShare = 0.0;        ///< of the first samples, those that did
+    double mostMet = 0.0;         ///< the same of that quarter of the cell that met most
     bool meetsEnough = false;     ///< for the reconstruction to look at the cell
     std::atomic<bool> done{false};
     std::vector<Pixel> pixels;
-    double gainByHalves = 1.0;    ///< of the last round
+    std::array<double, 4> gainByHalves;  ///< of the cell's quarters, in the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
     std::vector<First> first;
     std::unique_ptr<const Estimates> firstEstimates, laterEstimates;  ///< of the first round, for neighbours too; of the last
@@ -162,14 +163,20 @@ class Cell
     {
         return (y - area.top) * std::size_t(area.width) + (x - area.left);
     }
+    /// 0 to 3: upper left, upper right, lower left, lower right.
+    std::size_t QuarterOf(std::size_t pixel) const
+    {
+        return 2 * (pixel / area.width / (kCell / 2)) + pixel % area.width / (kCell / 2);
+    }
     void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
     void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     void NoteGain(std::uint32_t samples);
-    double GainByHalves(double before) const;
-    std::array<Radiance, kCell * kCell> VarianceAround() const;
+    double GainByHalves(std::size_t quarter) const;
+    std::vector<Radiance> VarianceAround() const;
+    std::vector<double> GainAround() const;
     std::unique_ptr<const Estimates> Estimated() const;
-    static bool MeetsEnough(const Neighbours& neighbours);
+    bool MeetsEnough(const Neighbours& neighbours) const;
     bool IsWorthRebuilding(const SamplingLimits& limits) const;
     void NoteEstimates(std::uint32_t samples);
     /// Null where the cell is left out.

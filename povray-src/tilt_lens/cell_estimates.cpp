@@ -21,8 +21,8 @@ constexpr double kCounts = 0.5;
 /// Rays that finding out what it leaves takes the time of, about: two for each pixel of a cell.
 constexpr double kWorth = 2.0 * kCell * kCell;
 
-/// Share of the first samples of a cell, or of it and its neighbours, that must have met anything: what meets nothing is
-/// cheaper to sample than to rebuild, and few hits of something bright say little of what is alike.
+/// Share of the first samples of a cell and its neighbours, or of a quarter of the cell, that must have met anything: what
+/// meets nothing is cheaper to sample than to rebuild, and few hits of something bright say little of what is alike.
 constexpr double kMetShare = 1.0 / 6.0;
 
 /// Samples a pixel that met anything which are enough else.
@@ -38,6 +38,32 @@ bool IsKnown(const Estimates& estimates, std::size_t pixel)
     for (const CellPlane& mean : estimates.mean)
         light += double(mean[pixel]) * mean[pixel];
     return estimates.noise[pixel] <= 0.25 * light;
+}
+
+double Square(double x) { return x * x; }
+
+/// Means over the pixels around each of some rows, as far as `kFar` from it and as far as there are any.
+template<int kFar, class Values>
+std::vector<Values> MeansAround(const std::vector<Values>& values, int width)
+{
+    const int height = int(values.size()) / width;
+    const auto means = [](const std::vector<Values>& from, int along, int step, int across, int stepAcross)
+    {
+        std::vector<Values> to(from.size());
+        for (int y = 0; y < across; y++)
+            for (int x = 0; x < along; x++)
+            {
+                const int first = std::max(0, x - kFar), last = std::min(along - 1, x + kFar);
+                Values& mean = to[y * stepAcross + x * step];
+                for (int u = first; u <= last; u++)
+                    for (std::size_t c = 0; c < mean.size(); c++)
+                        mean[c] += from[y * stepAcross + u * step][c];
+                for (double& channel : mean)
+                    channel /= last - first + 1;
+            }
+        return to;
+    };
+    return means(means(values, width, 1, height, width), height, width, width, 1);
 }
 
 } // namespace
@@ -90,24 +116,46 @@ void Cell::CreditReconstruction(const Neighbours& neighbours, const SamplingLimi
 }
 
 /// Mean variance of one sample over the 3 by 3 pixels around each, as far as they are in the cell.
-std::array<Radiance, kCell * kCell> Cell::VarianceAround() const
+std::vector<Radiance> Cell::VarianceAround() const
 {
-    std::array<Radiance, kCell * kCell> around{};
-    std::array<std::array<Radiance, kCell>, kCell + 2> rows{};  // sums of three pixels side by side
-    for (std::uint32_t y = 0; y < area.height; y++)
-        for (std::uint32_t x = 0; x < area.width; x++)
-            for (std::uint32_t u = x > 0 ? x - 1 : 0; u < std::min(x + 2, area.width); u++)
-                AddTo(rows[y + 1][x], pixels[y * area.width + u].own.variance);
-    for (std::uint32_t y = 0; y < area.height; y++)
-        for (std::uint32_t x = 0; x < area.width; x++)
+    std::vector<Radiance> variance;
+    for (const Pixel& pixel : pixels)
+        variance.push_back(pixel.own.variance);
+    return MeansAround<1>(variance, area.width);
+}
+
+/// Gain over the 5 by 5 pixels around each, as far as they are in the cell, leaning on that of its quarter as if six average
+/// pixels more had shown that: nearer than it, since filters that are told too much noise blur what is no noise.
+std::vector<double> Cell::GainAround() const
+{
+    constexpr double lean = 6.0;
+    std::vector<std::array<double, 3>> noise;  // by the halves; if samples were independent; that squared
+    for (const Pixel& pixel : pixels)
+    {
+        const double n = pixel.samples, a = pixel.middle, b = n - a;
+        double byHalves = 0.0, independent = 0.0;
+        for (std::size_t c = 0; c < pixel.squares.size(); c++)
         {
-            const int columns = 1 + (x > 0) + (x + 1 < area.width), lines = 1 + (y > 0) + (y + 1 < area.height);
-            const double share = 1.0 / (columns * lines);
-            Radiance& mean = around[y * area.width + x];
-            for (std::size_t c = 0; c < mean.size(); c++)
-                mean[c] = share * (rows[y][x][c] + rows[y + 1][x][c] + rows[y + 2][x][c]);
+            byHalves += Square(pixel.half[0][c] / a - pixel.half[1][c] / b) * (a * b) / (n * n);
+            independent += pixel.own.variance[c] / n;
         }
-    return around;
+        noise.push_back({byHalves, independent, Square(independent)});
+    }
+    noise = MeansAround<2>(noise, area.width);
+    std::vector<double> gain;
+    for (std::size_t i = 0; i < pixels.size(); i++)
+    {
+        const auto [byHalves, independent, squared] = noise[i];
+        const double before = gainByHalves[QuarterOf(i)];
+        double around = before;
+        if (squared > 0.0)
+        {
+            const double noisyPixels = 25.0 * Square(independent) / squared;
+            around = (noisyPixels * byHalves / independent + lean * before) / (noisyPixels + lean);
+        }
+        gain.push_back(before > 0.0 ? pixels[i].gain * std::min(1.0, around) / before : 0.0);
+    }
+    return gain;
 }
 
 /// What is known of the pixels, for the reconstruction: the variance of the mean from the samples of a
@@ -115,7 +163,8 @@ std::array<Radiance, kCell * kCell> Cell::VarianceAround() const
 std::unique_ptr<const Estimates> Cell::Estimated() const
 {
     const bool varied = IsVaried();  // where nothing differs, there is no noise to estimate
-    const std::array<Radiance, kCell * kCell> variance = varied ? VarianceAround() : std::array<Radiance, kCell * kCell>{};
+    const std::vector<Radiance> variance = varied ? VarianceAround() : std::vector<Radiance>(pixels.size());
+    const std::vector<double> gain = varied ? GainAround() : std::vector<double>(pixels.size());
     auto estimates = std::make_unique<Estimates>();
     for (std::size_t i = 0; i < pixels.size(); i++)
     {
@@ -127,14 +176,14 @@ std::unique_ptr<const Estimates> Cell::Estimated() const
             noise += variance[i][c];
             halves[c] = pixel.half[0][c] / pixel.middle - pixel.half[1][c] / (pixel.samples - pixel.middle);
         }
-        estimates->Set(i % area.width, i / area.width, MeanOf(pixel), halves, pixel.gain * noise / pixel.samples);
+        estimates->Set(i % area.width, i / area.width, MeanOf(pixel), halves, gain[i] * noise / pixel.samples);
     }
     estimates->RepeatEdges(area.width, area.height);
     return estimates;
 }
 
 /// Whether the first samples met enough for the reconstruction to look at the cell, for itself or for its neighbours.
-bool Cell::MeetsEnough(const Neighbours& neighbours)
+bool Cell::MeetsEnough(const Neighbours& neighbours) const
 {
     double sum = 0.0;
     int count = 0;
@@ -144,7 +193,7 @@ bool Cell::MeetsEnough(const Neighbours& neighbours)
             sum += cell->metShare;
             count++;
         }
-    return sum >= kMetShare * count;
+    return mostMet >= kMetShare || (count > 0 && sum >= kMetShare * count);
 }
 
 /// Whether the samples so far did.

@@ -52,7 +52,7 @@ Area CellStore::AreaOf(const Place& place) const
     return {left, top, std::min(kCell, width - left), std::min(kCell, height - top)};
 }
 
-std::uint8_t& CellStore::ToCome(const Place& place)
+std::uint16_t& CellStore::ToCome(const Place& place)
 {
     return toCome[(place.first - cells.top) * std::size_t(cells.width) + (place.second - cells.left)];
 }
@@ -121,7 +121,7 @@ void CellStore::Forget(const Area& tile)
     for (std::int64_t row = own.top; row < own.Bottom(); row++)
         for (std::int64_t column = own.left; column < own.Right(); column++)
         {
-            std::uint8_t& left = ToCome({row, column});
+            std::uint16_t& left = ToCome({row, column});
             left -= Overlap(AreaOf({row, column}), tile);
             if (left > 0)
                 continue;

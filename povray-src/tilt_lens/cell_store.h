@@ -54,13 +54,13 @@ class CellStore
     const std::uint32_t width, height;
     const Area cells;  ///< that hold rendered pixels; counted in cells
     mutable std::mutex mutex;
-    std::vector<std::uint8_t> toCome;  ///< of each of `cells`: pixels that are rendered and not yet forgotten
+    std::vector<std::uint16_t> toCome; ///< of each of `cells`: pixels that are rendered and not yet forgotten
     std::map<Place, Entry> entries;
 
     bool IsInside(const Place& place) const;
     Area AreaOf(const Place& place) const;
     bool HasToCome(const Place& place) const;
-    std::uint8_t& ToCome(const Place& place);
+    std::uint16_t& ToCome(const Place& place);
     std::shared_ptr<Cell> Get(const Place& place);
     std::shared_ptr<Cell> FinishedCell(const Place& place, const Tracer& trace);
 };

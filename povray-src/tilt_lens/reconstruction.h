@@ -44,7 +44,7 @@ namespace tilt_lens
 constexpr float kLeastRemains = 0.15f;
 
 /// Side of the squares of pixels that are sampled and rebuilt together.
-constexpr std::uint32_t kCell = 8;
+constexpr std::uint32_t kCell = 16;
 
 /// A value of each pixel of a cell, row by row.
 using CellPlane = std::array<float, kCell * kCell>;
@@ -70,7 +70,7 @@ class Surroundings
     static constexpr int kJudged = 3;                 ///< from a pixel to the farthest whose risk counts
     static constexpr int kBorder = kReach + kJudged;
     static constexpr int kRows = int(kCell) + 2 * kBorder;
-    static constexpr int kColumns = 24;               ///< as many, and room for vector registers
+    static constexpr int kColumns = 32;               ///< as many, and room for vector registers
 
     using Plane = std::array<float, kRows * kColumns>;
 

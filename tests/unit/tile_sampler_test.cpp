@@ -27,7 +27,7 @@ namespace
 TEST(TileSamplerLimits, AConstantEndsAtTheMinimum)
 {
     for (const std::uint32_t min : {2u, 8u, 64u})
-        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 16, 8, Constant))
+        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * kCell, kCell, Constant))
         {
             EXPECT_EQ(r.samples, min);
             EXPECT_NEAR(r.mean[0], 0.7, 1e-15);
@@ -50,19 +50,19 @@ TEST(TileSamplerLimits, MinimumAndMaximumAreKept)
         for (const Tracer& trace : {Tracer(Constant),
                  Tracer(WhiteNoise), Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
-                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), 8, 8, trace))
+                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), kCell, kCell, trace))
                 {
                     ASSERT_GE(r.samples, c[0]) << "of " << c[0] << ", " << c[1];
                     ASSERT_LE(r.samples, c[1]) << "of " << c[0] << ", " << c[1];
                     ASSERT_TRUE(std::isfinite(r.mean[0]) && r.variance >= 0.0);
                 }
-    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), 8, 8, WhiteNoise))
+    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), kCell, kCell, WhiteNoise))
         EXPECT_EQ(r.samples, 1000u);
 }
 
 TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
 {
-    const Area tile{16, 8, 16, 8};
+    const Area tile{2 * kCell, kCell, 2 * kCell, kCell};
     std::set<std::vector<std::uint32_t>> seen;
     std::uint64_t calls = 0, inside = 0;
     const auto trace = [&](const SampleId& id, const Sample& s, Traced& light)
@@ -75,7 +75,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
                     same.pixelY == s.pixelY);
         Edge(id, s, light);
     };
-    CellStore store(Limits(6, 300, 1e-4), 64, 64, tile);
+    CellStore store(Limits(6, 300, 1e-4), 8 * kCell, 8 * kCell, tile);
     TileSampler sampler(store);
     std::uint64_t counted = 0;
     double variance = 0.0;
@@ -88,7 +88,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     EXPECT_EQ(seen.size(), calls) << "a sample was traced twice";
     EXPECT_EQ(calls - inside, 8u * (10 * kCell * kCell)) << "first samples of the cells around the tile";
     EXPECT_EQ(sampler.Account().Samples(), counted);
-    EXPECT_EQ(sampler.Account().Pixels(), 16u * 8);
+    EXPECT_EQ(sampler.Account().Pixels(), 2u * kCell * kCell);
     EXPECT_EQ(sampler.Account().notFinite, 0u);
     EXPECT_DOUBLE_EQ(sampler.Account().variance, variance);
 }
@@ -233,7 +233,7 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
         light = Grey(s.lensU < (crossed ? 0.5 : 0.03) ? 1.0 : 0.0);
     };
     int stopped = 0;
-    for (std::uint32_t cell = 0; cell < 50; cell++)
+    for (std::uint32_t cell = 0; cell < 25; cell++)
     {
         const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * kCell, 0, trace);
         for (std::uint32_t y = 0; y < kCell; y++)
@@ -253,9 +253,9 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsLeftAlone)
             traced.met = id.index % 8 < met;
         };
         SamplingLimits limits = Limits(8, 1024, 1e-2);
-        const std::vector<Result> plain = ResultsOf(limits, 8, 8, trace);
+        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, 8, 8, trace) == plain, met == 1) << met;
+        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, met == 1) << met;
     }
 }
 
@@ -270,9 +270,27 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltBesideWhatMeetsEn
             traced.met = id.y >= 2 * kCell ? full == 1 : id.index % 8 == 0;
         };
         SamplingLimits limits = Limits(8, 8, 1e-2);
-        const std::vector<Result> plain = ResultsOf(limits, 8, 8, trace);
+        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, 8, 8, trace) == plain, full == 0) << full;
+        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, full == 0) << full;
+    }
+}
+
+// As a cell is that something small lies in.
+TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltWhereAQuarterMeetsEnough)
+{
+    for (const std::uint32_t met : {1u, 2u})  // of every eight samples in the upper left quarter; no other meets anything
+    {
+        const auto trace = [met](const SampleId& id, const Sample&, Traced& traced)
+        {
+            const bool inside = id.x / (kCell / 2) == 2 && id.y / (kCell / 2) == 2;
+            traced = Grey(inside ? Noise(id, 1) : 0.0);
+            traced.met = inside && id.index % 8 < met;
+        };
+        SamplingLimits limits = Limits(8, 8, 1e-2);
+        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
+        limits.denoise = true;
+        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, met == 1) << met;
     }
 }
 
@@ -286,9 +304,9 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltAfterManySamples)
     for (const std::uint32_t samples : {128u, 256u})
     {
         SamplingLimits limits = Limits(8, samples, 1e-6);
-        const std::vector<Result> plain = ResultsOf(limits, 8, 8, trace);
+        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, 8, 8, trace) == plain, samples == 128) << samples;
+        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, samples == 128) << samples;
     }
 }
 
@@ -339,7 +357,7 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
              std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
     {
         const auto spoiled = [](const SampleId& id)
-        { return id.x == 18 && id.y == 11 && id.index % 8 == 5; };
+        { return id.x == 2 * kCell + 2 && id.y == kCell + 3 && id.index % 8 == 5; };
         const auto broken = [&](const SampleId& id, const Sample& s, Traced& light)
         {
             Edge(id, s, light);
@@ -352,8 +370,9 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
             if (spoiled(id))
                 light = Radiance{};
         };
-        const Area tile{16, 8, kCell, kCell};
-        CellStore brokenStore(Limits(8, 1024, 1e-4), 64, 64, tile), blackStore(Limits(8, 1024, 1e-4), 64, 64, tile);
+        const Area tile{2 * kCell, kCell, kCell, kCell};
+        const SamplingLimits limits = Limits(8, 1024, 1e-4);
+        CellStore brokenStore(limits, 8 * kCell, 8 * kCell, tile), blackStore(limits, 8 * kCell, 8 * kCell, tile);
         TileSampler brokenTile(brokenStore), blackTile(blackStore);
         const auto results = ResultsOf(brokenTile, tile, broken);
         EXPECT_TRUE(results == ResultsOf(blackTile, tile, black)) << bad;

@@ -27,7 +27,7 @@ void NoisyColumns(const SampleId& id, const Sample&, Traced& light)
 std::uint32_t SamplesBesideNoise(double variance)
 {
     std::uint32_t most = 0;
-    const std::vector<Result> results = ResultsOf(Limits(8, 65536, variance), 16, 8, NoisyColumns);
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, variance), 2 * kCell, kCell, NoisyColumns);
     for (std::uint32_t i = 0; i < results.size(); i++)
         if (i % 4 == 1 || i % 4 == 3)
             most = std::max(most, results[i].samples);
@@ -58,7 +58,7 @@ std::uint32_t MissedBy(bool denoise)
     SamplingLimits limits = Limits(8, 65536, 3e-4);
     limits.denoise = denoise;
     std::uint32_t missed = 0;
-    for (std::uint32_t left = 0; left < 20 * kCell; left += kCell)
+    for (std::uint32_t left = 0; left < 5 * kCell; left += kCell)
     {
         const std::vector<Result> results = ResultsOf(limits, left, kCell, Seldom);
         for (std::uint32_t i = 0; i < results.size(); i++)
@@ -92,7 +92,7 @@ Tracer HiddenLamp(double light)
 std::uint32_t SamplesForHiddenLamp(double light, double variance)
 {
     std::uint32_t most = 0;
-    for (const Result& result : ResultsOf(Limits(8, 65536, variance), 8, 8, HiddenLamp(light)))
+    for (const Result& result : ResultsOf(Limits(8, 65536, variance), kCell, kCell, HiddenLamp(light)))
         most = std::max(most, result.samples);
     return most;
 }

@@ -101,7 +101,7 @@ Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_
     Score score;
     for (std::uint32_t cell = 0; cell < cells; cell++)
     {
-        const std::uint32_t left = cell % 16 * kCell, top = cell / 16 * kCell;
+        const std::uint32_t left = cell % 8 * kCell, top = cell / 8 * kCell;
         const std::vector<Result> results = ResultsOf(limits, left, top, picture.trace);
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(TileSampler, VarianceAskedFor, testing::Values(1e-3, 1e
 
 Score ReportedScoreOf(const Picture& picture, double V)
 {
-    const Score s = ScoreOf(picture, Limits(8, 65536, V), V < 5e-5 ? 32 : 128);
+    const Score s = ScoreOf(picture, Limits(8, 65536, V), V < 5e-5 ? 8 : 32);
     std::printf("[          ] V %g %-12s MSE/V %.3f, claimed/V %.2f, beyond 2 sqrt(V) %.1f %%, "
                 "above the minimum "
                 "%.0f %% with MSE/V %.3f, samples %.1f\n",
@@ -224,7 +224,7 @@ TEST(TileSamplerStop, ClaimedVarianceOfWhiteNoiseIsItsVariance)
 {
     for (const std::uint32_t n : {16u, 64u, 100u})
     {
-        const Score s = ScoreOf(kPictures[0], Limits(n, n, 1e-9), 200);
+        const Score s = ScoreOf(kPictures[0], Limits(n, n, 1e-9), 50);
         const double truth = 1.0 / 12.0 / n;
         EXPECT_NEAR(s.error / s.pixels / truth, 1.0, 0.05) << n;
         EXPECT_GT(s.claimed / s.pixels / truth, 0.85) << n;
