@@ -36,6 +36,14 @@ add_library(povray_core OBJECT ${povray_core})
 target_link_libraries(povray_core PRIVATE povray_settings)
 target_compile_options(povray_core PRIVATE -w)
 
+# Most of a compilation is upstream's headers, so its files are compiled some at a time. Not those that define the same
+# names (shapes) or include a header that has no guard (parser), nor those whose functions the fuzzers' driver replaces
+# at the link (povms, scene): that needs callers in other objects.
+set_target_properties(povray_core PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+set(povray_alone ${povray_core})
+list(FILTER povray_alone INCLUDE REGEX "/backend/(shape|parser)/|/base/povms\\.cpp$|/backend/scene/scene\\.cpp$")
+set_source_files_properties(${povray_alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
 # vfe reads the folders of the installation from two macros; ours make them an answer found at run time.
 add_library(povray_vfe OBJECT ${povray_vfe} ${povray_own_vfe})
 target_link_libraries(povray_vfe PRIVATE povray_settings)
