@@ -186,9 +186,10 @@ class FastBuild(CommandTest):
         super().setUp()
         self.fast = self.built("povray") / "fast"
         self.have_all_packages()
-        for folder in ("tutorial", "include"):
+        for folder in ("tutorial", "paper", "include"):
             (self.copy / "scenes" / folder).mkdir()
-        (self.copy / "scenes" / "tutorial" / "tilt.pov").write_text("", encoding="utf-8")
+        for name in ("tutorial/tilt.pov", "paper/box_a.pov"):
+            (self.copy / "scenes" / name).write_text("", encoding="utf-8")
         (self.fast / "bin").mkdir(parents=True)
         self.log = self.folder / "steps.log"
         for step in ("cmake", "ninja"):
@@ -207,6 +208,7 @@ class FastBuild(CommandTest):
         self.assertEqual(self.steps(), [
             f"ninja -C {self.copy}/build", "cmake --preset fast -DTILT_LENS_PROFILE=make", f"ninja -C {self.fast}",
             f'povray +I"{self.gallery}"', f'povray +I"{self.copy}/scenes/tutorial/tilt.pov"',
+            f'povray +I"{self.copy}/scenes/paper/box_a.pov"',
             "cmake --preset fast -DTILT_LENS_PROFILE=use", f"ninja -C {self.fast}"])
         self.assertFalse((self.fast / "old.gcda").exists())
         self.assertEqual(process.stderr.splitlines()[-1], f"The fast program: {self.fast}/bin/povray")
