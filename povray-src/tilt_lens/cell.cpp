@@ -267,42 +267,47 @@ Variation Cell::VariationOf(const Pixel& pixel)
     return own;
 }
 
-/// Variance of a quarter's open pixels' means by their halves, over their variance if samples were
+/// For each quarter: variance of its open pixels' means by their halves, over their variance if samples were
 /// independent. Few noisy pixels make the ratio uncertain, so it leans towards what was known
 /// before, as if two average pixels more had shown that.
-double Cell::GainByHalves(std::size_t quarter) const
+std::array<double, 4> Cell::GainsByHalves() const
 {
-    double byHalves = 0.0, independent = 0.0, squared = 0.0;
+    std::array<double, 4> byHalves{}, independent{}, squared{};
     for (std::size_t i = 0; i < pixels.size(); i++)
     {
         const Pixel& pixel = pixels[i];
-        if (QuarterOf(i) != quarter || !pixel.open || pixel.samples < 2)
+        if (!pixel.open || pixel.samples < 2)
             continue;
+        const std::size_t quarter = QuarterOf(i);
         const double n = pixel.samples, a = pixel.middle, b = n - a;
         const Radiance& spread = pixel.own.variance;
         double ofPixel = 0.0;
         for (std::size_t c = 0; c < spread.size(); c++)
         {
-            byHalves += Square(pixel.half[0][c] / a - pixel.half[1][c] / b) * (a * b) / (n * n);
+            byHalves[quarter] += Square(pixel.half[0][c] / a - pixel.half[1][c] / b) * (a * b) / (n * n);
             ofPixel += spread[c] / n;
         }
-        independent += ofPixel;
-        squared += Square(ofPixel);
+        independent[quarter] += ofPixel;
+        squared[quarter] += Square(ofPixel);
     }
-    const double before = gainByHalves[quarter];
-    if (!(independent > 0.0))
-        return before;
-    const double noisyPixels = Square(independent) / squared, lean = 2.0;
-    return (noisyPixels * byHalves / independent + lean * before) / (noisyPixels + lean);
+    std::array<double, 4> gains = gainByHalves;
+    for (std::size_t q = 0; q < gains.size(); q++)
+        if (independent[q] > 0.0)
+        {
+            const double noisyPixels = Square(independent[q]) / squared[q], lean = 2.0;
+            gains[q] = (noisyPixels * byHalves[q] / independent[q] + lean * gains[q]) / (noisyPixels + lean);
+        }
+    return gains;
 }
 
 /// After a round: how much less than that of independent samples the open pixels' noise is.
 void Cell::NoteGain(std::uint32_t samples)
 {
+    gainByHalves = GainsByHalves();
     std::array<double, 4> gain;
     for (std::size_t quarter = 0; quarter < gain.size(); quarter++)
     {
-        gainByHalves[quarter] = std::min(1.0, GainByHalves(quarter));
+        gainByHalves[quarter] = std::min(1.0, gainByHalves[quarter]);
         gain[quarter] = GainOfMean(gainByHalves[quarter], std::max(2u, samples));
     }
     for (std::size_t i = 0; i < pixels.size(); i++)

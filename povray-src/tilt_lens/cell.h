@@ -172,7 +172,7 @@ class Cell
     void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     void NoteGain(std::uint32_t samples);
-    double GainByHalves(std::size_t quarter) const;
+    std::array<double, 4> GainsByHalves() const;
     std::vector<Radiance> VarianceAround() const;
     std::vector<double> GainAround() const;
     std::unique_ptr<const Estimates> Estimated() const;
