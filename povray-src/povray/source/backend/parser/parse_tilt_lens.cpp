@@ -84,7 +84,7 @@ void TiltLensParser::ParseBlock(Camera& camera)
     while (NextItem(word, seen))
         ParseItem(word, lens);
     parser.Parse_End();
-    lens.apertureWritten = camera.TiltLens.apertureWritten;
+    lens.written = camera.TiltLens.written;
     camera.TiltLens = lens;
 }
 
@@ -288,8 +288,8 @@ void TiltLensParser::ParseFocalPoints(Statement& s)
 
 void TiltLensParser::TakeCameraItems(Camera& camera)
 {
-    // once asked for, it is forgotten: a default camera's aperture is not one of the cameras after it
-    const bool apertureWritten = std::exchange(camera.TiltLens.apertureWritten, false);
+    // once asked for, they are forgotten: a default camera's items are not those of the cameras after it
+    const WrittenItems written = std::exchange(camera.TiltLens.written, WrittenItems());
     if (!camera.TiltLens.given)
         return;
     if (camera.Type != PERSPECTIVE_CAMERA)
@@ -297,20 +297,21 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
                                        "Only the perspective camera has a lens; remove the block from the "
                                        "default camera.");
     camera.TiltLens.statement.aperture = camera.Aperture;
-    RequireConsistent(camera, apertureWritten);
+    RequireConsistent(camera, written);
+    RequireQuality(camera, written);
     RequireAperture(camera);
     TakeFocalPoint(camera);
     TakeBlurSamples(camera);
 }
 
-void TiltLensParser::RequireConsistent(const Camera& camera, bool apertureWritten)
+void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems& written)
 {
     const Statement& s = camera.TiltLens.statement;
     const TiltLensPlace& place = camera.TiltLens.place;
     if (s.focalLength && camera.Angle != HUGE_VAL)
         ErrorAt(place, "angle %g and focal_length %g in one camera: both set the angle of view. One is allowed; "
                        "remove angle or focal_length.", camera.Angle, *s.focalLength);
-    if (s.fStop && (camera.Aperture != 0.0 || apertureWritten))
+    if (s.fStop && (camera.Aperture != 0.0 || written.aperture))
         ErrorAt(place, "aperture %g and f_stop %g in one camera: both set the lens diameter. One is allowed; "
                        "remove aperture or f_stop.", camera.Aperture, *s.fStop);
     if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))
@@ -319,6 +320,17 @@ void TiltLensParser::RequireConsistent(const Camera& camera, bool apertureWritte
     if (s.blades > 0 && camera.Bokeh != NULL)
         ErrorAt(place, "blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove "
                        "blades or bokeh.", s.blades);
+}
+
+/// Where the unpatched program warns and takes the default.
+void TiltLensParser::RequireQuality(const Camera& camera, const WrittenItems& written)
+{
+    if (!(written.variance >= 0.0 && written.variance <= 1.0))
+        ErrorAt(camera.TiltLens.place, "variance %g in a camera with tilt_lens. 0 to 1 is allowed, 1/10000 is the "
+                                       "default; give another value or remove variance.", written.variance);
+    if (!(written.confidence > 0.0 && written.confidence < 1.0))
+        ErrorAt(camera.TiltLens.place, "confidence %g in a camera with tilt_lens. More than 0 and less than 1 is allowed, "
+                                       "0.9 is the default; give another value or remove confidence.", written.confidence);
 }
 
 /// `focal_point`, else `look_at`: both are marked as infinite while they are not written.

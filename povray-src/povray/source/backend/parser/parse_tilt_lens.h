@@ -58,7 +58,8 @@ class TiltLensParser
     void ParseFocalPoints(tilt_lens::Statement& statement);
     void ParsePeaking(tilt_lens::FocusAids& aids);
 
-    void RequireConsistent(const Camera& camera, bool apertureWritten);
+    void RequireConsistent(const Camera& camera, const WrittenItems& written);
+    void RequireQuality(const Camera& camera, const WrittenItems& written);
     void RequireAperture(const Camera& camera);
     void TakeFocalPoint(Camera& camera);
     void TakeBlurSamples(Camera& camera);

@@ -30,11 +30,18 @@ struct TiltLensPlace
     POV_LONG line = 0, column = 0, offset = 0;
 };
 
+/// What a camera statement says of items whose values POV-Ray's camera does not show.
+struct WrittenItems
+{
+    bool aperture = false;                    ///< it is written; its value may be the default, 0
+    double variance = 0.0, confidence = 0.9;  ///< as written, or allowed; what is not is left out there with a warning
+};
+
 struct TiltLensCamera
 {
     bool given = false;  ///< the camera has a `tilt_lens` block; all else is unused without
     bool open = false;   ///< the block belongs to the camera statement that is being parsed
-    bool apertureWritten = false;  ///< that statement has an `aperture`; its value may be the default, 0
+    WrittenItems written;
     TiltLensPlace place; ///< of the block's first word
     tilt_lens::Statement statement;
     tilt_lens::FocusAids aids;  ///< what a preview draws in place of the lens's picture
