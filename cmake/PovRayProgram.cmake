@@ -26,9 +26,13 @@ set(povray_folders source source/backend source/base source/frontend vfe vfe/uni
 list(TRANSFORM povray_folders PREPEND "${POVRAY_SOURCE}/")
 target_include_directories(povray_settings INTERFACE ${povray_folders})
 target_include_directories(povray_settings INTERFACE "${POVRAY_OWN}/source" "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
+add_library(sdl_on_demand STATIC "${POVRAY_OWN}/unix/sdl_on_demand.cpp")
+target_include_directories(sdl_on_demand PRIVATE "${SDL_INCLUDE_DIR}")
+target_compile_options(sdl_on_demand PRIVATE -Wall)
+target_link_libraries(sdl_on_demand PRIVATE ${CMAKE_DL_LIBS})
 target_link_libraries(povray_settings INTERFACE tilt_lens
     PNG::PNG JPEG::JPEG TIFF::TIFF OpenEXR::OpenEXR ZLIB::ZLIB Boost::thread Boost::date_time
-    Threads::Threads "${SDL_LIBRARY}" m)
+    Threads::Threads sdl_on_demand m)
 
 # Object libraries: all files reach the link, in no particular order. Upstream's own warnings are not ours
 # to mend (-w); our files keep theirs.

@@ -16,8 +16,8 @@ class ProgramTest(SetupTest):
         self.home.mkdir()
         (self.folder / "scene.pov").write_text(SCENE, encoding="utf-8")
 
-    def povray(self, program, *options):
-        return self.run_command(program, *options, env={"HOME": str(self.home)})
+    def povray(self, program, *options, **environment):
+        return self.run_command(program, *options, env={"HOME": str(self.home), **environment})
 
     def assert_renders(self, program):
         picture = self.folder / "scene.png"
@@ -55,6 +55,29 @@ class Program(ProgramTest):
         for word in ("png", "jpeg", "tiff", "openexr", "SDL"):
             self.assertIn(word, said)
         self.assertRegex(said, r"Unsupported image formats: -\n")
+
+
+class Preview(ProgramTest):
+    """SDL, which brings some thirty libraries, is loaded with the first window, not with the program."""
+
+    def render(self, display, **environment):
+        process = self.povray(POVRAY, "+Iscene.pov", "+W16", "+H12", display, "-P", SDL_VIDEODRIVER="dummy", **environment)
+        self.assert_succeeds(process)
+        self.assertTrue((self.folder / "scene.png").read_bytes().startswith(b"\x89PNG"))
+        return process.stderr
+
+    def test_is_loaded_for_a_window_only(self):
+        self.assertIn("libSDL", self.render("+D", LD_DEBUG="files"))
+        self.assertNotIn("libSDL", self.render("-D", LD_DEBUG="files"))
+
+    def test_without_the_library_the_picture_is_rendered(self):
+        (self.folder / "libSDL-1.2.so.0").write_text("no library", encoding="utf-8")
+        folder = {"LD_LIBRARY_PATH": str(self.folder)}
+        self.assertRegex(self.render("+D", **folder), r"Couldn't initialize SDL: .*libSDL-1\.2\.so\.0.*\n")
+        self.assertNotIn("SDL", self.render("-D", **folder))
+
+    def test_a_window_opens(self):
+        self.assertNotIn("SDL", self.render("+D"))
 
 
 class Install(ProgramTest):
