@@ -16,8 +16,6 @@ namespace tilt_lens
 namespace
 {
 
-double Square(double x) { return x * x; }
-
 /// Few samples tell their variance badly, so it leans towards the mean of the 3 by 3 pixels around: by half after so many,
 /// by the square of their number less after more, so that what is even beside noise is not sampled as long.
 constexpr double kLean = 4.0;

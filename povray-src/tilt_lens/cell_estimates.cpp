@@ -40,8 +40,6 @@ bool IsKnown(const Estimates& estimates, std::size_t pixel)
     return estimates.noise[pixel] <= 0.25 * light;
 }
 
-double Square(double x) { return x * x; }
-
 /// Means over the pixels around each of some rows, as far as `kFar` from it and as far as there are any.
 template<int kFar, class Values>
 std::vector<Values> MeansAround(const std::vector<Values>& values, int width)

@@ -70,7 +70,7 @@ class Surroundings
     static constexpr int kJudged = 3;                 ///< from a pixel to the farthest whose risk counts
     static constexpr int kBorder = kReach + kJudged;
     static constexpr int kRows = int(kCell) + 2 * kBorder;
-    static constexpr int kColumns = 32;               ///< as many, and room for vector registers
+    static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< as many, rounded up to whole vector registers
 
     using Plane = std::array<float, kRows * kColumns>;
 

@@ -22,6 +22,8 @@ namespace tilt_lens
 /// Red, green, blue, filter, transmit; linear.
 using Radiance = std::array<double, 5>;
 
+inline double Square(double x) { return x * x; }
+
 inline void AddTo(Radiance& sum, const Radiance& value)
 {
     for (std::size_t c = 0; c < sum.size(); c++)
