@@ -39,7 +39,7 @@ STOCK_ADAPTIVE = [(16, 100, 1e-2), (16, 400, 1e-3), (24, 200, 5e-3), (32, 400, 3
 STOCK_CONFIDENCE = [(32, 400, 1e-3, 0.99), (64, 1600, 3e-4, 0.99), (32, 400, 3e-3, 0.5)]
 VARIANCES = (3e-2, 1e-2, 4e-3, 1.5e-3, 6e-4, 2.5e-4, 1e-4, 4e-5, 1.5e-5, 6e-6, 2.5e-6, 1e-6, 4e-7)
 # Least number of samples, variances.
-OURS = {"quick": [(8, VARIANCES)], "full": [(8, VARIANCES), (2, VARIANCES[:3]), (4, VARIANCES[:5]), (16, VARIANCES[2:6])]}
+OURS = {"quick": [(8, VARIANCES)], "full": [(8, VARIANCES), (2, VARIANCES[:5]), (4, VARIANCES[:7]), (16, VARIANCES[2:6])]}
 
 
 def limits(least, most, variance, confidence=0.9):
