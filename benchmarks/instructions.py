@@ -74,11 +74,10 @@ def inner_loops(lab):
     def tile(most, denoise):
         return 1e9*medians[f"TilePerSample/samples:{most}/denoise:{denoise}"]["per_sample"]
 
-    point = call("SamplePoint", False)
     return [("ray from film point and lens point (MakeRay)", call("Ray")),
-            ("sample of lens and pixel (PixelSampler)", point),
+            ("sample of lens and pixel (PixelSampler)", call("SamplePoint", False)),
             ("a pixel's sampler made anew", call("NewPixel", False)),
             ("round aperture", call("Map/disc")), ("aperture of 7 blades", call("Map/polygon")),
             ("aperture from a picture", call("Map/picture")),
             *[(f"bookkeeping a sample, {most} samples a pixel, denoise {'on' if denoise else 'off'} (TileSampler, without"
-               " the sample itself)", tile(most, denoise) - point) for most in (64, 1024) for denoise in (0, 1)]]
+               " samples and rays)", tile(most, denoise)) for most in (64, 1024) for denoise in (0, 1)]]

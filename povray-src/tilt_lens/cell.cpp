@@ -176,11 +176,10 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
     }
 
     SampleId id{x, y, 0};
-    const PixelSampler sampler(x, y, 0);
     Traced traced;
     for (id.index = pixel.samples; id.index < until; id.index++)
     {
-        trace(id, sampler(id.index), traced);
+        trace(id, traced);
         met += traced.met;
         Radiance& value = traced.light;
         if (!IsLight(value))

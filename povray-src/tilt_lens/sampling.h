@@ -114,8 +114,8 @@ struct SampleId
     std::uint32_t index;  ///< 0, 1, ... in the order taken
 };
 
-/// Traces one sample; the position in the pixel is sample.pixelX, pixelY.
-using Tracer = std::function<void(const SampleId& id, const Sample& sample, Traced& result)>;
+/// Traces one sample, that which PixelSampler(id.x, id.y, 0) gives for id.index.
+using Tracer = std::function<void(const SampleId& id, Traced& result)>;
 
 /// Pixels of the whole picture; (0, 0) is its upper left corner.
 struct Area

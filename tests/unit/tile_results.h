@@ -26,20 +26,27 @@ inline double Noise(const SampleId& id, std::uint32_t salt)
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
 }
 
-inline void Constant(const SampleId&, const Sample&, Traced& light)
+/// The sample that a Tracer is asked for.
+inline Sample SampleOf(const SampleId& id)
+{
+    return PixelSampler(id.x, id.y, 0)(id.index);
+}
+
+inline void Constant(const SampleId&, Traced& light)
 {
     light = Grey(0.7);
 }
 
 /// Independent noise of variance 1/12 that no stratification sees.
-inline void WhiteNoise(const SampleId& id, const Sample&, Traced& light)
+inline void WhiteNoise(const SampleId& id, Traced& light)
 {
     light = Grey(Noise(id, 1));
 }
 
 /// A slanted edge between black and white, seen in focus.
-inline void Edge(const SampleId& id, const Sample& s, Traced& light)
+inline void Edge(const SampleId& id, Traced& light)
 {
+    const Sample s = SampleOf(id);
     light = Grey(0.3 * (id.x + s.pixelX) + (id.y + s.pixelY) > 20.0 ? 1.0 : 0.0);
 }
 

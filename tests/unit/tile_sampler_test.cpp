@@ -65,15 +65,16 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     const Area tile{2 * kCell, kCell, 2 * kCell, kCell};
     std::set<std::vector<std::uint32_t>> seen;
     std::uint64_t calls = 0, inside = 0;
-    const auto trace = [&](const SampleId& id, const Sample& s, Traced& light)
+    const auto trace = [&](const SampleId& id, Traced& light)
     {
+        const Sample s = SampleOf(id);
         calls++;
         inside += tile.Has(id.x, id.y);
         seen.insert({id.x, id.y, id.index});
         const Sample same = PixelSampler(id.x, id.y, 0)(id.index);
         EXPECT_TRUE(same.lensU == s.lensU && same.lensV == s.lensV && same.pixelX == s.pixelX &&
                     same.pixelY == s.pixelY);
-        Edge(id, s, light);
+        Edge(id, light);
     };
     CellStore store(Limits(6, 300, 1e-4), 8 * kCell, 8 * kCell, tile);
     TileSampler sampler(store);
@@ -172,10 +173,10 @@ TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
     {
         const auto whole = way.Whole();
         std::atomic<std::uint64_t> calls{0};
-        const Tracer counted = [&](const SampleId& id, const Sample& s, Traced& light)
+        const Tracer counted = [&](const SampleId& id, Traced& light)
         {
             calls++;
-            way.trace(id, s, light);
+            way.trace(id, light);
         };
         CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
         std::atomic<std::uint32_t> row{0};
@@ -210,11 +211,11 @@ TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
         {
             CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
             int calls = 0;
-            const Tracer failing = [&](const SampleId& id, const Sample& s, Traced& light)
+            const Tracer failing = [&](const SampleId& id, Traced& light)
             {
                 if (++calls == broken)
                     throw std::runtime_error("cancelled");
-                way.trace(id, s, light);
+                way.trace(id, light);
             };
             TileSampler sampler(store);
             const Area all{0, 0, kWidth, kHeight};
@@ -227,8 +228,9 @@ TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
 TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
 {
     // Pixels left and right of the one that the edge crosses see it through 3 % of the lens.
-    const auto trace = [](const SampleId& id, const Sample& s, Traced& light)
+    const auto trace = [](const SampleId& id, Traced& light)
     {
+        const Sample s = SampleOf(id);
         const bool crossed = id.x % 8 == 4;
         light = Grey(s.lensU < (crossed ? 0.5 : 0.03) ? 1.0 : 0.0);
     };
@@ -247,7 +249,7 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsLeftAlone)
 {
     for (const std::uint32_t met : {1u, 2u})  // of every eight samples
     {
-        const auto trace = [met](const SampleId& id, const Sample&, Traced& traced)
+        const auto trace = [met](const SampleId& id, Traced& traced)
         {
             traced = Grey(Noise(id, 1));
             traced.met = id.index % 8 < met;
@@ -264,7 +266,7 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltBesideWhatMeetsEn
 {
     for (const std::uint32_t full : {0u, 1u})  // rows of cells below that meet something with every sample
     {
-        const auto trace = [full](const SampleId& id, const Sample&, Traced& traced)
+        const auto trace = [full](const SampleId& id, Traced& traced)
         {
             traced = Grey(Noise(id, 1));
             traced.met = id.y >= 2 * kCell ? full == 1 : id.index % 8 == 0;
@@ -281,7 +283,7 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltWhereAQuarterMeet
 {
     for (const std::uint32_t met : {1u, 2u})  // of every eight samples in the upper left quarter; no other meets anything
     {
-        const auto trace = [met](const SampleId& id, const Sample&, Traced& traced)
+        const auto trace = [met](const SampleId& id, Traced& traced)
         {
             const bool inside = id.x / (kCell / 2) == 2 && id.y / (kCell / 2) == 2;
             traced = Grey(inside ? Noise(id, 1) : 0.0);
@@ -296,7 +298,7 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltWhereAQuarterMeet
 
 TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltAfterManySamples)
 {
-    const auto trace = [](const SampleId& id, const Sample&, Traced& traced)
+    const auto trace = [](const SampleId& id, Traced& traced)
     {
         traced = Grey(Noise(id, 1));
         traced.met = id.index % 8 == 7;
@@ -312,7 +314,7 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltAfterManySamples)
 
 TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
 {
-    const auto trace = [](const SampleId& id, const Sample&, Traced& light)
+    const auto trace = [](const SampleId& id, Traced& light)
     { light = Grey(0.5 + (id.y < 5 ? 0.02 : 1.0) * (Noise(id, 1) - 0.5)); };
     SamplingLimits limits = Limits(8, 8, 1e-2);
     const std::vector<Result> plain = ResultsOf(limits, 8, 0, trace);
@@ -328,7 +330,7 @@ TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
 
 TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
 {
-    const auto bright = [](const SampleId& id, const Sample&, Traced& light)
+    const auto bright = [](const SampleId& id, Traced& light)
     { light = Grey(1000.0 * Noise(id, 1)); };
     for (const Result& r : ResultsOf(Limits(8, 1 << 20, 1e-3), 0, 0, bright))
     {
@@ -341,7 +343,7 @@ TEST(TileSamplerStop, EveryChannelCounts)
 {
     for (std::size_t channel = 0; channel < 5; channel++)
     {
-        const auto trace = [&](const SampleId& id, const Sample&, Traced& light)
+        const auto trace = [&](const SampleId& id, Traced& light)
         {
             light = Radiance{};
             light.light[channel] = Noise(id, 1);
@@ -358,15 +360,15 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
     {
         const auto spoiled = [](const SampleId& id)
         { return id.x == 2 * kCell + 2 && id.y == kCell + 3 && id.index % 8 == 5; };
-        const auto broken = [&](const SampleId& id, const Sample& s, Traced& light)
+        const auto broken = [&](const SampleId& id, Traced& light)
         {
-            Edge(id, s, light);
+            Edge(id, light);
             if (spoiled(id))
                 light.light[1] = bad;
         };
-        const auto black = [&](const SampleId& id, const Sample& s, Traced& light)
+        const auto black = [&](const SampleId& id, Traced& light)
         {
-            Edge(id, s, light);
+            Edge(id, light);
             if (spoiled(id))
                 light = Radiance{};
         };

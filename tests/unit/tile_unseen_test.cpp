@@ -18,7 +18,7 @@ namespace
 {
 
 /// Black and white noise in every fourth column, grey beside it.
-void NoisyColumns(const SampleId& id, const Sample&, Traced& light)
+void NoisyColumns(const SampleId& id, Traced& light)
 {
     light = Grey(id.x % 4 == 0 ? (Noise(id, 1) > 0.5 ? 1.0 : 0.0) : 0.5);
 }
@@ -47,7 +47,7 @@ TEST(TileSamplerUnseen, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)
 }
 
 /// One sample in twelve meets something bright.
-void Seldom(const SampleId& id, const Sample&, Traced& light)
+void Seldom(const SampleId& id, Traced& light)
 {
     light = Grey(Noise(id, 1) < 1.0 / 12.0 ? 1.0 : 0.5);
 }
@@ -81,7 +81,7 @@ TEST(TileSamplerUnseen, IsNotLeftToTheReconstruction)
 /// Every fourth sample is aimed at a lamp of so much light and meets what hides it.
 Tracer HiddenLamp(double light)
 {
-    return [light](const SampleId& id, const Sample&, Traced& traced)
+    return [light](const SampleId& id, Traced& traced)
     {
         traced = Grey(0.0);
         if (id.index % 4 == 0)

@@ -38,8 +38,9 @@ double BlurredEdgeMean(std::uint32_t x, std::uint32_t)
     return std::min(1.0, (x % 64 + 0.5) / 64.0);
 }
 
-void BlurredEdge(const SampleId& id, const Sample& s, Traced& light)
+void BlurredEdge(const SampleId& id, Traced& light)
 {
+    const Sample s = SampleOf(id);
     light = Grey(s.lensU * 64.0 + (s.pixelX - 0.5) < id.x % 64 + 0.5 ? 1.0 : 0.0);
 }
 
@@ -49,21 +50,24 @@ double LinearMean(std::uint32_t x, std::uint32_t)
 }
 
 /// Smooth light: what stratified samples are best at.
-void Linear(const SampleId& id, const Sample& s, Traced& light)
+void Linear(const SampleId& id, Traced& light)
 {
+    const Sample s = SampleOf(id);
     light = Grey(0.5 + 0.5 * ((id.x % 8) - 3.5) / 8.0 + 0.4 * (s.lensU + s.lensV - 1.0) +
                  0.2 * (s.pixelX - 0.5));
 }
 
 /// A checker board far out of focus: half of the lens sees white, in small fields.
-void Checker(const SampleId&, const Sample& s, Traced& light)
+void Checker(const SampleId& id, Traced& light)
 {
+    const Sample s = SampleOf(id);
     light = Grey((int(s.lensU * 6) + int(s.lensV * 6)) % 2 ? 1.0 : 0.0);
 }
 
 /// One percent of the lens sees a lamp; it lies elsewhere for each pixel.
-void Lamp(const SampleId& id, const Sample& s, Traced& light)
+void Lamp(const SampleId& id, Traced& light)
 {
+    const Sample s = SampleOf(id);
     const double u = s.lensU - 0.9 * (PixelHash(id.x, id.y, 0, 5) * 0x1p-32);
     const double v = s.lensV - 0.9 * (PixelHash(id.x, id.y, 0, 6) * 0x1p-32);
     light = Grey(u >= 0 && u < 0.1 && v >= 0 && v < 0.1 ? 1.0 : 0.0);
@@ -179,7 +183,7 @@ TEST_P(VarianceAskedFor, IsGotWhereOneSampleInAHundredMatters)
 }
 
 /// Weak noise, and beside it strong noise in every fourth column.
-void Columns(const SampleId& id, const Sample&, Traced& light)
+void Columns(const SampleId& id, Traced& light)
 {
     light = Grey(0.5 + (id.x % 4 == 0 ? 0.8 : 0.08) * (Noise(id, 1) - 0.5));
 }

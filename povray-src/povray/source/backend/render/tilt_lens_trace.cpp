@@ -11,10 +11,10 @@
 #include "backend/colour/colour.h"
 #include "backend/math/vector.h"
 #include "backend/render/tracepixel.h"
+#include "backend/render/tilt_lens_ways.h"
 #include "backend/render/tracetask.h"
 #include "backend/scene/tilt_lens_view.h"
 #include "backend/texture/normal.h"
-#include "tilt_lens/ray.h"
 
 #include "base/povdebug.h"
 
@@ -23,7 +23,6 @@ namespace pov
 
 using tilt_lens::PixelSampler;
 using tilt_lens::Radiance;
-using tilt_lens::Sample;
 using tilt_lens::SampleId;
 
 namespace
@@ -64,10 +63,11 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 
 } // namespace
 
-/// Film point and lens point in, light out.
-void TracePixel::TraceTiltLensSample(const PixelSampler& pixel, unsigned int index, const tilt_lens::Start& start,
-                                     DBL width, tilt_lens::Traced& traced)
+/// The way from the film in, light out.
+void TracePixel::TraceTiltLensSample(const PixelSampler& pixel, unsigned int index, const TiltLensWay& way, DBL width,
+                                     tilt_lens::Traced& traced)
 {
+    const tilt_lens::Start& start = way.start;
     if (start.weight == 0.0)
     {
         traced = Radiance{};
@@ -76,12 +76,10 @@ void TracePixel::TraceTiltLensSample(const PixelSampler& pixel, unsigned int ind
         return;
     }
     // from a point of the lens through the focus of that film point
-    const tilt_lens::LensRay way = MakeRay(tiltLens->lens, start.x, start.y, start.point.a, start.point.b);
     Ray ray(Ray::PrimaryRay, false, false, false, false, pretrace);
-    Make_Vector(ray.Origin, camera.Location[X] + way.origin.x, camera.Location[Y] + way.origin.y,
-                camera.Location[Z] + way.origin.z);
-    const DBL length = Length(way.direction);
-    Make_Vector(ray.Direction, way.direction.x / length, way.direction.y / length, way.direction.z / length);
+    const tilt_lens::Vec3& origin = way.ray.origin;
+    Make_Vector(ray.Origin, camera.Location[X] + origin.x, camera.Location[Y] + origin.y, camera.Location[Z] + origin.z);
+    Make_Vector(ray.Direction, way.direction.x, way.direction.y, way.direction.z);
     if (camera.Tnormal != NULL)
     {
         VECTOR film = {start.x, start.y, 0.0};
@@ -104,7 +102,7 @@ void TracePixel::TraceTiltLensSample(const PixelSampler& pixel, unsigned int ind
                     start.weight * colour[pFILTER], start.weight * colour[pTRANSM]};
     traced.sought = start.sought;
     traced.met = distance < HUGE_VAL || !sceneData->atmosphere.empty();
-    traced.blur = tiltLens->BlurRadius(way.w, distance / length, width);
+    traced.blur = tiltLens->BlurRadius(way.ray.w, distance / way.length, width);
 }
 
 /// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
@@ -176,7 +174,9 @@ void TracePixel::TraceTiltLensPreview(DBL x, DBL y, DBL width, DBL height, Colou
     for (id.index = 0; id.index < samples; id.index++)
     {
         tilt_lens::Traced traced;
-        TraceTiltLensSample(pixel, id.index, tiltLens->emitters.Aim({}, id, pixel(id.index)), width, traced);
+        TiltLensWay way{tiltLens->emitters.Aim({}, id, pixel(id.index))};
+        way.FindRay(tiltLens->lens);
+        TraceTiltLensSample(pixel, id.index, way, width, traced);
         colour += ToColour(traced.light);
     }
     colour /= samples;
@@ -194,19 +194,12 @@ void TracePixel::TraceTiltLensTile(const POVRect& rect, unsigned int width, unsi
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::CellStore own(tiltLens->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *tiltLens->cells);
-    SampleId before{width, height, 0};
-    PixelSampler pixel(before.x, before.y, 0);
-    tilt_lens::Emitters::Targets targets;  // these two are of the pixel before, as long as its samples go on
+    TiltLensWays ways(*tiltLens);
     areaLightPoints = areaLightPointsLeft = 0;
-    sampler.Run(tile, [&](const SampleId& id, const Sample& sample, tilt_lens::Traced& traced)
+    sampler.Run(tile, [&](const SampleId& id, tilt_lens::Traced& traced)
     {
-        if (id.x != before.x || id.y != before.y)
-        {
-            pixel = PixelSampler(id.x, id.y, 0);
-            targets = tiltLens->emitters.Of(id.x, id.y);
-            before = id;
-        }
-        TraceTiltLensSample(pixel, id.index, tiltLens->emitters.Aim(targets, id, sample), width, traced);
+        const TiltLensWay& way = ways.Of(id);
+        TraceTiltLensSample(ways.Sampler(), id.index, way, width, traced);
     });
 
     pixels.clear();
@@ -231,18 +224,17 @@ void TracePixel::TryTiltLensWork(unsigned int width, unsigned int height)
     const tilt_lens::SamplingLimits& limits = tiltLens->limits;
     const unsigned int samples = std::min(tilt_lens::WorkMap::kTries, limits.max);
     const RenderStatistics& stats = threadData->Stats();
+    TiltLensWays ways(*tiltLens);
     const auto rays = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = tiltLens->work.NextProbe())
     {
         const auto before = rays();
-        const PixelSampler pixel(probe->x, probe->y, 0);
         std::vector<Radiance> tried;
         tilt_lens::Traced traced;
-        const tilt_lens::Emitters::Targets targets = tiltLens->emitters.Of(probe->x, probe->y);
         for (unsigned int index = 0; index < samples; index++)
         {
-            const SampleId id{probe->x, probe->y, index};
-            TraceTiltLensSample(pixel, index, tiltLens->emitters.Aim(targets, id, pixel(index)), width, traced);
+            const TiltLensWay& way = ways.Of({probe->x, probe->y, index});
+            TraceTiltLensSample(ways.Sampler(), index, way, width, traced);
             tried.push_back(traced.light);
         }
         tiltLens->work.SetWeight(probe->block, (rays() - before) * ExpectedSamples(limits, tried));

@@ -31,6 +31,7 @@ namespace pov
 {
 
 class ViewData;
+struct TiltLensWay;
 
 /// What a pixel cost, and how good it is.
 struct TiltLensEffort
