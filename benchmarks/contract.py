@@ -11,7 +11,7 @@ from lab import TILT_LENS
 
 SIZE = (64, 48)
 VARIANCES = (1e-3, 1e-4, 1e-5, 1e-6)
-PICTURES = {1e-3: 8, 1e-4: 4}   # independent ones, where they take little time: some tens of pixels of one say little
+PICTURES = {1e-3: 8, 1e-4: 4, 1e-5: 2, 1e-6: 2}     # independent ones: some tens of pixels of one say little
 LEAST, MOST = 8, 262144         # samples: the most is more than any pixel should need
 
 
@@ -22,7 +22,8 @@ def measure(lab, scene, tilted):
     rows = []
     for variance in VARIANCES[:2] if lab.quick else VARIANCES:
         shot = scene.shot(TILT_LENS, tilted, size=SIZE, declare=suite.limits(LEAST, MOST, variance), options=("+N",))
-        shots = [shot, *[shot.independent(number) for number in range(1, 1 if lab.quick else PICTURES.get(variance, 1))]]
+        count = 1 if lab.quick else PICTURES[variance]
+        shots = [shot, *[shot.independent(batches + number) for number in range(1, count)]]    # nor those of the reference
         records = [lab.run(lab.ours, shot, reference, limits=(variance,), more_than=LEAST) for shot in shots]
         more = mean(record["share_more"] for record in records)
         of_more = mean(record["share_more"]*record["mse_more"] for record in records)/more if more else 0.0

@@ -25,11 +25,11 @@ def error_and_bias(lab, scene, shot):
     """RMSE of one picture, and what independent pictures have in common besides the truth. With a squared bias b and a
     variance v of each, the error of the mean of k pictures is b + v/k, that of one b + v."""
     reference = lab.reference(scene.shot(TILT_LENS, size=SIZE), *scene.reference)
-    key = digest("bias", lab.hashes[lab.ours], shot.arguments()[2:], shot.sources(), reference.name, PICTURES)
+    key = digest("bias beside the reference", lab.hashes[lab.ours], shot.arguments()[2:], shot.sources(), reference.name, PICTURES)
     record = lab.runs.get((key, 0))
     if record is None:
         pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]
-        for number, picture in enumerate(pictures, 1):
+        for number, picture in enumerate(pictures, scene.reference[0] + 1):     # none of the reference's
             lab.render(lab.ours, shot.independent(number), picture)
         of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
         of_each = lab.tool("noise", "errors", reference, *pictures)

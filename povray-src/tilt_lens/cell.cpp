@@ -105,7 +105,7 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
         if (limits.variance > 0.0)  // else nobody asks
         {
             NoteBlurred(neighbours);
-            NoteUsualDeviation(neighbours);
+            NoteFirstAround(neighbours);
         }
 
         std::uint32_t until = limits.First();
@@ -134,19 +134,26 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     done = true;
 }
 
-/// What is usual around decides who may keep more than `variance`: not all can.
-void Cell::NoteUsualDeviation(const Neighbours& neighbours)
+/// What is usual around decides who may keep more than `variance`: not all can. What differs most may have been missed.
+void Cell::NoteFirstAround(const Neighbours& neighbours)
 {
     double sum = 0.0;
-    std::size_t count = 0;
+    std::size_t count = 0, varied = 0;
+    largestLeap = 0.0;
     for (const Cell* cell : neighbours)
         if (cell != nullptr)
         {
             for (const First& pixel : cell->first)
+            {
                 sum += pixel.deviation;
+                varied += pixel.deviation > 0.0;
+                largestLeap = std::max(largestLeap, *std::max_element(pixel.own.leap.begin(), pixel.own.leap.end()));
+            }
             count += cell->first.size();
         }
     usualDeviation = sum / count;
+    variedShare = double(varied) / count;
+    largestLeap = std::min(1.0, largestLeap);
 }
 
 /// Notes some channels of a sample, from the one numbered `first` on.
@@ -239,9 +246,10 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
         CreditReconstruction(neighbours, limits, samples, judged);
 
     bool any = false;
+    const double surprise = Surprise(samples);
     for (const Judged& one : judged)
     {
-        const double left = *std::max_element(one.variance.begin(), one.variance.end());
+        const double left = std::max(surprise, *std::max_element(one.variance.begin(), one.variance.end()));
         one.pixel->open = !(limits.variance > 0.0 && left <= one.allowed && HasSought(*one.pixel, one.allowed));
         any = any || one.pixel->open;
     }

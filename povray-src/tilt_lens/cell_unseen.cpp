@@ -19,6 +19,12 @@ namespace
 /// part of the sphere around it, and that may lie over two pixels.
 constexpr std::uint32_t kFewestAimed = 16;
 
+/// What a pixel has missed, so many others beside it have missed as well, itself counted: those along an edge.
+constexpr double kAlong = 5.0;
+
+/// For so many pixels near that differ, one that does not has that, and so do those beside it.
+constexpr double kSeldom = 25.0;
+
 /// Expected square error for something that fills `share` of what a pixel sees and leaves its mean by 1, after n
 /// independent samples: it is that share squared if all have missed it, of probability exp(-share n). Pixels side by
 /// side see different shares of a thing, so if a smaller one is worse, that.
@@ -139,6 +145,13 @@ Radiance Cell::Unseen(const Pixel& pixel, const Variation& around)
             error[c] = std::max(error[c], leap * Missed(lacking / leap, pixel.samples));
         }
     return error;
+}
+
+/// Expected square error for what neither a pixel's samples nor those of the pixels beside it have met, though it may reach
+/// there from where first samples differ.
+double Cell::Surprise(std::uint32_t samples) const
+{
+    return variedShare / kSeldom * largestLeap * Missed(1.0, kAlong * samples);
 }
 
 /// Whether the pixel's samples have looked for the emitters it aims at as long as their light is worth.

@@ -78,6 +78,22 @@ TEST(TileSamplerUnseen, IsNotLeftToTheReconstruction)
     EXPECT_EQ(MissedBy(true), MissedBy(false));
 }
 
+/// A black line along a row of pixels that fills a sixteenth of each.
+void LineAlongRow(const SampleId& id, Traced& light)
+{
+    light = Grey(id.y == kCell / 2 && SampleOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
+}
+
+// Of three pixels side by side all may have missed it with eight samples; what is seen around them is then all alike.
+TEST(TileSamplerUnseen, WhatAllBesideAPixelHaveMissedIsLookedForWhereLittleNoiseIsAllowed)
+{
+    const std::uint32_t width = 32 * kCell;
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, kCell}, width, kCell, LineAlongRow);
+    for (std::uint32_t x = 0; x < width; x++)
+        EXPECT_NEAR(results[kCell / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
+    EXPECT_LE(results[0].samples, 64u);  // and not without end, far from the line
+}
+
 /// Every fourth sample is aimed at a lamp of so much light and meets what hides it.
 Tracer HiddenLamp(double light)
 {
