@@ -48,7 +48,7 @@ class TiltLensWays
             targets = view.emitters.Of(id.x, id.y);
             count = 0;
         }
-        if (count == 0 || id.index - first.index >= count)
+        if (id.index - first.index >= count)
             Make(id);
         return ways[id.index - first.index];
     }
