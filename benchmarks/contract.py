@@ -11,7 +11,7 @@ from lab import TILT_LENS
 
 SIZE = (64, 48)
 VARIANCES = (1e-3, 1e-4, 1e-5, 1e-6)
-PICTURES = {1e-3: 8, 1e-4: 4, 1e-5: 2, 1e-6: 2}     # independent ones: some tens of pixels of one say little
+PICTURES = {1e-3: 16, 1e-4: 16, 1e-5: 4, 1e-6: 2}   # independent ones: some tens of pixels of one say little
 LEAST, MOST = 8, 262144         # samples: the most is more than any pixel should need
 
 

@@ -105,18 +105,18 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
         if (limits.variance > 0.0)  // else nobody asks
         {
             NoteBlurred(neighbours);
-            NoteFirstAround(neighbours);
+            NoteUsualDeviation(neighbours);
         }
 
         std::uint32_t until = limits.First();
-        while (Judge(neighbours, limits, until) && until < limits.max)
+        while (Judge(neighbours, limits, until))
         {
             until = std::min(2 * until, limits.max);
             for (std::uint32_t y = area.top; y < area.Bottom(); y++)
                 for (std::uint32_t x = area.left; x < area.Right(); x++)
-                    if (pixels[Index(x, y)].open)
-                        TakeSamples(x, y, until, trace);
+                    TakeMore(x, y, until, trace);
             NoteGain(until);
+            OpenAgain(neighbours);
         }
         if (IsWorthRebuilding(limits))
             NoteEstimates(until);
@@ -134,26 +134,19 @@ void Cell::Finish(const Neighbours& neighbours, const SamplingLimits& limits, co
     done = true;
 }
 
-/// What is usual around decides who may keep more than `variance`: not all can. What differs most may have been missed.
-void Cell::NoteFirstAround(const Neighbours& neighbours)
+/// What is usual around decides who may keep more than `variance`: not all can.
+void Cell::NoteUsualDeviation(const Neighbours& neighbours)
 {
     double sum = 0.0;
-    std::size_t count = 0, varied = 0;
-    largestLeap = 0.0;
+    std::size_t count = 0;
     for (const Cell* cell : neighbours)
         if (cell != nullptr)
         {
             for (const First& pixel : cell->first)
-            {
                 sum += pixel.deviation;
-                varied += pixel.deviation > 0.0;
-                largestLeap = std::max(largestLeap, *std::max_element(pixel.own.leap.begin(), pixel.own.leap.end()));
-            }
             count += cell->first.size();
         }
     usualDeviation = sum / count;
-    variedShare = double(varied) / count;
-    largestLeap = std::min(1.0, largestLeap);
 }
 
 /// Notes some channels of a sample, from the one numbered `first` on.
@@ -165,6 +158,15 @@ void Cell::Pixel::Add(const Radiance& value, Radiance& sum, std::size_t first)
     Store(&squares[first], Load<Channels>(&squares[first]) + x * x);
     Store(&least[first], x < a ? x : a);
     Store(&most[first], x > b ? x : b);
+}
+
+/// For a pixel that is open. One that was opened again catches up by the rounds that it left out, so that its halves are as
+/// those of others.
+void Cell::TakeMore(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
+{
+    const Pixel& pixel = pixels[Index(x, y)];
+    while (pixel.open && pixel.samples < until)
+        TakeSamples(x, y, std::min(2 * pixel.samples, until), trace);
 }
 
 void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
@@ -212,11 +214,11 @@ void Cell::TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, co
 }
 
 /// Closes the cell's pixels that are good enough, notes how good the others are, and tells whether
-/// any is left.
+/// any is left that may have more samples.
 bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples)
 {
     if (samples < 2)
-        return true;  // one sample says nothing of its error
+        return samples < limits.max;  // one sample says nothing of its error
     const double lean = Lean(samples), caution = UpperLimit(samples, lean, limits.confidence);
     const Allowance allowed(limits, samples);
     const bool variedAround = IsVariedAround(neighbours);
@@ -224,7 +226,7 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
     for (std::size_t i = 0; i < pixels.size(); i++)
     {
         Pixel& pixel = pixels[i];
-        if (!pixel.open)
+        if (!pixel.open || pixel.samples < samples)
             continue;
         const Radiance mean = MeanOf(pixel);
         Radiance variance{};
@@ -245,15 +247,14 @@ bool Cell::Judge(const Neighbours& neighbours, const SamplingLimits& limits, std
     if (IsWorthRebuilding(limits))
         CreditReconstruction(neighbours, limits, samples, judged);
 
-    bool any = false;
-    const double surprise = Surprise(samples);
     for (const Judged& one : judged)
     {
-        const double left = std::max(surprise, *std::max_element(one.variance.begin(), one.variance.end()));
+        const double left = *std::max_element(one.variance.begin(), one.variance.end());
         one.pixel->open = !(limits.variance > 0.0 && left <= one.allowed && HasSought(*one.pixel, one.allowed));
-        any = any || one.pixel->open;
+        one.pixel->allowed = one.allowed;
     }
-    return any;
+    return std::any_of(pixels.begin(), pixels.end(), [&limits](const Pixel& pixel)
+        { return pixel.open && pixel.samples < limits.max; });
 }
 
 Variation Cell::VariationOf(const Pixel& pixel)

@@ -23,10 +23,10 @@
 /// an edge are no certainty, and a small light far out of focus shows in few samples, but in some of every pixel that
 /// it covers. Where the pixels around, or what is blurred as far as over this pixel, vary more than its own samples by
 /// v, and by up to a from their mean in one sample, something fills a share p = v / a^2 there. Here it may be any
-/// smaller share, which n samples miss with probability (1 - p)^n, for a square error of (p a)^2: u is the largest of
-/// (p a)^2 exp(-p n). Where first samples differ anywhere in the cell or its neighbours, there may be what neither the
-/// pixel nor those beside it have met, an edge along them say; seldom, but it asks for more samples the less noise is
-/// allowed. After few samples s^2 leans towards the mean of that of the 3 by 3 pixels around.
+/// smaller share q, which n samples miss with probability (1 - q)^n, for a square error of (q a)^2: u is the mean of
+/// (q a)^2 exp(-q n) over q from 0 to p. A pixel that was good enough is opened again once those beside it meet what makes
+/// u too large, so that what all missed at first, an edge along them say, is followed from pixel to pixel. After few samples
+/// s^2 leans towards the mean of that of the 3 by 3 pixels around.
 ///
 /// The estimate is raised to the upper limit of the confidence interval that the number of samples leaves
 /// (chi-square), and lowered to what the reconstruction will leave of it where that is asked for and less than half.
@@ -130,6 +130,7 @@ class Cell
         double sought = 0.0;             ///< as Traced has it
         double gain = 1.0;               ///< of the last round
         double variance = 0.0;           ///< as Final has it
+        double allowed = 0.0;            ///< for it, when it was judged last
         double remains = kLeastRemains;  ///< share of the variance after the reconstruction, when last asked
         bool open = true;                ///< wants more samples
 
@@ -156,8 +157,6 @@ class Cell
     std::vector<Pixel> pixels;
     std::array<double, 4> gainByHalves;  ///< of the cell's quarters, in the last round
     double usualDeviation = 0.0;  ///< mean of the first samples' over the cell and its neighbours
-    double largestLeap = 0.0;     ///< of First::own there, worst channel, at most 1
-    double variedShare = 0.0;     ///< of the pixels there, those whose first samples differ
     std::vector<First> first;
     std::unique_ptr<const Estimates> firstEstimates, laterEstimates;  ///< of the first round, for neighbours too; of the last
     std::uint32_t estimatedSamples = 0;  ///< of a pixel that is still open, when last noted; 0: never
@@ -173,7 +172,10 @@ class Cell
         return 2 * (pixel / area.width / (kCell / 2)) + pixel % area.width / (kCell / 2);
     }
     void TakeSamples(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
-    void NoteFirstAround(const Neighbours& neighbours);
+    void TakeMore(std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace);
+    bool IsBesideOpen(std::size_t pixel) const;
+    void OpenAgain(const Neighbours& neighbours);
+    void NoteUsualDeviation(const Neighbours& neighbours);
     bool Judge(const Neighbours& neighbours, const SamplingLimits& limits, std::uint32_t samples);
     void NoteGain(std::uint32_t samples);
     std::array<double, 4> GainsByHalves() const;
@@ -197,7 +199,6 @@ class Cell
     void NoteBlurredOver(std::int64_t x, std::int64_t y, double reach, const Variation& variation);
     static Variation VariationOf(const Pixel& pixel);
     static Radiance Unseen(const Pixel& pixel, const Variation& around);
-    double Surprise(std::uint32_t samples) const;
     static bool HasSought(const Pixel& pixel, double allowed);
     static Radiance MeanOf(const Pixel& pixel);
 };

@@ -19,19 +19,19 @@ namespace
 /// part of the sphere around it, and that may lie over two pixels.
 constexpr std::uint32_t kFewestAimed = 16;
 
-/// What a pixel has missed, so many others beside it have missed as well, itself counted: those along an edge.
-constexpr double kAlong = 5.0;
+/// A pixel that was good enough is opened again for an error of so many times what it may keep: what its neighbours meet
+/// is as uncertain as their samples are few.
+constexpr double kOpensAgain = 4.0;
 
-/// For so many pixels near that differ, one that does not has that, and so do those beside it.
-constexpr double kSeldom = 25.0;
-
-/// Expected square error for something that fills `share` of what a pixel sees and leaves its mean by 1, after n
-/// independent samples: it is that share squared if all have missed it, of probability exp(-share n). Pixels side by
-/// side see different shares of a thing, so if a smaller one is worse, that.
+/// Expected square error for something that leaves the mean of what a pixel sees by 1 and fills some share of it, after n
+/// independent samples that all missed it: for a share q it is q^2 with probability exp(-q n). Pixels side by side see
+/// different shares of a thing: any up to `share`, each as likely.
 double Missed(double share, double n)
 {
-    share = std::min(share, 2.0 / n);
-    return share * share * std::exp(-share * n);
+    const double x = share * n;
+    if (x < 1e-2)  // where what follows is a difference of equal numbers
+        return share * share / 3.0;
+    return (2.0 - (2.0 + x * (2.0 + x)) * std::exp(-x)) / (x * n * n);
 }
 
 } // namespace
@@ -147,11 +147,29 @@ Radiance Cell::Unseen(const Pixel& pixel, const Variation& around)
     return error;
 }
 
-/// Expected square error for what neither a pixel's samples nor those of the pixels beside it have met, though it may reach
-/// there from where first samples differ.
-double Cell::Surprise(std::uint32_t samples) const
+/// Whether any of the 3 by 3 pixels around one, as far as they are in the cell, is open.
+bool Cell::IsBesideOpen(std::size_t pixel) const
 {
-    return variedShare / kSeldom * largestLeap * Missed(1.0, kAlong * samples);
+    const std::uint32_t left = pixel % area.width, top = pixel / area.width;
+    for (std::uint32_t y = top - (top > 0); y <= top + 1 && y < area.height; y++)
+        for (std::uint32_t x = left - (left > 0); x <= left + 1 && x < area.width; x++)
+            if (pixels[y * area.width + x].open)
+                return true;
+    return false;
+}
+
+/// Opens pixels that were good enough until those beside them met what they may have missed.
+void Cell::OpenAgain(const Neighbours& neighbours)
+{
+    for (std::size_t i = 0; i < pixels.size(); i++)
+    {
+        Pixel& pixel = pixels[i];
+        if (pixel.open || !IsBesideOpen(i))  // nothing new there
+            continue;
+        const Radiance unseen = Unseen(pixel, VariationAround(i, neighbours)), mean = MeanOf(pixel);
+        for (std::size_t c = 0; c < unseen.size(); c++)
+            pixel.open |= unseen[c] > kOpensAgain * pixel.allowed * Brightness(mean[c]);
+    }
 }
 
 /// Whether the pixel's samples have looked for the emitters it aims at as long as their light is worth.

@@ -20,7 +20,8 @@ std::uint32_t SamplingLimits::First() const
 double Allowance::operator()(double unusual) const
 {
     // written so that a pixel among those without any noise, 0/0, may keep as much as one among its like
-    const double most = unusual > 1.0 ? std::min(unusual, kMost) : 1.0;
+    const double rare = kMost * std::sqrt(std::max(1.0, unusual / kFew));
+    const double most = unusual > 1.0 ? std::min({unusual, rare, kMostOfFew}) : 1.0;
     const double least = unusual < 1.0 ? std::max(kLeast, kLeastWhereEven * unusual) : kLeastWhereEven;
     return variance * std::clamp(proportional, least, most);
 }

@@ -100,7 +100,9 @@ class Allowance
     /// Variance of one sample where a pixel keeps just `variance`: between what texture and blurred edges have.
     static constexpr double kUsualSpread = 0.003;
     /// And how far from `variance` a pixel's own may be, as factors: so that nothing looks rough in a good picture.
-    static constexpr double kLeast = 0.25, kLeastWhereEven = 0.75, kMost = 2.0;
+    static constexpr double kLeast = 0.25, kLeastWhereEven = 0.75, kMost = 1.9;
+    /// What stands out by more than this is rare, and may keep more.
+    static constexpr double kFew = 3.0, kMostOfFew = 3.0;
 
   private:
     double variance;

@@ -214,8 +214,12 @@ TEST(Allowance, IsWhatWasAskedForWhereAllAreAsNoisy)
             EXPECT_GE(allowed(like), Allowance::kLeastWhereEven * limits.variance) << n;
         }
         EXPECT_GE(allowed(0.0), Allowance::kLeast * limits.variance) << n;
-        EXPECT_LE(allowed(100.0), Allowance::kMost * limits.variance) << n;
+        // what is rare may keep more than what merely is noisy, but not without end
+        EXPECT_LE(allowed(Allowance::kFew), Allowance::kMost * limits.variance) << n;
+        EXPECT_GE(allowed(100.0), allowed(Allowance::kFew)) << n;
+        EXPECT_LE(allowed(100.0), Allowance::kMostOfFew * limits.variance) << n;
     }
+    EXPECT_GT(Allowance(limits, 65536)(100.0), Allowance::kMost * limits.variance);
     // strong noise that took many samples may keep more, weak noise beside it less
     EXPECT_LT(Allowance(limits, 8)(2.0), limits.variance);
     EXPECT_GT(Allowance(limits, 4096)(2.0), limits.variance);
