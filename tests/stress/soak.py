@@ -61,7 +61,7 @@ def animation(setup, frames):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(MOVING)
-        watched = watch.watch(command(setup, "+W16", "+H12", f"+KFF{frames}", "+KF6.28"), folder / "said.txt", 0.25, cwd=folder)
+        watched = watch.watch(command(setup, "+W16", "+H12", f"+KFF{frames}", "+KF6.28"), folder / "said.txt", 0.05, cwd=folder)
         done = len(list(folder.glob("picture*.png")))
     return summary(watched, frames=done)
 
