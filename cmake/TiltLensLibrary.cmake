@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The camera as a plain C++17 library, without any header of POV-Ray. Users include "tilt_lens/optics.h".
+# The camera as a plain C++17 library, without any header of POV-Ray. Users include, for example, "tilt_lens/camera/optics.h".
 include_guard()
 
-file(GLOB tilt_lens_sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/povray-src/tilt_lens/*.cpp")
+file(GLOB tilt_lens_sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/povray-src/tilt_lens/*/*.cpp")
 add_library(tilt_lens STATIC ${tilt_lens_sources})
 target_include_directories(tilt_lens PUBLIC "${CMAKE_SOURCE_DIR}/povray-src")
 # No fused multiply-add: a processor that has it would give other rays than one that has not.

@@ -9,11 +9,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "tilt_lens/aperture.h"
-#include "tilt_lens/optics.h"
-#include "tilt_lens/ray.h"
-#include "tilt_lens/sampler.h"
-#include "tilt_lens/tile_sampler.h"
+#include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/camera/ray.h"
+#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/sampling/tile_sampler.h"
 
 namespace
 {

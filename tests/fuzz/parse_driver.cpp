@@ -19,7 +19,7 @@
 #include "backend/scene/scene.h"
 #include "base/povms.h"
 #include "frontend/shelloutprocessing.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace
 {

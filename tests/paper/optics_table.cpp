@@ -18,7 +18,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tilt_lens/optics.h"
+#include "tilt_lens/camera/optics.h"
 
 namespace
 {

@@ -34,7 +34,7 @@ RAYS = """
 ## Solver and rays
 
 A lens is solved in 113 bits from the numbers as the scene gives them, and rounded once; rays are formed in doubles
-(`povray-src/tilt_lens/optics.cpp`, `ray.h`). Each ray is compared with a plain construction in 50 digits
+(`povray-src/tilt_lens/camera/optics.cpp`, `ray.h`). Each ray is compared with a plain construction in 50 digits
 (`tests/unit/reference_camera.h`, boost::multiprecision) that shares no formula with it.
 
 - *ulp*: length of the difference of the two directions over the direction's length, in units of 2^-52. Well-posed

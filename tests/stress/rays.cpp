@@ -27,7 +27,7 @@
 #include "../unit/reference_camera.h"
 #include "extreme_cameras.h"
 #include "spread.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {

@@ -20,7 +20,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tilt_lens/sampler.h"
+#include "tilt_lens/sampling/sequence.h"
 
 namespace
 {

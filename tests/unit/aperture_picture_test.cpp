@@ -4,7 +4,7 @@
 // Picture apertures: points follow the weights, monotonically, the right way up.
 // Seeds are fixed; a chi-square test fails a perfect map with probability 1e-5.
 
-#include "tilt_lens/aperture.h"
+#include "tilt_lens/camera/aperture.h"
 
 #include <algorithm>
 #include <cmath>

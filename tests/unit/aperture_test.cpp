@@ -4,7 +4,7 @@
 // Discs and polygons: where points land, that equal areas stay equal, that strata stay whole.
 // Seeds are fixed; a chi-square test fails a perfect map with probability 1e-5.
 
-#include "tilt_lens/aperture.h"
+#include "tilt_lens/camera/aperture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // How blurred a point is in the picture. The witness is a construction: the film point that light from
 // the surface point reaches through each end of the one lens diameter that lies parallel to the film.
 
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 #include <limits>
 

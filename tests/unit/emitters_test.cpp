@@ -4,7 +4,7 @@
 // Rays aimed at lamps: the mean stays that of plain rays, the variance falls, and only what is small and
 // bright is aimed at.
 
-#include "tilt_lens/emitters.h"
+#include "tilt_lens/sampling/emitters.h"
 
 #include <cmath>
 #include <vector>
@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tile_results.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {

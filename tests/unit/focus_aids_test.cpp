@@ -3,7 +3,7 @@
 
 // What the focus aids draw: colours, the scale and its numbers, the surfaces.
 
-#include "tilt_lens/focus_aids.h"
+#include "tilt_lens/camera/focus_aids.h"
 
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "random_cameras.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {

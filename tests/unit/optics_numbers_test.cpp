@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "random_cameras.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {

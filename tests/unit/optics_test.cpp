@@ -4,7 +4,7 @@
 // Closed forms of the solved lens: what holds for any thin lens, turned however, and what each
 // statement asks for. No formula of the library is repeated here; the laws are those of textbooks.
 
-#include "tilt_lens/optics.h"
+#include "tilt_lens/camera/optics.h"
 
 #include <tuple>
 

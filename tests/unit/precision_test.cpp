@@ -13,7 +13,7 @@
 
 #include "random_cameras.h"
 #include "reference_camera.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {

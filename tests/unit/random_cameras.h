@@ -19,7 +19,7 @@
 #include <sstream>
 #include <string>
 
-#include "tilt_lens/optics.h"
+#include "tilt_lens/camera/optics.h"
 
 namespace tilt_lens
 {

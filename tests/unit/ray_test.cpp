@@ -4,7 +4,7 @@
 // Rays: where they start, where they meet, how they blur. The other witness is light itself, sent
 // from a point of the scene through the lens to the film by the thin lens equation.
 
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 #include <limits>
 

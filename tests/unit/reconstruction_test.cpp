@@ -3,7 +3,7 @@
 
 // The reconstruction: what has no noise stays, noise goes, edges remain, and it says what is left.
 
-#include "tilt_lens/reconstruction.h"
+#include "tilt_lens/reconstruction/reconstruction.h"
 
 #include <algorithm>
 #include <array>

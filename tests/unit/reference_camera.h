@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include "tilt_lens/optics.h"
+#include "tilt_lens/camera/optics.h"
 
 namespace tilt_lens
 {

@@ -4,7 +4,7 @@
 // Properties of the sampler, not values: strata, replay, independence, error. Where chance decides,
 // seeds are fixed and bounds are those of the stated significance.
 
-#include "tilt_lens/sampler.h"
+#include "tilt_lens/sampling/sequence.h"
 
 #include <algorithm>
 #include <array>

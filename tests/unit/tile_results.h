@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tilt_lens/tile_sampler.h"
+#include "tilt_lens/sampling/tile_sampler.h"
 
 namespace tilt_lens
 {

@@ -3,7 +3,7 @@
 
 // The sampling loop: limits, independence of order, when a pixel may stop, and the account of it.
 
-#include "tilt_lens/tile_sampler.h"
+#include "tilt_lens/sampling/tile_sampler.h"
 
 #include <algorithm>
 #include <atomic>

@@ -3,7 +3,7 @@
 
 // What a pixel may have missed: how long it looks for what its neighbours met, and for a lamp that it aims at.
 
-#include "tilt_lens/tile_sampler.h"
+#include "tilt_lens/sampling/tile_sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 // Whether the variance asked for is the variance got, on pictures whose true pixels are known.
 
-#include "tilt_lens/tile_sampler.h"
+#include "tilt_lens/sampling/tile_sampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 // The share of the work that is done: what is expected of a pixel, and how tiles add up.
 
-#include "tilt_lens/work_map.h"
+#include "tilt_lens/sampling/progress_estimator.h"
 
 #include <cmath>
 #include <limits>

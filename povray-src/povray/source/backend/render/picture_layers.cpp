@@ -19,7 +19,7 @@
 #include "backend/scene/layer_attributes.h"
 #include "backend/scene/tilt_lens_view.h"
 #include "backend/scene/view.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
 

@@ -12,7 +12,7 @@
 #include "backend/math/vector.h"
 #include "backend/render/tracepixel.h"
 #include "backend/scene/tilt_lens_view.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
 

@@ -12,7 +12,7 @@
 #include <array>
 
 #include "backend/scene/tilt_lens_view.h"
-#include "tilt_lens/ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace pov
 {

@@ -12,7 +12,7 @@
 
 #include "backend/frame.h"
 #include "backend/scene/camera.h"
-#include "tilt_lens/vec3.h"
+#include "tilt_lens/math/vec3.h"
 
 namespace pov
 {

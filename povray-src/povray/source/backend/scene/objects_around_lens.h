@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "tilt_lens/optics.h"
+#include "tilt_lens/camera/optics.h"
 
 namespace pov
 {

@@ -12,7 +12,7 @@
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
 #include "base/image/colourspace.h"
-#include "tilt_lens/focus_aids.h"
+#include "tilt_lens/camera/focus_aids.h"
 
 namespace pov
 {

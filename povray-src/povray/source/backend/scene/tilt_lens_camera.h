@@ -11,8 +11,8 @@
 #include "backend/frame.h"
 #include "base/povms.h"
 #include "base/stringutilities.h"
-#include "tilt_lens/focus_aids.h"
-#include "tilt_lens/optics.h"
+#include "tilt_lens/camera/focus_aids.h"
+#include "tilt_lens/camera/optics.h"
 
 namespace pov
 {

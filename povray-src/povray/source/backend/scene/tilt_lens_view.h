@@ -21,11 +21,11 @@
 #include "backend/scene/tilt_lens_aids.h"
 #include "base/povmscpp.h"
 #include "base/povmsgid.h"
-#include "tilt_lens/aperture.h"
-#include "tilt_lens/emitters.h"
-#include "tilt_lens/tile_sampler.h"
-#include "tilt_lens/optics.h"
-#include "tilt_lens/work_map.h"
+#include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/sampling/emitters.h"
+#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/sampling/progress_estimator.h"
 
 namespace pov
 {

@@ -4,7 +4,7 @@
 /// @file cell_estimates.cpp
 /// What a cell tells the reconstruction of its pixels, and what it may expect of it.
 
-#include "cell.h"
+#include "tilt_lens/sampling/cell.h"
 
 #include <algorithm>
 

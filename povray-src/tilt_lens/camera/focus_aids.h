@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "optics.h"
+#include "tilt_lens/camera/optics.h"
 
 namespace tilt_lens
 {

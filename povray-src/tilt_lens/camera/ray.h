@@ -19,7 +19,7 @@
 #ifndef TILT_LENS_RAY_H
 #define TILT_LENS_RAY_H
 
-#include "optics.h"
+#include "tilt_lens/camera/optics.h"
 
 namespace tilt_lens
 {

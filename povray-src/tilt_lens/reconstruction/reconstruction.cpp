@@ -1,13 +1,13 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "reconstruction.h"
+#include "tilt_lens/reconstruction/reconstruction.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-#include "vector_registers.h"
+#include "tilt_lens/math/simd.h"
 
 namespace tilt_lens
 {

@@ -4,7 +4,7 @@
 /// @file cell_unseen.cpp
 /// What a cell's pixels may have missed: what those around them have met, and lamps that they aim at.
 
-#include "cell.h"
+#include "tilt_lens/sampling/cell.h"
 
 #include <algorithm>
 #include <cmath>

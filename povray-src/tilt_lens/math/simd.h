@@ -1,11 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file vector_registers.h
+/// @file simd.h
 /// Numbers that lie side by side, to and from a vector register. They need no alignment.
 
-#ifndef TILT_LENS_VECTOR_REGISTERS_H
-#define TILT_LENS_VECTOR_REGISTERS_H
+#ifndef TILT_LENS_SIMD_H
+#define TILT_LENS_SIMD_H
 
 #include <cstring>
 

@@ -29,7 +29,7 @@
 #include <string>
 #include <vector>
 
-#include "vec3.h"
+#include "tilt_lens/math/vec3.h"
 
 namespace tilt_lens
 {

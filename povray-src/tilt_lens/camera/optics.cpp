@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "optics.h"
+#include "tilt_lens/camera/optics.h"
 
 #include <cstdio>
 #include <limits>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {

@@ -28,9 +28,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "aperture.h"
-#include "optics.h"
-#include "sampling.h"
+#include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/sampling/sampling.h"
 
 namespace tilt_lens
 {

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file work_map.h
+/// @file progress_estimator.h
 /// What share of a picture's work is done, where a pixel may cost a few rays or a thousand.
 ///
 /// The tiles that are done say nothing of those to come: sky often comes first, and half of the pixels
@@ -12,15 +12,15 @@
 ///
 /// Threads may share one map.
 
-#ifndef TILT_LENS_WORK_MAP_H
-#define TILT_LENS_WORK_MAP_H
+#ifndef TILT_LENS_PROGRESS_ESTIMATOR_H
+#define TILT_LENS_PROGRESS_ESTIMATOR_H
 
 #include <cstdint>
 #include <mutex>
 #include <optional>
 #include <vector>
 
-#include "tile_sampler.h"
+#include "tilt_lens/sampling/tile_sampler.h"
 
 namespace tilt_lens
 {

@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "cell.h"
+#include "tilt_lens/sampling/cell.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <boost/math/distributions/chi_squared.hpp>
 
-#include "vector_registers.h"
+#include "tilt_lens/math/simd.h"
 
 namespace tilt_lens
 {

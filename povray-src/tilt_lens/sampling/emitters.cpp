@@ -1,12 +1,12 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "emitters.h"
+#include "tilt_lens/sampling/emitters.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ray.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {

@@ -33,7 +33,7 @@
 #include <array>
 #include <cstdint>
 
-#include "sampling.h"
+#include "tilt_lens/sampling/sampling.h"
 
 namespace tilt_lens
 {

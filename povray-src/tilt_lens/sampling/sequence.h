@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file sampler.h
+/// @file sequence.h
 /// Where the rays of a pixel start: points of [0, 1)^4, two coordinates for the lens and two for
 /// the pixel's square. Each pair is Sobol's sequence in two dimensions, the pixel pair in another order,
 /// Owen-scrambled by hashing.
@@ -33,8 +33,8 @@
 /// Karras's, "Building a Better LK Hash", 2021. Unlike Burley's, indices are not shuffled: a
 /// scrambling of its own already sets each pixel apart.
 
-#ifndef TILT_LENS_SAMPLER_H
-#define TILT_LENS_SAMPLER_H
+#ifndef TILT_LENS_SEQUENCE_H
+#define TILT_LENS_SEQUENCE_H
 
 #include <cstdint>
 

@@ -14,7 +14,7 @@
 #include <functional>
 #include <map>
 
-#include "sampler.h"
+#include "tilt_lens/sampling/sequence.h"
 
 namespace tilt_lens
 {

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "cell_store.h"
-#include "sampling.h"
+#include "tilt_lens/sampling/cell_store.h"
+#include "tilt_lens/sampling/sampling.h"
 
 namespace tilt_lens
 {

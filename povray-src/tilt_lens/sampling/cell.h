@@ -49,8 +49,8 @@
 #include <mutex>
 #include <vector>
 
-#include "reconstruction.h"
-#include "sampling.h"
+#include "tilt_lens/reconstruction/reconstruction.h"
+#include "tilt_lens/sampling/sampling.h"
 
 namespace tilt_lens
 {

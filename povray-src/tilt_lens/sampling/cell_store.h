@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell.h"
+#include "tilt_lens/sampling/cell.h"
 
 namespace tilt_lens
 {
