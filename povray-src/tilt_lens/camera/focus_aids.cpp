@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "tilt_lens/camera/ray.h"
+
 namespace tilt_lens
 {
 
@@ -166,7 +168,7 @@ FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) :
 
 Vec3 FocusPlanes::Chief(double x, double y) const
 {
-    return lens.direction + (x / width - 0.5) * lens.right + (0.5 - y / height) * lens.up;
+    return ChiefRay(lens, FilmPointAt(x, y, width, height));
 }
 
 /// Whether a line of the grid passes through the pixel whose upper left corner is given: the cells of

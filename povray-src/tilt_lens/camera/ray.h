@@ -24,6 +24,25 @@
 namespace tilt_lens
 {
 
+/// A point of the film as the picture shows it, upright: 0 is the middle, +-0.5 the edges of the frame.
+struct FilmPoint
+{
+    double x, y;  ///< to the right, upward
+};
+
+/// @param column, row    in pixels from the upper left corner of the picture; the middle of a pixel is at its number + 0.5
+/// @param width, height  of the whole picture, in pixels
+inline FilmPoint FilmPointAt(double column, double row, double width, double height)
+{
+    return {column / width - 0.5, 0.5 - row / height};
+}
+
+/// The ray through the lens centre, not normalised: it ends where `direction`, `right` and `up` of the lens do.
+inline Vec3 ChiefRay(const Lens& lens, const FilmPoint& film)
+{
+    return lens.direction + film.x * lens.right + film.y * lens.up;
+}
+
 struct LensRay
 {
     Vec3 origin;     ///< relative to the lens centre, world axes, scene units
@@ -31,11 +50,11 @@ struct LensRay
     double w;        ///< as above
 };
 
-/// @param x, y  film point as the picture shows it, [-0.5, 0.5]: right, up
+/// @param x, y  film point as in FilmPoint
 /// @param a, b  lens point in aperture coordinates, in the unit disc: right, up
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
-    const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
+    const Vec3 chief = ChiefRay(lens, {x, y});
     // linear over the frame: where k and D are nearly at right angles, k.D itself would cancel
     const double w = lens.focusMiddle + x * lens.focusRight + y * lens.focusUp;
     const Vec3 point = a * lens.lensX + b * lens.lensY;

@@ -372,9 +372,9 @@ void TiltLensParser::Check(Camera& camera)
     lens.open = false;
     try
     {
-        const tilt_lens::Lens solved = TiltLensCamera::Solve(camera);
+        TiltLensCamera::Solve(camera);
         if (fresh)
-            for (const std::string& doubt : Doubts(solved, lens.statement))
+            for (const std::string& doubt : Doubts(*lens.lens, lens.statement))
                 parser.messageFactory.WarningAt(0, lens.place.file.c_str(), lens.place.line,
                                                 lens.place.column, lens.place.offset, "%s", doubt.c_str());
     }

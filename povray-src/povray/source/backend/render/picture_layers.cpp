@@ -14,10 +14,10 @@
 
 #include "backend/frame.h"
 #include "backend/math/vector.h"
+#include "backend/render/tilt_lens_tracer.h"
 #include "backend/render/tracepixel.h"
 #include "backend/render/tracetask.h"
 #include "backend/scene/layer_attributes.h"
-#include "backend/scene/tilt_lens_view.h"
 #include "backend/scene/view.h"
 #include "tilt_lens/camera/ray.h"
 
@@ -60,44 +60,49 @@ class LayerBlock
     std::vector<POVMSFloat> values;
 };
 
+/// Signed blur of what lies at a depth in a pixel; infinitely deep for nothing.
+double BlurAt(const tilt_lens::Lens& lens, unsigned int x, unsigned int y, DBL width, DBL height, double depth)
+{
+    const Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
+    return BlurDiameter(lens, chief, depth / Dot(lens.direction, lens.axis), width);
+}
+
 } // namespace
 
-/// Where the ray through the middle of a pixel first meets something, transparent or not.
-bool TracePixel::FirstPoint(unsigned int x, unsigned int y, DBL width, DBL height, Vec3& point, DBL& depth)
+bool TiltLensTracer::FirstPoint(TracePixel& trace, unsigned int x, unsigned int y, DBL width, DBL height, Vec3& point,
+                                DBL& depth)
 {
     // a lens of POV-Ray's own must not jitter the ray
-    const bool blurs = useFocalBlur;
-    useFocalBlur = false;
+    const bool blurs = trace.useFocalBlur;
+    trace.useFocalBlur = false;
     Ray ray;
-    const bool seen = CreateCameraRay(ray, x, y, width, height, 0);
-    useFocalBlur = blurs;
-    const DBL distance = seen ? FirstHit(ray) : HUGE_VAL;
+    const bool seen = trace.CreateCameraRay(ray, x, y, width, height, 0);
+    trace.useFocalBlur = blurs;
+    const DBL distance = seen ? FirstHit(trace, ray) : HUGE_VAL;
     if (!(distance < HUGE_VAL))
         return false;
     point = FromPov(ray.Origin) + distance * FromPov(ray.Direction);
     depth = distance;
-    if (HasDepthAxis(camera))
-        depth = Dot(point - FromPov(camera.Location), DepthAxis(camera));
+    if (HasDepthAxis(trace.camera))
+        depth = Dot(point - FromPov(trace.camera.Location), DepthAxis(trace.camera));
     return true;
 }
 
-/// Signed blur of what lies at a depth in a pixel; infinitely deep for nothing.
-double TracePixel::BlurAt(unsigned int x, unsigned int y, DBL width, DBL height, double depth) const
+/// Called for each tile before its colours are sent: a tile whose colours are on the disk has its layers
+/// there as well.
+void TraceTask::SendLayers(const POVRect& rect)
 {
-    const tilt_lens::Lens& lens = tiltLens->lens;
-    const Vec3 chief = MakeRay(lens, (x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height, 0.0, 0.0).direction;
-    return BlurDiameter(lens, chief, depth / Dot(lens.direction, lens.axis), width);
-}
-
-void TracePixel::SendLayers(const ViewData& view, const POVRect& rect)
-{
+    const ViewData& view = *GetViewData();
+    if (!finalTrace || !view.OutputsLayers())
+        return;
+    const TiltLensTracer* tracer = TiltLensTracer::Of(trace);
     const float infinity = std::numeric_limits<float>::infinity();
     const DBL width = view.GetWidth(), height = view.GetHeight();
     LayerBlock block(rect.GetArea());
     const size_t depthLayer = block.Add("depth.Z");
     const size_t positions[3] = {block.Add("position.X"), block.Add("position.Y"), block.Add("position.Z")};
-    const size_t blur = camera.TiltLens.given ? block.Add("blur") : 0;
-    const bool sampled = !tileEffort.empty();
+    const size_t blur = view.GetCamera().TiltLens.given ? block.Add("blur") : 0;
+    const bool sampled = tracer != NULL && !tracer->Effort().empty();
     const size_t samples = sampled ? block.Add("samples") : 0, error = sampled ? block.Add("standardError") : 0;
 
     size_t pixel = 0;
@@ -106,17 +111,17 @@ void TracePixel::SendLayers(const ViewData& view, const POVRect& rect)
         {
             Vec3 point;
             DBL depth = HUGE_VAL;
-            const bool found = FirstPoint(x, y, width, height, point, depth);
+            const bool found = TiltLensTracer::FirstPoint(trace, x, y, width, height, point, depth);
             block.At(depthLayer, pixel) = found ? float(depth) : infinity;
             block.At(positions[0], pixel) = point.x;
             block.At(positions[1], pixel) = point.y;
             block.At(positions[2], pixel) = point.z;
-            if (tiltLens)
-                block.At(blur, pixel) = BlurAt(x, y, width, height, found ? depth : double(infinity));
+            if (tracer != NULL)
+                block.At(blur, pixel) = BlurAt(view.GetTiltLens()->lens, x, y, width, height, found ? depth : double(infinity));
             if (sampled)
             {
-                block.At(samples, pixel) = tileEffort[pixel].samples;
-                block.At(error, pixel) = std::sqrt(tileEffort[pixel].variance);
+                block.At(samples, pixel) = tracer->Effort()[pixel].samples;
+                block.At(error, pixel) = std::sqrt(tracer->Effort()[pixel].variance);
             }
         }
 
@@ -127,14 +132,6 @@ void TracePixel::SendLayers(const ViewData& view, const POVRect& rect)
     message.SetInt(kPOVAttrib_Bottom, rect.bottom);
     block.PutInto(message);
     view.Post(message);
-}
-
-/// Called for each tile before its colours are sent: a tile whose colours are on the disk has its layers
-/// there as well.
-void TraceTask::SendLayers(const POVRect& rect)
-{
-    if (finalTrace && GetViewData()->OutputsLayers())
-        trace.SendLayers(*GetViewData(), rect);
 }
 
 void ViewData::Post(POVMS_Message& message) const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_aids.cpp
-/// TracePixel's part in focus aids: pictures of one ray a pixel, through the lens centre.
+/// TiltLensTracer's part in focus aids: pictures of one ray a pixel, through the lens centre.
 
 #include <limits>
 #include <vector>
@@ -10,8 +10,8 @@
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
 #include "backend/math/vector.h"
+#include "backend/render/tilt_lens_tracer.h"
 #include "backend/render/tracepixel.h"
-#include "backend/scene/tilt_lens_view.h"
 #include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
@@ -20,54 +20,54 @@ namespace pov
 {
 
 /// What a ray meets first, as the picture sees it: distance along the unit direction, or HUGE_VAL.
-DBL TracePixel::FirstHit(const Ray& ray)
+DBL TiltLensTracer::FirstHit(TracePixel& trace, const Ray& ray)
 {
     Intersection first;
     const NoSomethingFlagRayObjectCondition visible;
     const TrueRayObjectCondition any;
-    if (camera.Max_Ray_Distance >= EPSILON)
-        first.Depth = camera.Max_Ray_Distance;
-    return FindIntersection(first, ray, visible, any) ? first.Depth : HUGE_VAL;
+    if (trace.camera.Max_Ray_Distance >= EPSILON)
+        first.Depth = trace.camera.Max_Ray_Distance;
+    return trace.FindIntersection(first, ray, visible, any) ? first.Depth : HUGE_VAL;
 }
 
 /// A pixel of a picture with focus aids.
-void TracePixel::TraceTiltLensAid(DBL x, DBL y, DBL width, DBL height, Colour& colour)
+void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour)
 {
     Ray ray;
-    CreateCameraRay(ray, x, y, width, height, 0);
+    trace.CreateCameraRay(ray, x, y, width, height, 0);
     DBL distance;
-    if (tiltLens->aids->NeedsLight())
+    if (view->aids->NeedsLight())
     {
         SeedRandomNumbers(tilt_lens::PixelHash((unsigned int)(int)x, (unsigned int)(int)y, 0, 0));
-        Trace::TraceTicket ticket(maxTraceLevel, adcBailout, sceneData->outputAlpha);
-        distance = TraceRay(ray, colour, 1.0, ticket, false, camera.Max_Ray_Distance);
+        Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
+        distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
     }
     else
-        distance = FirstHit(ray);
+        distance = FirstHit(trace, ray);
 
     // a camera's normal may have turned the ray: what counts is how deep the point lies along the axis
-    const tilt_lens::Lens& lens = tiltLens->lens;
-    const tilt_lens::Vec3 chief = MakeRay(lens, (x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height, 0.0, 0.0).direction;
+    const tilt_lens::Lens& lens = view->lens;
+    const tilt_lens::Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
     const tilt_lens::Vec3 way{ray.Direction[X], ray.Direction[Y], ray.Direction[Z]};
     const double depth = distance * Dot(way, lens.axis);
     const double T = distance < HUGE_VAL && depth > 0.0 ? depth / Dot(lens.direction, lens.axis)
                                                         : std::numeric_limits<double>::infinity();
-    colour = tiltLens->aids->Drawn(int(x), int(y), chief, T, colour);
+    colour = view->aids->Drawn(int(x), int(y), chief, T, colour);
 }
 
 /// A tile of such a picture.
-void TracePixel::TraceTiltLensAidTile(const POVRect& rect, unsigned int width, unsigned int height,
-                                      std::vector<Colour>& pixels)
+void TiltLensTracer::TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height,
+                                  std::vector<Colour>& pixels)
 {
-    tileEffort.clear();
+    effort.clear();
     pixels.clear();
     for (unsigned int y = rect.top; y <= rect.bottom; y++)
         for (unsigned int x = rect.left; x <= rect.right; x++)
         {
             pixels.push_back(Colour());
-            TraceTiltLensAid(x, y, width, height, pixels.back());
+            TraceAid(x, y, width, height, pixels.back());
         }
-    threadData->Stats()[Number_Of_Pixels] += rect.GetArea();
+    trace.threadData->Stats()[Number_Of_Pixels] += rect.GetArea();
 }
 
 } // namespace pov

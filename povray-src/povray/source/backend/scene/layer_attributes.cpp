@@ -69,8 +69,7 @@ void AddProjection(std::vector<LayerAttribute>& list, const Camera& camera)
 
 void AddLens(std::vector<LayerAttribute>& list, const Camera& camera, unsigned int width)
 {
-    // the shift is in the direction already, and counted twice now; nothing below looks at it
-    const tilt_lens::Lens lens = TiltLensCamera::Solve(camera);
+    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
     const tilt_lens::Statement& given = camera.TiltLens.statement;
     const double mm = 1.0 / lens.millimetre, axisFocus = AxisFocusOf(lens);
     const double filmHeight = given.filmWidth * Length(lens.up) / Length(lens.right);

@@ -43,6 +43,7 @@ void TiltLensCamera::Transform(const TRANSFORM* trans)
 {
     if (!given)
         return;
+    lens.reset();
     tilt_lens::Statement& s = statement;
     const Vec3 normal = Normalized(s.planeNormal);
     const Vec3 onPlane = TransformedPoint(normal * s.planeDistance, trans);
@@ -54,11 +55,11 @@ void TiltLensCamera::Transform(const TRANSFORM* trans)
     s.scale *= std::cbrt(std::fabs(Determinant(trans)));
 }
 
-tilt_lens::Lens TiltLensCamera::Solve(const Camera& camera)
+void TiltLensCamera::Solve(Camera& camera)
 {
     const tilt_lens::CameraFrame frame{FromPov(camera.Location), FromPov(camera.Direction),
                                        FromPov(camera.Right), FromPov(camera.Up)};
-    return tilt_lens::Solve(frame, camera.TiltLens.statement);
+    camera.TiltLens.lens.reset(new tilt_lens::Lens(tilt_lens::Solve(frame, camera.TiltLens.statement)));
 }
 
 } // namespace pov

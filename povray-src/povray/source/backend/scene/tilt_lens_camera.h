@@ -46,12 +46,16 @@ struct TiltLensCamera
     tilt_lens::Statement statement;
     tilt_lens::FocusAids aids;  ///< what a preview draws in place of the lens's picture
 
+    /// What the block makes of the camera that it belongs to. Solved once, when a camera statement ends; NULL before and
+    /// after a transformation.
+    shared_ptr<const tilt_lens::Lens> lens;
+
     /// Carries plane, points and scale of the lens with the camera.
     void Transform(const TRANSFORM* trans);
 
-    /// Solves the block for the camera it belongs to.
+    /// Solves the block for its camera.
     /// @throws tilt_lens::OpticsError
-    static tilt_lens::Lens Solve(const Camera& camera);
+    static void Solve(Camera& camera);
 };
 
 } // namespace pov

@@ -115,9 +115,9 @@ std::string TiltLensView::Skipped() const
     return text;
 }
 
-std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width,
-                             const TiltLensAids* aids)
+std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensAids* aids)
 {
+    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
     const double mm = 1.0 / lens.millimetre;
     const Vec3 location{camera.Location[X], camera.Location[Y], camera.Location[Z]};
     const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens);

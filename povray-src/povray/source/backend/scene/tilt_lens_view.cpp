@@ -44,12 +44,6 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return tilt_lens::Aperture::Disc();
 }
 
-tilt_lens::Area AreaOf(const POVRect& rect)
-{
-    return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
-            (unsigned int)rect.GetHeight()};
-}
-
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 {
     tilt_lens::SamplingLimits limits;
@@ -75,28 +69,28 @@ std::vector<tilt_lens::Emitter> EmittersToAimAt(const Camera& camera, const Scen
 
 } // namespace
 
-TiltLensView::TiltLensView(const Camera& camera, const tilt_lens::Lens& solved, ViewData& view) :
-    lens(solved),
+TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
+    lens(*camera.TiltLens.lens),
     aperture(ApertureOf(camera, view.GetSceneData())),
     limits(LimitsOf(camera)),
     cells(new tilt_lens::CellStore(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
-    aroundLens(ObjectsAroundLens(camera, solved, *view.GetSceneData())),
+    aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
     emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToAimAt(camera, *view.GetSceneData())),
-    blurPerVergence(0.5 * BlurPerVergence(solved, 1.0))
+    blurPerVergence(0.5 * BlurPerVergence(lens, 1.0))
 {
 }
 
-shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, const tilt_lens::Lens& lens,
-                                              ViewData& view)
+shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
 {
+    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
     camera.Direction[X] = lens.direction.x;
     camera.Direction[Y] = lens.direction.y;
     camera.Direction[Z] = lens.direction.z;
     camera.Aperture = 0.0;  // POV-Ray's own focal blur keeps out
     if (lens.diameter == 0.0)
         return shared_ptr<TiltLensView>();
-    shared_ptr<TiltLensView> prepared(new TiltLensView(camera, lens, view));
+    shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view));
     if (camera.TiltLens.aids.Any())
         prepared->aids.reset(new TiltLensAids(camera.TiltLens.aids, lens, view.GetWidth(), view.GetHeight(),
                                               view.GetSceneData()->workingGammaToSRGB));
@@ -121,21 +115,15 @@ void View::StartTiltLens(unsigned int& tracingmethod)
                             viewData.sceneData->frontendAddress, viewData.sceneData->sceneId, viewData.viewId);
     try
     {
-        const tilt_lens::Lens lens = TiltLensCamera::Solve(camera);
-        viewData.tiltLens = TiltLensView::Create(camera, lens, viewData);
+        viewData.tiltLens = TiltLensView::Create(camera, viewData);
 
         const TiltLensAids* aids = viewData.tiltLens ? viewData.tiltLens->aids.get() : NULL;
         POVMS_Object report(kPOVObjectClass_RenderOptions);
-        report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, lens, viewData.width, aids).c_str());
+        report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, viewData.width, aids).c_str());
         RenderBackend::SendViewOutput(viewData.viewId, viewData.sceneData->frontendAddress,
                                       kPOVMsgIdent_RenderOptions, report);
     }
     catch (const std::invalid_argument& error)  // a bokeh picture without light
-    {
-        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
-                         place.offset, "%s", error.what());
-    }
-    catch (const tilt_lens::OpticsError& error)  // a camera that changed since it was parsed
     {
         messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
                          place.offset, "%s", error.what());

@@ -31,14 +31,13 @@ namespace pov
 {
 
 class ViewData;
-struct TiltLensWay;
 
-/// What a pixel cost, and how good it is.
-struct TiltLensEffort
+/// Pixels of the whole picture, as the camera library has them.
+inline tilt_lens::Area AreaOf(const POVRect& rect)
 {
-    unsigned int samples;
-    double variance;  ///< as TileSampler::Variance() gives it
-};
+    return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
+            (unsigned int)rect.GetHeight()};
+}
 
 /// What a render cost, as POV-Ray's statistics have it.
 struct TiltLensCost
@@ -58,9 +57,9 @@ class TiltLensView
     /// Prepares a camera for its render: the shift and the angle of view go into its `direction`.
     /// Returns what the threads share, or NULL where the lens is a pinhole: then POV-Ray's own camera
     /// does all that is left to do.
+    /// @param camera  with a solved lens (TiltLensCamera::lens)
     /// @throws std::invalid_argument  a bokeh picture without any light
-    static shared_ptr<TiltLensView> Create(Camera& camera, const tilt_lens::Lens& lens,
-                                           ViewData& view);
+    static shared_ptr<TiltLensView> Create(Camera& camera, ViewData& view);
 
     const tilt_lens::Lens lens;
     const tilt_lens::Aperture aperture;
@@ -106,7 +105,7 @@ class TiltLensView
   private:
     const double blurPerVergence;  ///< lens radius in widths of the frame, at parameter 1
 
-    TiltLensView(const Camera& camera, const tilt_lens::Lens& lens, ViewData& view);
+    TiltLensView(const Camera& camera, ViewData& view);
 
     std::string Skipped() const;
 
@@ -116,8 +115,8 @@ class TiltLensView
 
 /// The numbers of a lens that a photographer checks, one a line, for a picture `width` pixels wide; what the
 /// aids draw, if there are any.
-std::string DescribeTiltLens(const Camera& camera, const tilt_lens::Lens& lens, double width,
-                             const TiltLensAids* aids);
+/// @param camera  with a solved lens
+std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensAids* aids);
 
 } // namespace pov
 

@@ -1,0 +1,271 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/render/tilt_lens_tracer.h"
+
+#include <algorithm>
+
+#include "backend/frame.h"
+#include "backend/colour/colour.h"
+#include "backend/math/vector.h"
+#include "backend/render/tracepixel.h"
+#include "backend/render/tracetask.h"
+#include "backend/texture/normal.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::PixelSampler;
+using tilt_lens::Radiance;
+using tilt_lens::SampleId;
+
+namespace
+{
+
+Colour ToColour(const Radiance& v)
+{
+    return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
+}
+
+/// The point of a row that x in (0, 1) chooses, in the proportions in which POV-Ray averages them: it
+/// halves a row of an area light again and again, and both halves have the middle point of an odd one.
+int PointOfRow(int points, double x)
+{
+    int first = 0, last = points - 1;
+    while (first < last)
+    {
+        const int sum = first + last;
+        const bool upper = x >= 0.5;
+        x = 2.0 * x - (upper ? 1.0 : 0.0);
+        (upper ? first : last) = upper ? (sum + 1) / 2 : sum / 2;
+    }
+    return first;
+}
+
+template<class Number>
+void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& generators, unsigned int seed)
+{
+    for (size_t i = 0; i < generators.size(); i++)
+        dynamic_cast<SeedableNumberGenerator<Number>&>(*generators[i]).Seed(seed + i);
+}
+
+} // namespace
+
+TiltLensTracer::TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& itsView) : trace(owner), view(itsView) {}
+
+shared_ptr<TiltLensTracer> TiltLensTracer::Create(TracePixel& owner, const shared_ptr<TiltLensView>& view)
+{
+    return view ? shared_ptr<TiltLensTracer>(new TiltLensTracer(owner, view)) : shared_ptr<TiltLensTracer>();
+}
+
+TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
+{
+    return owner.tiltLens.get();
+}
+
+/// Camera ray in, light out.
+void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
+                                 DBL width, tilt_lens::Traced& traced)
+{
+    const tilt_lens::Start& start = camera.start;
+    if (start.weight == 0.0)
+    {
+        traced = Radiance{};
+        traced.sought = start.sought;
+        traced.met = false;
+        return;
+    }
+    // from a point of the lens through the focus of that film point
+    Ray ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
+    const tilt_lens::Vec3& origin = camera.ray.origin;
+    const VECTOR& location = trace.camera.Location;
+    Make_Vector(ray.Origin, location[X] + origin.x, location[Y] + origin.y, location[Z] + origin.z);
+    Make_Vector(ray.Direction, camera.direction.x, camera.direction.y, camera.direction.z);
+    if (trace.camera.Tnormal != NULL)
+    {
+        VECTOR film = {start.x, start.y, 0.0};
+        Perturb_Normal(ray.Direction, trace.camera.Tnormal, film, NULL, NULL, trace.threadData);
+        VNormalizeEq(ray.Direction);
+    }
+    if (!view->aroundLens.empty())
+        EnterInteriors(ray);
+
+    // whatever draws random numbers on the way draws this sample's own
+    SeedRandomNumbers(itsPixel.Hash(itsIndex));
+    pixel = &itsPixel;
+    index = itsIndex;
+    areaLightsMet = 0;
+    trace.areaLightSampler = this;
+    Colour colour;
+    Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
+    const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
+    trace.areaLightSampler = NULL;
+    traced.light = {start.weight * colour[pRED], start.weight * colour[pGREEN], start.weight * colour[pBLUE],
+                    start.weight * colour[pFILTER], start.weight * colour[pTRANSM]};
+    traced.sought = start.sought;
+    traced.met = distance < HUGE_VAL || !trace.sceneData->atmosphere.empty();
+    traced.blur = view->BlurRadius(camera.ray.w, distance / camera.length, width);
+}
+
+/// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
+/// of the whole grid at the cost of one shadow ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray
+/// Tracing", 1984). Radiosity keeps its samples for other pixels and gets the whole light, as does the one ray of a
+/// pixel with focus aids.
+bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v)
+{
+    if (trace.pretrace || radiosityDepth > 0)
+        return false;
+    const tilt_lens::Pair point = pixel->Further(index, areaLightsMet++);
+    areaLightPointsLeft += std::uint64_t(light.Area_Size1) * light.Area_Size2 - 1;
+    areaLightPoints++;
+    u = PointOfRow(light.Area_Size1, point.u);
+    v = PointOfRow(light.Area_Size2, point.v);
+    return true;
+}
+
+/// The lens points of one picture lie in few objects or none: the view has found out which to ask.
+void TiltLensTracer::EnterInteriors(Ray& ray)
+{
+    for (const ObjectAroundLens& around : view->aroundLens)
+    {
+        const ObjectPtr object = around.object;
+        if (around.holdsLens ||
+            (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, trace.threadData)))
+            ray.AppendInterior(object->interior);
+    }
+}
+
+void TiltLensTracer::SeedRandomNumbers(unsigned int seed)
+{
+    trace.crandRandomNumberGenerator = seed;
+    trace.randomNumberGenerator.SetSeed(seed);
+    trace.media.SeedRandomNumbers(seed);
+    if (trace.sceneData->useSubsurface)
+        SeedSubsurface(seed);
+}
+
+/// Subsurface light draws from sequences of its own, one a recursion level, made when first needed;
+/// they are made here, so that their first numbers too are the sample's.
+void TiltLensTracer::SeedSubsurface(unsigned int seed)
+{
+    const size_t levels = 3, length = 32767;  // as deep and as long as Trace itself makes them
+    while (trace.ssltUniformDirectionGenerator.size() < levels)
+        trace.ssltUniformDirectionGenerator.push_back(GetSubRandomDirectionGenerator(0, length));
+    while (trace.ssltUniformNumberGenerator.size() < levels)
+        trace.ssltUniformNumberGenerator.push_back(GetRandomDoubleGenerator(0.0, 1.0, length));
+    while (trace.ssltCosWeightedDirectionGenerator.size() < levels)
+        trace.ssltCosWeightedDirectionGenerator.push_back(GetSubRandomCosWeightedDirectionGenerator(2, length));
+    Reseed(trace.ssltUniformDirectionGenerator, seed);
+    Reseed(trace.ssltUniformNumberGenerator, seed);
+    Reseed(trace.ssltCosWeightedDirectionGenerator, seed);
+}
+
+void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour)
+{
+    if (view->aids)
+    {
+        TraceAid(x, y, width, height, colour);
+        return;
+    }
+    const unsigned int samples = trace.pretrace ? 1 : std::min(view->limits.min, view->limits.max);
+    // pretrace positions lie between pixels and, at the picture's edge, outside
+    SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
+    const PixelSampler sequence(id.x, id.y, 0);
+    colour.clear();
+    for (id.index = 0; id.index < samples; id.index++)
+    {
+        tilt_lens::Traced traced;
+        tilt_lens::CameraRay camera{view->emitters.Aim({}, id, sequence(id.index))};
+        camera.FindRay(view->lens);
+        TraceSample(sequence, id.index, camera, width, traced);
+        colour += ToColour(traced.light);
+    }
+    colour /= samples;
+}
+
+void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone,
+                               std::vector<Colour>& pixels)
+{
+    if (view->aids)
+    {
+        TraceAidTile(rect, width, height, pixels);
+        return;
+    }
+    const tilt_lens::Area tile = AreaOf(rect);
+    tilt_lens::CellStore own(view->limits, width, height, tile);
+    tilt_lens::TileSampler sampler(alone ? own : *view->cells);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->limits.First());
+    areaLightPoints = areaLightPointsLeft = 0;
+    sampler.Run(tile, [&](const SampleId& id, tilt_lens::Traced& traced)
+    {
+        const tilt_lens::CameraRay& camera = rays.Of(id);
+        TraceSample(rays.Sampler(), id.index, camera, width, traced);
+    });
+
+    pixels.clear();
+    effort.clear();
+    for (unsigned int y = tile.top; y < tile.Bottom(); y++)
+        for (unsigned int x = tile.left; x < tile.Right(); x++)
+        {
+            pixels.push_back(ToColour(sampler.Mean(x, y)));
+            effort.push_back({sampler.Samples(x, y), sampler.Variance(x, y)});
+        }
+    tilt_lens::SamplingAccount account = sampler.Account();
+    account.lightPoints = areaLightPoints;
+    account.lightPointsLeft = areaLightPointsLeft;
+    view->Add(account);
+    trace.threadData->Stats()[Number_Of_Pixels] += account.Pixels();
+    trace.threadData->Stats()[Number_Of_Samples] += account.Samples();
+}
+
+void TiltLensTracer::EstimateWork(unsigned int width, unsigned int height)
+{
+    const tilt_lens::SamplingLimits& limits = view->limits;
+    const unsigned int samples = std::min(tilt_lens::WorkMap::kTries, limits.max);
+    const RenderStatistics& stats = trace.threadData->Stats();
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, limits.First());
+    const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
+    while (const auto probe = view->work.NextProbe())
+    {
+        const auto before = raysTraced();
+        std::vector<Radiance> tried;
+        tilt_lens::Traced traced;
+        for (unsigned int sample = 0; sample < samples; sample++)
+        {
+            const tilt_lens::CameraRay& camera = rays.Of({probe->x, probe->y, sample});
+            TraceSample(rays.Sampler(), sample, camera, width, traced);
+            tried.push_back(traced.light);
+        }
+        view->work.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
+    }
+}
+
+/// Final render of a `tilt_lens` picture: takes the place of all anti-aliasing methods.
+void TraceTask::TiltLensSampling()
+{
+    POVRect rect;
+    std::vector<Colour> pixels;
+    unsigned int serial;
+
+    TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
+    tracer.EstimateWork(GetViewData()->GetWidth(), GetViewData()->GetHeight());
+    while (GetViewData()->GetNextRectangle(rect, serial) == true)
+    {
+        radiosity.BeforeTile(highReproducibility ? serial : 0);
+        // radiosity that is to be reproducible begins each tile anew
+        tracer.TraceTile(rect, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
+                         highReproducibility && GetSceneData()->radiositySettings.radiosityEnabled, pixels);
+        radiosity.AfterTile();
+
+        GetViewData()->GetTiltLens()->work.Finish(AreaOf(rect));
+        GetViewDataPtr()->AfterTile();
+        SendLayers(rect);
+        GetViewData()->CompletedRectangle(rect, serial, pixels, 1, finalTrace);
+
+        Cooperate();
+    }
+}
+
+} // namespace pov

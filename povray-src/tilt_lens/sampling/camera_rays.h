@@ -1,0 +1,92 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file camera_rays.h
+/// From the number of a sample to its ray: film point and lens point from the sequence or from emitter sampling,
+/// then the ray from one through the other. Each step waits for divisions and roots of the step before; those of
+/// several samples overlap, so rays are made in batches.
+
+#ifndef TILT_LENS_CAMERA_RAYS_H
+#define TILT_LENS_CAMERA_RAYS_H
+
+#include <algorithm>
+#include <array>
+
+#include "tilt_lens/camera/ray.h"
+#include "tilt_lens/sampling/emitters.h"
+
+namespace tilt_lens
+{
+
+/// A sample and its ray.
+struct CameraRay
+{
+    Start start;     ///< film point, lens point and weight
+    LensRay ray;     ///< relative to the lens centre, world axes, scene units
+    double length;   ///< of the ray's direction
+    Vec3 direction;  ///< the ray's, normalised
+
+    /// Completes a ray from its start.
+    void FindRay(const Lens& lens)
+    {
+        ray = MakeRay(lens, start.x, start.y, start.point.a, start.point.b);
+        length = Length(ray.direction);
+        direction = {ray.direction.x / length, ray.direction.y / length, ray.direction.z / length};
+    }
+};
+
+/// The camera rays of samples that are asked for pixel by pixel, those of a pixel in order.
+class CameraRayBatch
+{
+  public:
+    /// @param first  samples that each pixel gets in its first round
+    CameraRayBatch(const Lens& lens, const Emitters& emitters, std::uint32_t first) :
+        lens(lens), emitters(emitters), ahead(std::min(kMost, first))
+    {
+    }
+
+    const CameraRay& Of(const SampleId& id)
+    {
+        if (count == 0 || id.x != first.x || id.y != first.y)
+        {
+            sampler = PixelSampler(id.x, id.y, 0);
+            targets = emitters.Of(id.x, id.y);
+            count = 0;
+        }
+        if (id.index - first.index >= count)
+            Make(id);
+        return rays[id.index - first.index];
+    }
+
+    /// The sequence of the pixel that was asked for last.
+    const PixelSampler& Sampler() const { return sampler; }
+
+  private:
+    static constexpr std::uint32_t kMost = 8;
+
+    const Lens& lens;
+    const Emitters& emitters;
+    const std::uint32_t ahead;  ///< rays made at a time; rounds of samples are no shorter, so that none is made in vain
+    PixelSampler sampler{0, 0, 0};
+    Emitters::Targets targets;
+    SampleId first{};
+    std::uint32_t count = 0;
+    std::array<CameraRay, kMost> rays;
+
+    void Make(const SampleId& from)
+    {
+        first = from;
+        count = ahead;
+        std::array<Sample, kMost> samples;
+        for (std::uint32_t i = 0; i < count; i++)
+            samples[i] = sampler(from.index + i);
+        for (std::uint32_t i = 0; i < count; i++)
+            rays[i].start = emitters.Aim(targets, {from.x, from.y, from.index + i}, samples[i]);
+        for (std::uint32_t i = 0; i < count; i++)
+            rays[i].FindRay(lens);
+    }
+};
+
+} // namespace tilt_lens
+
+#endif
