@@ -9,7 +9,7 @@ import math
 import re
 import shutil
 
-from lab import ACCUMULATE, TILT_LENS, Failed, digest, run_measured
+from benchmarks.lab import ACCUMULATE, TILT_LENS, Failed, digest, run_measured
 
 PROCESSES = 16      # the program idles between frames
 

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Run time against error: CPU seconds of each way to a picture with a blurred lens, at equal error."""
@@ -9,23 +8,25 @@ import shutil
 import subprocess
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-import accumulation  # noqa: E402
-import builds  # noqa: E402
-import camera_share  # noqa: E402
-import contract  # noqa: E402
-import growth  # noqa: E402
-import instructions  # noqa: E402
-import pan_focus  # noqa: E402
-import plots  # noqa: E402
-import post  # noqa: E402
-import reconstruction  # noqa: E402
-import report  # noqa: E402
-import suite  # noqa: E402
-import tilt_cost  # noqa: E402
-import tilted  # noqa: E402
-import versus_stock  # noqa: E402
-from lab import HERE, Failed, Lab  # noqa: E402
+from benchmarks import (
+    accumulation,
+    builds,
+    camera_share,
+    contract,
+    growth,
+    instructions,
+    pan_focus,
+    plots,
+    post,
+    reconstruction,
+    report,
+    suite,
+    tilt_cost,
+    tilted,
+    versus_stock,
+)
+from benchmarks.lab import Failed, Lab
+from tools.repository import BUILD, ROOT
 
 PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract", "builds")
 NAMES = [scene.name for scene in suite.SCENES]
@@ -40,20 +41,19 @@ def chosen(text, names, what, parser):
 
 
 def arguments():
-    build = HERE.parent / "build"
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="fewer settings: some CPU minutes")
     parser.add_argument("--full", dest="quick", action="store_false", help="all settings (default)")
     parser.add_argument("--scenes", default=",".join(NAMES), help="of " + ", ".join(NAMES))
     parser.add_argument("--parts", help=f"of {', '.join(PARTS)}; all if not given, with --quick only stock,tilted")
-    parser.add_argument("--ours", type=pathlib.Path, default=build / "bin" / "povray", help="the patched program")
+    parser.add_argument("--ours", type=pathlib.Path, default=BUILD / "bin" / "povray", help="the patched program")
     parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray", help="the unpatched program")
-    parser.add_argument("--unpatched", type=pathlib.Path, default=build / "stock" / "bin" / "povray",
+    parser.add_argument("--unpatched", type=pathlib.Path, default=BUILD / "stock" / "bin" / "povray",
                         help="the same source built as ours, without the patches (for part instructions)")
-    parser.add_argument("--fast", type=pathlib.Path, default=build / "fast" / "bin" / "povray",
+    parser.add_argument("--fast", type=pathlib.Path, default=BUILD / "fast" / "bin" / "povray",
                         help="the patched program as cmake/build-fast makes it (for part builds)")
-    parser.add_argument("--tools", type=pathlib.Path, default=build / "tests" / "benchmarks" / "tools")
-    parser.add_argument("--work", type=pathlib.Path, default=build / "benchmarks")
+    parser.add_argument("--tools", type=pathlib.Path, default=BUILD / "tests" / "benchmarks" / "tools")
+    parser.add_argument("--work", type=pathlib.Path, default=BUILD / "benchmarks")
     parser.add_argument("--fresh", action="store_true",
                         help="measure again what an earlier run has measured (references are kept)")
     parser.add_argument("--update-docs", action="store_true", help="put tables and plots into docs/")
@@ -149,10 +149,10 @@ def main():
     (folder / "tables.md").write_text(made)
     print(made)
     if args.update_docs:
-        pictures = HERE.parent / "docs" / "pictures" / "benchmarks"
+        pictures = ROOT / "docs" / "pictures" / "benchmarks"
         shutil.rmtree(pictures, ignore_errors=True)
         shutil.copytree(folder, pictures, ignore=shutil.ignore_patterns("*.md"))
-        report.update_document(HERE.parent / "docs" / "benchmarks.md", made)
+        report.update_document(ROOT / "docs" / "benchmarks.md", made)
     return 0
 
 

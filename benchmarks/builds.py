@@ -3,8 +3,8 @@
 """What link-time and profile-guided optimisation bring: the program of cmake/build-fast against the usual one,
 at the same rays. The profile is trained with gallery, tutorial and paper, not with these scenes."""
 
-import suite
-from lab import TILT_LENS
+from benchmarks import suite
+from benchmarks.lab import TILT_LENS
 
 EVEN = suite.limits(64, 64, 0)
 

@@ -3,9 +3,8 @@
 """What camera and sampler take of a ray in scenes whose rays are cheap: callgrind's instructions of sampling whole tiles,
 less those of following the rays into the scene."""
 
-import instructions
-import suite
-from lab import TILT_LENS, Shot
+from benchmarks import instructions, suite
+from benchmarks.lab import TILT_LENS, Shot
 
 SCENES = ("wall", "checks", "town")
 SIZE = instructions.SIZE

@@ -6,8 +6,8 @@ number of samples, or rays were wasted on them."""
 
 from statistics import mean
 
-import suite
-from lab import TILT_LENS
+from benchmarks import suite
+from benchmarks.lab import TILT_LENS
 
 SIZE = (64, 48)
 VARIANCES = (1e-3, 1e-4, 1e-5, 1e-6)

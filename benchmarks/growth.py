@@ -4,8 +4,8 @@
 
 import os
 
-import suite
-from lab import STOCK, TILT_LENS, Shot
+from benchmarks import suite
+from benchmarks.lab import STOCK, TILT_LENS, Shot
 
 ASKED = suite.limits(8, 4096, 1e-3)
 STOCK_ASKED = suite.limits(64, 1600, 1e-3)

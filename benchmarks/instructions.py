@@ -8,8 +8,8 @@ import re
 import subprocess
 import tempfile
 
-import suite
-from lab import PINHOLE, STOCK, Failed, Shot, digest
+from benchmarks import suite
+from benchmarks.lab import PINHOLE, STOCK, Failed, Shot, digest
 
 SIZE = (64, 48)
 CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),

@@ -13,8 +13,9 @@ import subprocess
 import tempfile
 import time
 
-HERE = pathlib.Path(__file__).resolve().parent
-SCENES = HERE / "scenes"
+from tools.repository import ROOT
+
+SCENES = ROOT / "benchmarks" / "scenes"
 PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # Form of scenes/camera.inc
 
 

@@ -5,9 +5,9 @@ program's anti-aliasing (+A) of a pinhole, at equal error."""
 
 import math
 
-import suite
-from front import seconds_for
-from lab import PINHOLE, TILT_LENS
+from benchmarks import suite
+from benchmarks.front import seconds_for
+from benchmarks.lab import PINHOLE, TILT_LENS
 
 SCENES = ("checks", "foliage", "town")
 SHARP = (("Blur", 1e-3),)

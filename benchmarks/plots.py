@@ -4,8 +4,8 @@
 
 import subprocess
 
-from front import pareto
-from lab import Failed
+from benchmarks.front import pareto
+from benchmarks.lab import Failed
 
 LOOKS = {   # program: title, point, colour
     "stock": ("stock focal blur", 4, "#b0413e"), "tilt_lens": ("tilt_lens", 7, "#1f5fa8"),

@@ -5,7 +5,7 @@
 import math
 import re
 
-from lab import PINHOLE, TILT_LENS, digest, run_measured
+from benchmarks.lab import PINHOLE, TILT_LENS, digest, run_measured
 
 FOG = 12.0
 # With any threshold the program's anti-aliasing misses many fine edges.

@@ -4,13 +4,11 @@
 instructions (callgrind), which are the same every time, and an error is that of several independent pictures: what is
 looked for may be a hundredth."""
 
-import dataclasses
 import math
 
-import instructions
-import suite
-from front import error_after, pareto
-from lab import PINHOLE, TILT_LENS, digest
+from benchmarks import instructions, suite
+from benchmarks.front import error_after, pareto
+from benchmarks.lab import PINHOLE, TILT_LENS, digest
 
 SIZE = (100, 75)        # callgrind takes fifty times as long as the program
 VARIANCES = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4)

@@ -6,9 +6,9 @@ import csv
 import pathlib
 import re
 
-import suite
-from front import geometric_mean
-from reconstruction import PICTURES, compare
+from benchmarks import suite
+from benchmarks.front import geometric_mean
+from benchmarks.reconstruction import PICTURES, compare
 
 COLUMNS = ("program", "scene", "tilted", "setting", "cpu", "start_up", "runs", "rmse", "mean", "samples",
            "samples_99", "samples_most")

@@ -4,7 +4,7 @@
 
 import dataclasses
 
-from lab import STOCK, TILT_LENS, Shot
+from benchmarks.lab import STOCK, TILT_LENS, Shot
 
 
 @dataclasses.dataclass(frozen=True)

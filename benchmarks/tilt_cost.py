@@ -6,9 +6,8 @@ vary by more than what is asked, instructions (of a smaller picture, if there is
 import dataclasses
 import shutil
 
-import instructions
-import suite
-from lab import TILT_LENS, Shot
+from benchmarks import instructions, suite
+from benchmarks.lab import TILT_LENS, Shot
 
 SETTINGS = {"64 samples everywhere": suite.limits(64, 64, 0), "variance 1/5000": suite.limits(8, 4096, 2e-4)}
 

@@ -4,12 +4,10 @@
 
 import math
 
-import accumulation
-import post
-import suite
-from front import pareto, seconds_for
-from lab import TILT_LENS
-from versus_stock import repetitions
+from benchmarks import accumulation, post, suite
+from benchmarks.front import pareto, seconds_for
+from benchmarks.lab import TILT_LENS
+from benchmarks.versus_stock import repetitions
 
 
 def ours(lab, scene, reference, finest):

@@ -6,9 +6,9 @@ import collections
 import math
 import statistics
 
-import suite
-from front import seconds_for
-from lab import STOCK, TILT_LENS
+from benchmarks import suite
+from benchmarks.front import seconds_for
+from benchmarks.lab import STOCK, TILT_LENS
 
 
 def repetitions(cpu, quick):

@@ -7,9 +7,9 @@ import dataclasses
 import itertools
 import math
 
-import marks
-from common import Claim
-from lens import Lens, View, add, dot, length, sub, times
+from experiments import marks
+from experiments.laboratory import Claim
+from experiments.lens import Lens, View, add, dot, length, sub, times
 
 PLAIN = View(location=(0, 32, -50), look_at=(0, 3, 0), width=360, height=240, focal_length=50,
              f_stop=2.8, scene_unit=10)

@@ -7,8 +7,8 @@ nobody else has; here the other curve is the unpatched program's accumulation bu
 import dataclasses
 import math
 
-from common import SCENES, Claim
-from lens import Lens, View
+from experiments.laboratory import SCENES, Claim
+from experiments.lens import Lens, View
 
 VIEW = View(location=(0, 32, -50), look_at=(0, 3, 0), width=240, height=160, focal_length=50,
             f_stop=2.8, scene_unit=10)
@@ -59,7 +59,7 @@ def compare_lines(lab, letter, lens, pictures, names, stem, title):
         a, b = lens.pixel(start), lens.pixel(end)
         csv = lab.results / f"{stem}_{letter}_{colour}.csv"
         csv.parent.mkdir(parents=True, exist_ok=True)
-        report = lab.json([lab.tool("paper", "profile"), "line", *pictures, "--from-to", *a, *b,
+        report = lab.json([lab.tool("profile"), "line", *pictures, "--from-to", *a, *b,
                            *[x for name in names for x in ("--name", name)],
                            "--colour", "#bbbbbb", "--colour", shade, "--colour", "#0044cc",
                            "--csv", csv,

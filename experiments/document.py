@@ -12,10 +12,10 @@ import csv
 import re
 import shutil
 
-from common import REPOSITORY
+from tools.repository import ROOT
 
-TEXT = REPOSITORY / "docs" / "paper.md"
-PICTURES = REPOSITORY / "docs" / "pictures" / "paper"
+TEXT = ROOT / "docs" / "paper.md"
+PICTURES = ROOT / "docs" / "pictures" / "paper"
 TABLE = re.compile(r"(<!-- table: (\S+) -->\n).*?(<!-- end of table -->)", re.DOTALL)
 LINK = re.compile(r"\]\((pictures/paper/[^)]+)\)")
 

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Equation (1) of the seed paper as a table, from the fork's solver and in reverse."""
 
-from common import Claim
+from experiments.laboratory import Claim
 
 LIMIT = 8.0     # of 2^-52: a dozen roundings, at angles up to 85 degrees
 
 
 def table(lab):
     lab.results.mkdir(parents=True, exist_ok=True)
-    report = lab.json([lab.tool("paper", "optics_table"), "--csv", lab.results / "equation1.csv",
+    report = lab.json([lab.tool("optics_table"), "--csv", lab.results / "equation1.csv",
                        "--limit", LIMIT], accept=(0, 2))
     yield Claim(f"equation (1), {report['rows']} rows", report["worst"], LIMIT, "x 2^-52")
     yield Claim("the same in reverse", report["worst_reverse"], LIMIT, "x 2^-52")

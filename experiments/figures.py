@@ -4,12 +4,11 @@
 them, against a pinhole's picture of the same scene."""
 
 import dataclasses
-import math
 
-import box as box_scene
-from common import SCENES, Claim
-from lens import Lens, View, add, length, sub, times
-from sharpness import Region, beyond_grid, measure, regions
+from experiments import box as box_scene
+from experiments.laboratory import SCENES, Claim
+from experiments.lens import Lens, View, add, length, sub, times
+from experiments.sharpness import Region, beyond_grid, measure, regions
 
 PINHOLE = 0.0001        # factor of the aperture
 

@@ -7,8 +7,8 @@ pixels aside change a line's brightness by at most so many times the picture's s
 
 import dataclasses
 
-from box import LINES, VIEW, state
-from common import SCENES, Claim
+from experiments.box import LINES, VIEW, state
+from experiments.laboratory import SCENES, Claim
 
 F_STOP = 8              # the glass's own aberrations are small there
 SAME_SCENE = 0.5        # levels: the ideal lens in the glass's program against tilt_lens, as Table 1
@@ -33,7 +33,7 @@ class Tracer:
         made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
         made.parent.mkdir(parents=True, exist_ok=True)
         report = self.lab.json([
-            self.lab.tool("paper", "glass"), made, "--width", view.width, "--height", view.height,
+            self.lab.tool("glass"), made, "--width", view.width, "--height", view.height,
             "--samples", 128 if whole else 1024, "--f-stop", f_stop,
             "--tilt", self.lens.tilt(), "--film-distance",
             self.lens.film_distance * view.scene_unit, "--model", model,
@@ -44,7 +44,7 @@ class Tracer:
 
 def levels(lab, first, others, line):
     """Average differences of pictures from the first, along a line."""
-    report = lab.json([lab.tool("paper", "profile"), "line", first, *others, "--from-to", *line,
+    report = lab.json([lab.tool("profile"), "line", first, *others, "--from-to", *line,
                        "--points", 400])
     return [curve["average_difference"] for curve in report["curves"]]
 
@@ -71,7 +71,7 @@ def compare(lab):
         for (colour, line), rays in zip(lines.items(), measured):
             whole, *left = levels(lab, glass, [ours, *shots.values()], line)
             same, = levels(lab, ours, [shots["thin"]], line)
-            steep = float(lab.run([lab.tool("paper", "profile"), "steepness", sharp, "--from-to",
+            steep = float(lab.run([lab.tool("profile"), "steepness", sharp, "--from-to",
                                    *line, "--reach", REACH]))
             rows.append([letter, colour, same, whole, *left[1:], *(rays[step] for step in STEPS),
                          rays["all"], rays["vignetted"], steep])

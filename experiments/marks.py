@@ -4,9 +4,8 @@
 
 import math
 
-from common import HERE
-from lens import add, times
-
+from experiments.laboratory import OWN_SCENES
+from experiments.lens import add, times
 
 SIZE = 2.5      # radius of a disc in a pinhole's picture, pixels
 
@@ -50,7 +49,7 @@ def render(lab, name, lens, through, points, samples=1024):
         f"#declare F_Stop = {view.f_stop};", f"#declare Tilt = {lens.tilt():.12g};",
         f"#declare Shift = {vector(view.shift)};", f"#declare Samples = {samples};",
         f"#declare Marks = array[{len(points)}][2] {{\n{marks}\n}}", ""]))
-    return lab.render(HERE / "scenes" / "marks.pov", f"{name}/marks.exr", (view.width, view.height),
+    return lab.render(OWN_SCENES / "marks.pov", f"{name}/marks.exr", (view.width, view.height),
                       options=[f"+L{folder}"])
 
 

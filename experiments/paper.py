@@ -1,41 +1,39 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The seed paper's experiments: renders, measures, fails where a number leaves its tolerance."""
 
 import argparse
-import importlib
 import pathlib
 import sys
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-import document  # noqa: E402
-from common import REPOSITORY, Laboratory  # noqa: E402
+from experiments import blur, box, document, equation, figures, glass, real_lenses, shift
+from experiments.laboratory import Laboratory
+from tools.repository import BUILD
 
-# Name, module, function; in the order of docs/paper.md.
+# Name and function, in the order of docs/paper.md.
 EXPERIMENTS = [
-    ("equation", "equation", "table"),
-    ("dragons", "figures", "dragons"),
-    ("box", "figures", "box"),
-    ("table1", "box", "table_1"),
-    ("landscape", "figures", "landscape"),
-    ("spots", "blur", "spots"),
-    ("plane", "blur", "plane"),
-    ("hinge", "blur", "hinge"),
-    ("tower", "shift", "tower"),
-    ("tilt_with_shift", "shift", "tilt_with_shift"),
-    ("real_lenses", "real_lenses", "table"),
-    ("glass", "glass", "compare"),
+    ("equation", equation.table),
+    ("dragons", figures.dragons),
+    ("box", figures.box),
+    ("table1", box.table_1),
+    ("landscape", figures.landscape),
+    ("spots", blur.spots),
+    ("plane", blur.plane),
+    ("hinge", blur.hinge),
+    ("tower", shift.tower),
+    ("tilt_with_shift", shift.tilt_with_shift),
+    ("real_lenses", real_lenses.table),
+    ("glass", glass.compare),
 ]
 
 
-def run(lab, name, module, function):
+def run(lab, name, function):
     """One experiment; its failures in words."""
     started, failures, claims = time.monotonic(), [], []
     print(f"== {name}", flush=True)
     try:
-        for claim in getattr(importlib.import_module(module), function)(lab):
+        for claim in function(lab):
             print("   " + claim.line(), flush=True)
             claims.append([claim.text, float(claim.value), claim.unit, claim.allowed()])
             if not claim.holds:
@@ -51,15 +49,14 @@ def run(lab, name, module, function):
 
 
 def options():
-    build = REPOSITORY / "build"
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="EXPERIMENT",
                         help="all if none; of " + ", ".join(name for name, *_ in EXPERIMENTS))
     parser.add_argument("--quick", action="store_true", help="small pictures, the fast claims only")
-    parser.add_argument("--povray", type=pathlib.Path, default=build / "bin" / "povray")
+    parser.add_argument("--povray", type=pathlib.Path, default=BUILD / "bin" / "povray")
     parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray",
                         help="the unpatched program")
-    parser.add_argument("--tools", type=pathlib.Path, default=build, help="build folder")
+    parser.add_argument("--tools", type=pathlib.Path, default=BUILD, help="build folder")
     parser.add_argument("--work", type=pathlib.Path,
                         help="pictures, and results/EXPERIMENT; default: build/experiments/full or "
                              "quick. Pictures of the same program and scene are kept from run to run")
@@ -75,7 +72,7 @@ def options():
     if args.quick and args.update_docs:
         parser.error("--update-docs takes the full form, not --quick")
     if not args.work:
-        args.work = build / "experiments" / ("quick" if args.quick else "full")
+        args.work = BUILD / "experiments" / ("quick" if args.quick else "full")
     return args
 
 
@@ -86,11 +83,11 @@ def main():
         print("\n".join(wrong) if wrong else "docs/paper.md shows the stored tables and pictures.")
         return 1 if wrong else 0
     work, failures, done = args.work.resolve(), [], []
-    for name, module, function in EXPERIMENTS:
+    for name, function in EXPERIMENTS:
         if not args.names or name in args.names:
             lab = Laboratory(args.povray.resolve(), args.stock.resolve(), args.tools.resolve(), work,
                              work / "results" / name, args.quick, args.threads)
-            failures += run(lab, name, module, function)
+            failures += run(lab, name, function)
             done.append(lab.results)
     if args.update_docs and not failures:
         document.update(done)

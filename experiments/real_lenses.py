@@ -8,9 +8,9 @@ for lenses, f-numbers and distances that people use; u0: focus, u: subject, from
 
 import math
 
-import marks
-from common import Claim
-from lens import Lens, View
+from experiments import marks
+from experiments.laboratory import Claim
+from experiments.lens import Lens, View
 
 LIMIT = 0.01
 # Focal length mm, f-number, focus and subjects in metres.

@@ -8,7 +8,7 @@ import itertools
 import json
 import math
 
-from common import Claim
+from experiments.laboratory import Claim
 
 # By how an edge falls on the grid, a pixel's own variance, 1/12, is counted or is not; a disc's
 # variance is d^2/16. So a measured d^2 is right to 16/12 square pixels.
@@ -50,7 +50,7 @@ class Region:
 
 def measure(lab, sharp, blurred, windows, widest):
     """The diameters that turn the sharp picture into the blurred one, window by window."""
-    found = lab.json([lab.tool("paper", "profile"), "blur", sharp, blurred, "--widest", widest],
+    found = lab.json([lab.tool("profile"), "blur", sharp, blurred, "--widest", widest],
                      stdin=json.dumps(windows))
     return [entry["diameter"] for entry in found]
 

@@ -5,10 +5,10 @@ tilt shows the part of the same picture that it should."""
 
 import dataclasses
 
-import marks
-from blur import PLAIN, SPOT_LIMIT, THROUGH, cropped, error_of, spot_grid
-from common import HERE, Claim
-from lens import Lens
+from experiments import marks
+from experiments.blur import PLAIN, SPOT_LIMIT, THROUGH, cropped, error_of, spot_grid
+from experiments.laboratory import OWN_SCENES, Claim
+from experiments.lens import Lens
 
 PARALLEL_LIMIT = 0.1    # pixels, over the whole height of the picture
 SIZE = (240, 360)
@@ -26,8 +26,8 @@ def convergence(lab, name, declare, rows=(FIRST, LAST)):
     """How much nearer the tower's two verticals are at the top of the picture than at its bottom,
     pixels."""
     options = () if any(key == "F_Stop" for key, _ in declare) else ("+A0.0", "+AM1", "+R9", "-J")
-    picture = lab.render(HERE / "scenes" / "tower.pov", name, SIZE, declare, options)
-    found = lab.json([lab.tool("paper", "profile"), "edges", picture, "--inside", INSIDE,
+    picture = lab.render(OWN_SCENES / "tower.pov", name, SIZE, declare, options)
+    found = lab.json([lab.tool("profile"), "edges", picture, "--inside", INSIDE,
                       "--first", rows[0], "--last", rows[1]])
     return slope([(row["row"], row["right"] - row["left"]) for row in found]) * SIZE[1]
 

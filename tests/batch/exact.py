@@ -3,16 +3,16 @@
 """Pictures put together from bands equal those of one render: kinds of files, numbers of bands, stock
 scenes; and what cannot be cut is not."""
 
-import common
-from common import LENS, STOCK, BatchTest, picture
+from tests.batch import harness
+from tests.batch.harness import LENS, STOCK, BatchTest, picture
 
 SIZE = ("+W100", "+H75", "+WT1")
 
-JITTER = common.STOCK.replace(
+JITTER = harness.STOCK.replace(
     "light_source { <-4, 9, -5>, rgb 1 }",
     "light_source { <-4, 9, -5>, rgb 1 area_light x, z, 3, 3 jitter }",
 )
-RADIOSITY = common.STOCK.replace("assumed_gamma 1", "assumed_gamma 1 radiosity { count 20 }")
+RADIOSITY = harness.STOCK.replace("assumed_gamma 1", "assumed_gamma 1 radiosity { count 20 }")
 
 
 class Exact(BatchTest):
@@ -56,4 +56,4 @@ class NotCut(BatchTest):
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

@@ -9,8 +9,8 @@ import shlex
 import signal
 import time
 
-import common
-from common import LENS, SLOW, BatchTest, processes
+from tests.batch import harness
+from tests.batch.harness import LENS, SLOW, BatchTest, processes
 
 
 class Killed(BatchTest):
@@ -94,7 +94,7 @@ class Killed(BatchTest):
 def environ(pid):
     """A process's environment as text."""
     try:
-        return common.pathlib.Path(f"/proc/{pid}/environ").read_bytes().decode(errors="replace")
+        return harness.pathlib.Path(f"/proc/{pid}/environ").read_bytes().decode(errors="replace")
     except OSError:
         return ""
 
@@ -117,7 +117,7 @@ class Failing(BatchTest):
     def test_tries_are_bounded(self):
         # A stand-in that renders, but is killed in the batch proper.
         self.stand_in(
-            f"case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(common.SETTINGS.povray)} \"$@\""
+            f"case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(harness.SETTINGS.povray)} \"$@\""
         )
         words = ("still", self.scene(LENS), "--bands", 1, "--retries", 2, "+W48", "+H40")
         self.assertIn("was ended by signal 9", self.batch(*words, code=1))
@@ -133,13 +133,13 @@ class Failing(BatchTest):
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000))
 
-        done = common.subprocess.run(
+        done = harness.subprocess.run(
             words,
             cwd=self.folder,
             env=self.env,
             preexec_fn=little_room,
-            stdout=common.subprocess.PIPE,
-            stderr=common.subprocess.STDOUT,
+            stdout=harness.subprocess.PIPE,
+            stderr=harness.subprocess.STDOUT,
             text=True,
             check=False,
             timeout=100,
@@ -153,4 +153,4 @@ class Failing(BatchTest):
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

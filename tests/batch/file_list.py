@@ -5,11 +5,11 @@
 import os
 import subprocess
 
-import common
-from common import SETTINGS, BatchTest
+from tests.batch import harness
+from tests.batch.harness import SETTINGS, BatchTest
 
 SCENE = (
-    common.STOCK
+    harness.STOCK
     + """
 #declare Name = concat("cal", "culated.inc");
 #include Name
@@ -63,4 +63,4 @@ class FileList(BatchTest):
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

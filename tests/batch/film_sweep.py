@@ -3,8 +3,8 @@
 """Films and sweeps: each picture equals the one of a single call; the contact sheet; what the command
 line refuses."""
 
-import common
-from common import LENS, BatchTest, picture
+from tests.batch import harness
+from tests.batch.harness import LENS, BatchTest, picture
 
 SIZE = ("+W64", "+H48", "+WT1")
 
@@ -86,9 +86,9 @@ class Refused(BatchTest):
 
     def test_a_program_that_lists_no_files(self):
         self.program = "/usr/bin/povray"
-        said = self.batch("still", self.scene(common.STOCK), code=1)
+        said = self.batch("still", self.scene(harness.STOCK), code=1)
         self.assertIn("not this project's povray", said)
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

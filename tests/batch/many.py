@@ -7,11 +7,9 @@ import itertools
 import shlex
 import unittest.mock
 
-import common
-from common import SETTINGS, STOCK, BatchTest
-
-import batch
-import slurm
+from tests.batch import harness
+from tests.batch.harness import SETTINGS, STOCK, BatchTest
+from tools.batch import batch, slurm
 
 WORKERS = 8
 
@@ -38,9 +36,9 @@ class Many(BatchTest):
         self.assertEqual(list((work / "units").glob("*/picture*")), [], "no parts are left")
 
 
-class Tasks(common.unittest.TestCase):
+class Tasks(harness.unittest.TestCase):
     def tasks(self, units, seconds, largest, engine=slurm):
-        settings = common.argparse.Namespace(workers=100, partition=None)
+        settings = harness.argparse.Namespace(workers=100, partition=None)
         description = {
             "estimate": {"picture": seconds, "start": 0.6},
             "key": {"bands": [[1, 9]]},
@@ -62,4 +60,4 @@ class Tasks(common.unittest.TestCase):
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

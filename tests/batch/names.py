@@ -6,8 +6,8 @@ written."""
 import os
 import subprocess
 
-import common
-from common import LENS, SETTINGS, BatchTest, held_to_permissions
+from tests.batch import harness
+from tests.batch.harness import LENS, SETTINGS, BatchTest, held_to_permissions
 
 WEIRD = "a \"b' c\nd $(x) %a ;*"
 RELATIVE = (
@@ -75,11 +75,11 @@ class Names(BatchTest):
         (self.folder / "more.ini").write_text("Width=48\nHeight=40\n[wide]\nWidth=96\n")
         scene = self.scene(LENS + '#include "deep.inc"\n')
         self.batch("still", scene, "--bands", 1, "+Lin c", "more.ini[wide]")
-        self.assertEqual(common.picture(self.folder / "scene.png")[:2], (96, 40))
+        self.assertEqual(harness.picture(self.folder / "scene.png")[:2], (96, 40))
         self.env["POVINC"] = "in c"
         words = ("still", scene, "--bands", 1, "--output", "b.png", "+W48", "+H40")
         self.batch(*words)
-        self.assertEqual(common.picture(self.folder / "b.png")[:2], (48, 40))
+        self.assertEqual(harness.picture(self.folder / "b.png")[:2], (48, 40))
         del self.env["POVINC"]
         self.assertIn("environment variable POVINC: was", self.batch(*words, code=1))
 
@@ -91,7 +91,7 @@ class Names(BatchTest):
         said = self.batch("still", scene, "--bands", 1, "+W48", "+H40", code=1)
         self.assertIn("is there now", said)
         self.batch("still", scene, "--bands", 1, "--output", "b.png")
-        self.assertEqual(common.picture(self.folder / "b.png")[:2], (32, 24))
+        self.assertEqual(harness.picture(self.folder / "b.png")[:2], (32, 24))
 
     def test_read_only_scene_folder(self):
         scene = self.lay_out("fixed")
@@ -109,4 +109,4 @@ class Names(BatchTest):
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

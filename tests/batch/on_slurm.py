@@ -9,9 +9,10 @@ import subprocess
 import sys
 import tempfile
 
-import common
-from cluster import Cluster, environment_of
-from common import LENS, SETTINGS, SLOW, BatchTest, picture, processes
+from tests.batch import harness
+from tests.batch.harness import LENS, SETTINGS, SLOW, BatchTest, picture, processes
+from tools.cluster import Cluster, environment_of
+from tools.repository import module_command
 
 SMALL = ("+W48", "+H40", "+WT1", "Output_Layers=on")
 SLOWER = (*SLOW[:2], "Declare=Samples=800", "Output_Layers=on")  # so that a band on each node is half done at one time
@@ -86,7 +87,7 @@ class OnSlurm(BatchTest):
         site = ("--partition", "main", "--time", "17", "--account", "film42", "--sbatch=--nice=5")
         said = self.batch(*words, "--on", "slurm", "--detach", "--workers", 2, *site)
         self.assertIn("Not waiting", said)
-        array = common.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())[0]
+        array = harness.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())[0]
         told = self.cluster.run("scontrol", "show", "job", array).stdout.split()
         for option in ("Partition=main", "TimeLimit=00:17:00", "Account=film42", "Nice=5"):
             self.assertIn(option, told)
@@ -152,11 +153,11 @@ def node_of(pid):
 
 def main():
     """As an ordinary user where root may become one who can run what is tested: a cluster must not need root."""
-    rest = common.read_settings()
+    rest = harness.read_settings()
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
-    program = ["python3", "-B", os.path.abspath(__file__), "--povray", SETTINGS.povray]
+    program = module_command("tests.batch.on_slurm", "--povray", SETTINGS.povray)
     if os.getuid() != 0 or not can_run([*user, *program, "--help"], [*user, SETTINGS.povray, "--version"]):
-        common.main()
+        harness.main()
     with tempfile.TemporaryDirectory(prefix="home.") as home:
         os.chown(home, 65534, 65534)
         os.chmod(home, 0o755)  # munge wants its socket to be reachable for all

@@ -6,8 +6,8 @@ POV-Ray's own pitfalls of continuing cannot be reached."""
 import os
 import shutil
 
-import common
-from common import LENS, SETTINGS, BatchTest
+from tests.batch import harness
+from tests.batch.harness import LENS, SETTINGS, BatchTest
 
 SIZE = ("+W48", "+H40", "+WT1")
 
@@ -18,14 +18,14 @@ class Again(BatchTest):
         self.batch("film", scene, "--frames", 4, *SIZE)
         work, film = self.folder / "scene_film.batch", self.folder / "scene_film"
         times = {path.name: path.stat().st_mtime_ns for path in film.iterdir()}
-        first = common.picture(film / "scene0002.png")
+        first = harness.picture(film / "scene0002.png")
         self.assertIn("4 of 4 pictures", self.batch("film", scene, "--frames", 4, *SIZE))
         self.assertEqual(
             times, {path.name: path.stat().st_mtime_ns for path in film.iterdir()}, "nothing was made again"
         )
         (film / "scene0002.png").unlink()
         self.batch("film", scene, "--frames", 4, *SIZE)
-        self.assertEqual(common.picture(film / "scene0002.png"), first)
+        self.assertEqual(harness.picture(film / "scene0002.png"), first)
         self.assertEqual(
             {n for n, t in times.items() if (film / n).stat().st_mtime_ns != t}, {"scene0002.png"}
         )
@@ -41,7 +41,7 @@ class Again(BatchTest):
             (work / "units" / name).mkdir(exist_ok=True)
         (self.folder / "scene.png").unlink()
         (work / "merged" / "00000.json").unlink()
-        record = common.json.loads((work / "done" / "00000.0000.json").read_text())
+        record = harness.json.loads((work / "done" / "00000.0000.json").read_text())
         size = record["files"][".png"]["bytes"]
         (work / "units" / "00000.0000" / "picture.png").write_bytes(b"\x89PNG".ljust(size, b"x"))
         (work / "done" / "00000.0001.json").unlink()
@@ -73,7 +73,7 @@ class Changed(BatchTest):
         )
         own = self.scene("#declare Own = 1;\n", "parts/own.inc")
         create = ["oiiotool", "--create", "4x4", "3", "-o", "map.png"]
-        common.subprocess.run(create, cwd=self.folder, check=True)
+        harness.subprocess.run(create, cwd=self.folder, check=True)
         self.batch("still", scene, "--bands", 1, *SIZE)
         for path in (scene, own, self.folder / "map.png"):
             kept = path.read_bytes()
@@ -129,4 +129,4 @@ class Changed(BatchTest):
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

@@ -14,16 +14,9 @@ import tempfile
 import unittest
 import unittest.mock
 
-import common
-
-import batch
-import key
-import plan
-import povray
-import pov_options
-import progress
-import slurm
-import store
+from tests.batch import harness
+from tools.batch import batch, key, plan, pov_options, povray, progress, slurm, store
+from tools.repository import ROOT
 
 
 class Bands(unittest.TestCase):
@@ -201,8 +194,8 @@ class Documents(unittest.TestCase):
     def commands(self):
         """The calls of ./batch in the pages, each with the page's name."""
         for page in ("README.md", "docs/batch.md"):
-            for line in (common.REPOSITORY / page).read_text().splitlines():
-                found = re.match(r"    (?:tests/batch/cluster.py 3 )?\./batch (.*)", line)
+            for line in (ROOT / page).read_text().splitlines():
+                found = re.match(r"    (?:python3 -m tools.cluster 3 )?\./batch (.*)", line)
                 if found and "SCENE" not in line:
                     yield page, shlex.split(found.group(1))
 
@@ -213,13 +206,13 @@ class Documents(unittest.TestCase):
             settings, rest = batch.parser().parse_known_args(words)
             pov_options.PovOptions(rest)
             if settings.scene != "scene.pov":
-                self.assertTrue((common.REPOSITORY / settings.scene).is_file(), f"{page}: {words}")
+                self.assertTrue((ROOT / settings.scene).is_file(), f"{page}: {words}")
 
     def test_every_option_is_in_the_page(self):
-        page = (common.REPOSITORY / "docs/batch.md").read_text()
+        page = (ROOT / "docs/batch.md").read_text()
         for kind in ("still", "film", "sweep"):
             done = subprocess.run(
-                [str(common.REPOSITORY / "batch"), kind, "--help"],
+                [str(ROOT / "batch"), kind, "--help"],
                 capture_output=True,
                 text=True,
                 check=True,
@@ -278,4 +271,4 @@ class Records(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    common.main()
+    harness.main()

@@ -1,15 +1,11 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The arithmetic behind the benchmark's ratios."""
 
-import pathlib
-import sys
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
-import versus_stock  # noqa: E402
-from front import error_after, geometric_mean, pareto, seconds_for  # noqa: E402
+from benchmarks import versus_stock
+from benchmarks.front import error_after, geometric_mean, pareto, seconds_for
 
 
 class Front(unittest.TestCase):

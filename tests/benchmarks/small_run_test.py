@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The benchmark in very small: small_run_test.py PROGRAM TOOLS. It says nothing about time, but that all ways
@@ -12,20 +11,21 @@ import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
-import accumulation  # noqa: E402
-import camera_share  # noqa: E402
-import contract  # noqa: E402
-import instructions  # noqa: E402
-import pan_focus  # noqa: E402
-import plots  # noqa: E402
-import post  # noqa: E402
-import reconstruction  # noqa: E402
-import report  # noqa: E402
-import suite  # noqa: E402
-import tilted  # noqa: E402
-import versus_stock  # noqa: E402
-from lab import TILT_LENS, Lab  # noqa: E402
+from benchmarks import (
+    accumulation,
+    camera_share,
+    contract,
+    instructions,
+    pan_focus,
+    plots,
+    post,
+    reconstruction,
+    report,
+    suite,
+    tilted,
+    versus_stock,
+)
+from benchmarks.lab import TILT_LENS, Lab
 
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (40, 30)

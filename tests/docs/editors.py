@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The items of the block are the same everywhere: parser, manual, manual page, editors. Completion completes; snippets
@@ -15,7 +14,8 @@ import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from tools.repository import ROOT
+
 EDITORS = ROOT / "editors"
 WORDS = ROOT / "povray-src" / "povray" / "source" / "backend" / "parser" / "tilt_lens_words.cpp"
 SETTINGS = argparse.Namespace(povray="povray")

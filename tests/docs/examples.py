@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Renders every example of a page, small, and the scenes that its ./render commands name. pages.py has the convention."""
@@ -11,9 +10,9 @@ import subprocess
 import sys
 import tempfile
 
-import pages
+from tools.docs import pages
+from tools.repository import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIZE = ("+W32", "+H18")
 VIEW = "right x*image_width/image_height location <0, 1.6, -6> look_at <0, 0.8, 2>"
 CAMERA_WORDS = re.compile(r"\b(location|look_at)\b|Tilt_Lens_(Real_)?Upright")

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """What "cmake --install" puts beside the program for people to read: the pages, with links that lead somewhere, and the
@@ -12,9 +11,9 @@ import sys
 import tempfile
 import unittest
 
-import pages
+from tools.docs import pages
+from tools.repository import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SETTINGS = argparse.Namespace(cmake="cmake", build="build")
 # Of the source alone; a program that is installed has neither.
 NOT_INSTALLED = re.compile(r"(\.\./)?(cmake|tests|experiments|benchmarks|povray-src|patches|tools|reference-images|batch|check|render)\b")

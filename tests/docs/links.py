@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Links of the pages lead somewhere, and the commands that they tell to run exist."""
@@ -10,11 +9,11 @@ import re
 import shlex
 import sys
 
-import pages
+from tools.docs import pages
+from tools.repository import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 PICTURES = (".jpg", ".png", ".svg", ".exr")
-OWN = re.compile(r"(\./|(cmake|tests|experiments|benchmarks|scenes|docs|editors|batch)/)[\w./-]+$")
+OWN = re.compile(r"(\./|(cmake|tests|experiments|benchmarks|scenes|tools|docs|editors)/)[\w./-]+$")
 
 
 def check_links(path, text):
@@ -41,6 +40,8 @@ def check_commands(text, name):
             continue
         while words and re.match(r"\w+=", words[0]):
             words = words[1:]
+        if words[:2] == ["python3", "-m"] and not (ROOT / f"{words[2].replace('.', '/')}.py").is_file():
+            yield f"line {number}: '{command}' runs {words[2]}, which is not a module here"
         if words and OWN.match(words[0]):
             program = ROOT / words[0]
             if not program.is_file() or not os.access(program, os.X_OK):

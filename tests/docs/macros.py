@@ -7,14 +7,11 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parent.parent
-sys.path.insert(0, str(HERE.parent / "render"))
 
-import rendering  # noqa: E402
+from tests.render import rendering
+from tools.repository import ROOT
 
 INCLUDE = '#include "tilt_lens.inc"\n'
 WORLD = "sphere { <0, 0, 1e4>, 1 } light_source { <0, 100, -100>, rgb 1 }\n"

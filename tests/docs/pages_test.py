@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The reader of pages itself: no example may slip through, no broken link pass."""
@@ -7,9 +6,8 @@ import pathlib
 import tempfile
 import unittest
 
-import examples
-import links
-import pages
+from tests.docs import examples, links
+from tools.docs import pages
 
 
 def read(text):

@@ -7,7 +7,7 @@ import dataclasses
 import os
 import subprocess
 
-import grammar
+from tests.fuzz import grammar
 
 BATCH = 500
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The short fuzz run of ./check: short.py solver|blocks|frames|regressions. `tests/stress/run fuzz` is the long one."""
+"""The short fuzz run of ./check: tests.fuzz.short solver|blocks|frames|regressions. `python3 -m tests.stress.run fuzz` is the long one."""
 
 import argparse
 import pathlib
@@ -9,13 +9,9 @@ import subprocess
 import sys
 import tempfile
 
-import blocks
-import frames
-import grammar
-import kept
-import seeds
+from tests.fuzz import blocks, frames, grammar, kept, seeds
+from tools.repository import ROOT
 
-HERE = pathlib.Path(__file__).resolve().parent
 RUNS, BLOCKS, FRAMES = 30_000, 1500, 60
 # a block that the parser refuses, and one with light past what the file can hold behind it
 BAD = ("tilt",
@@ -42,7 +38,7 @@ def solver(settings):
 
 def known_words():
     """The words of the block, from the parser's own table."""
-    table = (HERE.parents[1] / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp").read_text()
+    table = (ROOT / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp").read_text()
     return set(re.findall(r'^    \{"(\w+)", ', table, re.MULTILINE))
 
 

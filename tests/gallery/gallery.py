@@ -7,8 +7,6 @@
 """
 
 import argparse
-import importlib.machinery
-import importlib.util
 import math
 import os
 import pathlib
@@ -17,22 +15,12 @@ import subprocess
 import sys
 import tempfile
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REPOSITORY / "tests/render"))
-import rendering  # noqa: E402  pylint: disable=wrong-import-position
+from tests.render import rendering
+from tools.docs import gallery
+from tools.repository import ROOT
 
 LARGEST = 60_000  # bytes of a thumbnail
 WIDTH, HEIGHT = 64, 36
-
-
-def maker():
-    """The script that makes the pictures, as a module."""
-    path = str(REPOSITORY / "scenes/gallery/make_pictures")
-    loader = importlib.machinery.SourceFileLoader("make_pictures", path)
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("make_pictures", loader))
-    sys.modules["make_pictures"] = module
-    loader.exec_module(module)
-    return module
 
 
 def warnings(said):
@@ -47,7 +35,7 @@ def check_scene(path, povray):
         folder = pathlib.Path(name)
         (folder / "none.ini").write_text("")
         command = [os.path.abspath(povray), f"+I{path}", "+Opicture.exr", "+FE", f"+W{WIDTH}", f"+H{HEIGHT}", "-D", "-P", "-A",
-                   f"+L{REPOSITORY / 'scenes/include'}", "Declare=Samples=4"]
+                   f"+L{ROOT / 'scenes/include'}", "Declare=Samples=4"]
         done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, errors="replace", timeout=180, check=False,
                               env={**os.environ, "POVINI": str(folder / "none.ini")})
@@ -80,7 +68,7 @@ def check_blocks(page):
     faults = []
     for block in re.finditer(r"^```\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
         names = re.findall(r"\./render scenes/gallery/(\w+)\.pov", page[:block.start()])
-        scene = REPOSITORY / f"scenes/gallery/{names[-1]}.pov"
+        scene = ROOT / f"scenes/gallery/{names[-1]}.pov"
         if not scene.is_file() or plain(block.group(1)) not in plain(scene.read_text()):
             faults.append(f"docs/gallery.md shows what is not in {scene.name}:\n{block.group(1)}")
     return faults
@@ -88,16 +76,15 @@ def check_blocks(page):
 
 def check_page():
     """Faults of the page and its thumbnails."""
-    module = maker()
-    scenes = module.all_scenes()
-    page = (REPOSITORY / "docs/gallery.md").read_text()
-    rows = module.read_table()
+    scenes = gallery.all_scenes()
+    page = (ROOT / "docs/gallery.md").read_text()
+    rows = gallery.read_table()
     faults = [] if len(scenes) >= 9 else [f"only {len(scenes)} scenes"]
     for name, scene in scenes.items():
-        thumbnail = module.THUMBNAILS / f"{name}.jpg"
+        thumbnail = gallery.THUMBNAILS / f"{name}.jpg"
         command = f"./render scenes/gallery/{name}.pov {' '.join(scene.options)}"
         if not thumbnail.is_file():
-            faults.append(f"{thumbnail} is missing: run scenes/gallery/make_pictures {name}")
+            faults.append(f"{thumbnail} is missing: run python3 -m tools.docs.gallery {name}")
         elif thumbnail.stat().st_size > LARGEST:
             faults.append(f"{thumbnail} has {thumbnail.stat().st_size} bytes, more than {LARGEST}")
         if f"(pictures/gallery/{name}.jpg)" not in page:
@@ -107,7 +94,7 @@ def check_page():
         if name not in rows or f"| [{name}]" not in page:
             faults.append(f"the table of docs/gallery.md lacks {name}")
     faults += check_blocks(page)
-    faults += [f"{path} belongs to no scene" for path in module.THUMBNAILS.glob("*.jpg") if path.stem not in scenes]
+    faults += [f"{path} belongs to no scene" for path in gallery.THUMBNAILS.glob("*.jpg") if path.stem not in scenes]
     return faults
 
 

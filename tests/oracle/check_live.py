@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The oracle program itself, live: a few frames agree with the stored oracle, and with the wrong
@@ -12,9 +11,7 @@ import shutil
 import subprocess
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
-import manifest  # noqa: E402
-import pictures  # noqa: E402
+from tests.tools import manifest, pictures
 
 CASE = "tilt"
 # 128 pinholes leave an RMSE of about 0.012 in this case; the wrong sign makes 0.06.

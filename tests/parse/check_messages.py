@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs POV-Ray on each case of a file and compares what it says with what the case expects.
@@ -16,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-import cases_file
+from tests.parse import cases_file
 
 PICTURE = "picture.png"
 # POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The

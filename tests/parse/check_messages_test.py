@@ -6,8 +6,7 @@ import pathlib
 import tempfile
 import unittest
 
-import cases_file
-import check_messages
+from tests.parse import cases_file, check_messages
 
 
 def case_of(text):

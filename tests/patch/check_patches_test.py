@@ -6,7 +6,7 @@ import pathlib
 import tempfile
 import unittest
 
-import check_patches
+from tests.patch import check_patches
 
 GOOD = """Description: add a camera item
  Why it has to be here.

@@ -1,23 +1,18 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Every kind of failure is told apart from the others: each is made once, with a stand-in for the
 program that renders, and a folder of references of the test's own."""
 
-import json
 import os
 import pathlib
 import struct
 import subprocess
-import sys
 import tempfile
 import unittest
 import zlib
 
-TOOLS = pathlib.Path(__file__).resolve().parents[1] / "tools"
-sys.path.insert(0, str(TOOLS))
-import manifest  # noqa: E402
-import pictures  # noqa: E402
+from tests.tools import manifest, pictures
+from tools.repository import module_command
 
 NAME = "oracle/tilt"
 
@@ -69,10 +64,10 @@ class FailureKinds(unittest.TestCase):
         stand_in = self.folder / "stand_in"
         stand_in.write_text("#!/bin/sh\n" + script + "\n")
         stand_in.chmod(0o755)
-        done = subprocess.run([sys.executable, str(TOOLS / "check_picture.py"), NAME,
-                               "--povray", str(stand_in), "--compare", self.compare,
-                               "--work", str(self.folder / "work"),
-                               "--references", str(self.references), *more],
+        done = subprocess.run(module_command("tests.tools.check_picture", NAME,
+                                             "--povray", stand_in, "--compare", self.compare,
+                                             "--work", self.folder / "work",
+                                             "--references", self.references, *more),
                               capture_output=True, text=True, check=False)
         return done.returncode, done.stderr
 
@@ -96,7 +91,7 @@ class FailureKinds(unittest.TestCase):
     def test_different(self):
         _, page = self.expect("different", self.copy_of(self.entry.width, self.entry.height, 31000))
         for word in ("new.png", "reference.png", "difference.png", "Worst pixels",
-                     "Render it again", "Accept the change", "update_references.py"):
+                     "Render it again", "Accept the change", "tests.tools.update_references"):
             self.assertIn(word, page.read_text())
         for name in ("new.png", "reference.png", "difference.png"):
             self.assertTrue((page.parent / name).is_file(), name)

@@ -4,8 +4,7 @@
 
 import re
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 FLOOR = "plane { y, 0 pigment { rgb 0.8 } }\nbackground { rgb 0.3 }\n"
 THINGS = ("sphere { <0.3, 0.8, 0>, 0.7 pigment { rgb <0.8, 0.3, 0.2> } }\n"

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Declared and transformed cameras, and scenes that are moved, turned and scaled as a whole."""
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 LENSES = {
     "lens turned": "tilt 4 swing 2 shift <2, -1>",

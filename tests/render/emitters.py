@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Small lamps far brighter than white are found and as good as the variance asks for, sharp or far out of focus."""
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 GLOW = "pigment { rgb <1, 0.8, 0.5> } finish { ambient 0 diffuse 0 emission 30 }"
 # a map is not looked into, so that nothing is known of these lamps beforehand

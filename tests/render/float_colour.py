@@ -7,8 +7,7 @@ import re
 import subprocess
 import tempfile
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 # four squares: a value beyond half's range, one below it, one with more digits than half has, and white
 CAMERA = "camera { orthographic location -z look_at 0 right 4*x up y }\n"

@@ -6,8 +6,7 @@ import functools
 import math
 import re
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 SIZE = {"width": 131, "height": 93}  # no multiple of any tile; large enough for the map's scale
 AREA_LIT = """light_source { <4, 8, -6>, rgb 1 area_light x*3, z*3, 5, 5 adaptive 1 }

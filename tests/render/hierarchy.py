@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The bounding hierarchy: the same picture with its boxes and without."""
 
-import rendering
+from tests.render import rendering
 
 LIGHT = "light_source { <40, 60, -50>, 1 }\n"
 SIZE = {"width": 64, "height": 48}

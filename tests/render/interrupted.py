@@ -8,8 +8,7 @@ import signal
 import tempfile
 import time
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 SLOW = scenes.camera(samples="blur_samples 600 variance 0 ") + scenes.WORLD
 SIZE = {"width": 96, "height": 72}

@@ -12,8 +12,8 @@ import subprocess
 import tempfile
 import time
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
+from tools.repository import ROOT
 
 SIZE = {"width": 67, "height": 45}
 SHEARED = "right <1.2, 0.1, 0> "
@@ -81,7 +81,7 @@ class Numbers(rendering.RenderTest):
 
     def test_commands_of_the_manual(self):
         """What the manual types to see the layers makes pictures in which there is something to be seen."""
-        manual = pathlib.Path(__file__).resolve().parents[2] / "docs" / "manual.md"
+        manual = ROOT / "docs" / "manual.md"
         commands = [shlex.split(line) for line in re.findall(r"^    (oiiotool board\.layers\.exr .*)$", manual.read_text(), re.MULTILINE)]
         self.assertGreaterEqual(len(commands), 4)
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:

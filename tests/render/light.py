@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Constant surroundings stay constant; radiosity, photons and media render; nothing is NaN."""
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 SIZE = {"width": 48, "height": 36, "extension": "exr"}
 

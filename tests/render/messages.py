@@ -6,8 +6,7 @@ import pathlib
 import re
 import tempfile
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 STOCK = f"camera {{ {scenes.VIEW}aperture 0.3 blur_samples 9 }}\n" + scenes.WORLD
 BEFORE = ("Tilt Lens\n", "Lens....", "Focal length....", "Aperture....", "Sharp plane", "Hinge line....",

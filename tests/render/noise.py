@@ -5,8 +5,7 @@
 Radiosity is the exception that the contract makes; it is rendered in light.py.
 """
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 FEW = "blur_samples 8, 16 variance 1/1000 "
 TILTED = scenes.camera(samples=FEW)

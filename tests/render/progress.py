@@ -8,8 +8,7 @@ import signal
 import tempfile
 import time
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 # An even sky above, which takes the fewest samples, and a floor below that takes hundreds.
 HALVES = ("camera { location y look_at <0, 1, 1> right 4/3*x angle 60 aperture 0.5 focal_point <0, 1, 9> "

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The same pixels for any number of threads, any tiles, any part of the picture, any preview."""
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 SIZE = {"width": 59, "height": 43}  # no multiple of any tile
 

@@ -4,8 +4,7 @@
 
 import re
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 SIZE = {"width": 64, "height": 48, "extension": "exr"}
 EVEN = "background { rgb 0.5 }\n"

@@ -4,8 +4,7 @@
 
 import math
 
-import rendering
-import scenes
+from tests.render import rendering, scenes
 
 SIZE = {"width": 72, "height": 54}
 RIGHT = "right 4/3*x "

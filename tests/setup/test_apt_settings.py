@@ -4,12 +4,13 @@
 
 import unittest
 
-from common import REPOSITORY, SetupTest
+from tests.setup.harness import REPOSITORY, SetupTest
 
 FETCH = REPOSITORY / "cmake" / "fetch-debian-source"
 CODENAME = next(line.split("=", 1)[1].strip().strip('"')
                 for line in open("/etc/os-release", encoding="utf-8")
                 if line.startswith("VERSION_CODENAME="))
+
 
 ONE_LINE = f"""# a comment
 deb [arch=amd64 signed-by=/keys/debian.gpg] http://mirror.invalid/debian {CODENAME} main contrib

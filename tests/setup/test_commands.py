@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from common import REPOSITORY, SetupTest
+from tests.setup.harness import REPOSITORY, SetupTest
 
 STAND_IN = """#!/bin/bash
 for argument in "$@"; do printf 'argument [%s]\\n' "$argument" >&2; done

@@ -5,7 +5,7 @@
 import shutil
 import unittest
 
-from common import BUILD, CMAKE, POVRAY, REPOSITORY, SCENE, SetupTest
+from tests.setup.harness import BUILD, CMAKE, POVRAY, REPOSITORY, SCENE, SetupTest
 
 
 class ProgramTest(SetupTest):

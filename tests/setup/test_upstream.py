@@ -9,7 +9,7 @@ import os
 import tarfile
 import unittest
 
-from common import CMAKE, REPOSITORY, SetupTest
+from tests.setup.harness import CMAKE, REPOSITORY, SetupTest
 
 FILES = {"dsc": "povray_1.dsc", "orig": "povray_1.orig.tar.gz", "debian": "povray_1-1.debian.tar.xz"}
 TARGET = "LICENSE"                  # the upstream file that this test's patches change

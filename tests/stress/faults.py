@@ -8,15 +8,10 @@ import random
 import resource
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 
-import common
-
-sys.path.insert(0, str(common.ROOT / "tests" / "render"))
-import rendering  # noqa: E402
-import scenes  # noqa: E402
+from tests.render import rendering, scenes
 
 KILLS = 50
 SIZE = {"width": 96, "height": 72}

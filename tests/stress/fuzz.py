@@ -5,20 +5,14 @@
 import os
 import re
 import subprocess
-import sys
 
-import common
-
-sys.path.insert(0, str(common.ROOT / "tests" / "fuzz"))
-import blocks  # noqa: E402
-import frames  # noqa: E402
-import grammar as grammar_of_blocks  # noqa: E402
-import kept  # noqa: E402
-import seeds  # noqa: E402
+from tests.fuzz import blocks, frames, grammar as grammar_of_blocks, kept, seeds
+from tests.stress import harness
+from tools.repository import ROOT
 
 BLOCKS, SHARD, SECONDS = 20_000, 1000, 600
 # what an outcome depends on besides the two programs
-SCRIPTS = sorted((common.ROOT / "tests" / "fuzz").glob("*.py"))
+SCRIPTS = sorted((ROOT / "tests" / "fuzz").glob("*.py"))
 
 
 def drop_refused(corpus):
@@ -61,7 +55,7 @@ def grammar(setup, work, tree, count):
         accepted = [o.text for o in outcomes if o.answer == "lens"]
         return {**blocks.tally(outcomes), "pictures": len(accepted), "bad_pictures": frames.render(povray, accepted)}
 
-    tallies = common.in_parallel(4 * setup.jobs, lambda seed: common.once(work, f"blocks-{count}-{seed}",
+    tallies = harness.in_parallel(4 * setup.jobs, lambda seed: harness.once(work, f"blocks-{count}-{seed}",
                                                                           [povray, parser, *SCRIPTS], lambda: shard(seed)),
                                  range(1, 1 + max(1, count // SHARD)))
     total = {"blocks": 0, "pictures": 0, "counts": {}, "bad": [], "sanitized": tree != setup.build}
@@ -89,7 +83,7 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
         return libfuzzer(name, program, work / name, length, count_, seconds)
 
     present = [target for target in targets if target[1].is_file()]
-    found.update(zip([target[0] for target in present], common.in_parallel(setup.jobs, fuzz, present)))
+    found.update(zip([target[0] for target in present], harness.in_parallel(setup.jobs, fuzz, present)))
     return found
 
 

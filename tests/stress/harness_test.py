@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The stress run's own mistakes: a result of another program, a finding that nobody hears, time that was only waited."""
@@ -9,13 +8,7 @@ import tempfile
 import time
 import unittest
 
-import common
-import fuzz
-import rays
-import reports
-import sanitizers
-import soak
-import watch
+from tests.stress import fuzz, harness, rays, reports, sanitizers, soak, watch
 
 OURS = "/src/povray-src/povray/source/backend/scene/tilt_lens_camera.cpp:30"
 UPSTREAM = "/build/upstream/povray/source/backend/lighting/media.cpp:12"
@@ -83,7 +76,7 @@ class Once(unittest.TestCase):
         def make():
             self.made += 1
             return self.made
-        return common.once(self.folder, name, [self.program, self.script], make)
+        return harness.once(self.folder, name, [self.program, self.script], make)
 
     def test_same_files(self):
         self.assertEqual([self.ask(), self.ask(), self.ask("other"), self.ask()], [1, 1, 2, 1])
@@ -102,7 +95,7 @@ class Once(unittest.TestCase):
 
     def test_what_failed_is_not_kept(self):
         with self.assertRaises(ZeroDivisionError):
-            common.once(self.folder, "x", [self.program, self.script], lambda: 1 / 0)
+            harness.once(self.folder, "x", [self.program, self.script], lambda: 1 / 0)
         self.assertEqual(self.ask(), 1)
 
 

@@ -4,10 +4,8 @@
 
 import subprocess
 
-import common
-import rays
-import reports
-import soak
+from tests.stress import harness, rays, reports, soak
+from tools.repository import ROOT
 
 TITLES = {
     "random": "what people photograph", "corners": "corners of a picture 100,000 pixels wide",
@@ -19,15 +17,16 @@ TITLES = {
     "narrow": "angle of view 1e-9 to 1e-4 of a usual one",
     "odd_numbers": "signed zeros, denormals, the largest numbers, infinities, NaN", "several": "three of these at once"}
 
+
 HEAD = """<!--
 povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 SPDX-License-Identifier: AGPL-3.0-or-later
 -->
 # Numbers under stress
 
-What was tried to break the camera, and what came of it. This page is made by `tests/stress/run`; `tests/stress/run
-rays` measures one part again, `--page` only writes the page from the results in `docs/numerics`. `./check -L
-"stress|fuzz"` runs a short form of the parts that it names below.
+What was tried to break the camera, and what came of it. This page is made by `python3 -m tests.stress.run`;
+`python3 -m tests.stress.run rays` measures one part again, and `--page` only writes the page from the results in
+`docs/numerics`. `./check -L "stress|fuzz"` runs a short form of the parts that it names below.
 """
 
 RAYS = """
@@ -121,7 +120,7 @@ def plot(name, label, powers, spreads):
     lines = ["\n".join(f"{power} {spread['by_power'].get(str(power), 0) / max(1, spread['count'])}" for power in powers)
              for _, spread in spreads]
     plots = ", ".join(f"'-' with linespoints lw 2 title '{title}'" for title, _ in spreads)
-    script = ("set terminal svg size 720,480 dynamic background 'white'\nset output '" + str(common.RESULTS / name) + "'\n"
+    script = ("set terminal svg size 720,480 dynamic background 'white'\nset output '" + str(harness.RESULTS / name) + "'\n"
               "set logscale y\nset yrange [1e-7:2]\nset format y '10^{%T}'\n"
               f"set xlabel '{label}'\nset ylabel 'share of rays'\nset key outside below maxcols 1 Left reverse width -30\n"
               f"plot {plots}\n" + "\ne\n".join(lines) + "\ne\n")
@@ -255,11 +254,11 @@ def write():
     """The page, from whatever has been measured."""
     text, missing = HEAD, []
     for name, section in SECTIONS.items():
-        result = common.load(name)
+        result = harness.load(name)
         if result is None:
             missing.append(name)
         else:
             text += section(result)
     if missing:
-        text += f"\n## Not measured yet\n\n{', '.join(missing)}: `tests/stress/run {' '.join(missing)}`.\n"
-    (common.ROOT / "docs" / "numerics.md").write_text(text)
+        text += f"\n## Not measured yet\n\n{', '.join(missing)}: `python3 -m tests.stress.run {' '.join(missing)}`.\n"
+    (ROOT / "docs" / "numerics.md").write_text(text)

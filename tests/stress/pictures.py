@@ -11,13 +11,10 @@ import pathlib
 import random
 import statistics
 import subprocess
-import sys
 import tempfile
 
-import common
-
-sys.path.insert(0, str(common.ROOT / "tests" / "render"))
-import rendering  # noqa: E402
+from tests.render import rendering
+from tests.stress import harness
 
 FURNACES, WIDTH, HEIGHT = 200, 48, 36
 GLOW = "#default { finish { ambient 1 diffuse 0 } }\n"
@@ -104,7 +101,7 @@ def picture(scene, batch=0):
 
 def independent(scene_of, count, jobs):
     """`count` independent pictures: scene_of(batch) is the scene with a frame so much wider."""
-    return common.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
+    return harness.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
 
 
 def block_scores(left, right, flip):
@@ -170,7 +167,7 @@ def moved_worlds(setup, count):
         moved = picture(GLOW + camera(lens, tail=tail) + f"union {{ {FLOOR}{BOX} {tail} }}\n" + SKY)
         return rendering.difference(still, moved)[0]
 
-    found = common.in_parallel(setup.jobs, rms, jobs)
+    found = harness.in_parallel(setup.jobs, rms, jobs)
     return {"cameras": count, "worst_rms": max(found)}
 
 

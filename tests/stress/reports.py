@@ -11,9 +11,9 @@ import collections
 import pathlib
 import re
 
-import common
+from tools.repository import ROOT
 
-SUPPRESSIONS = common.ROOT / "tests" / "stress" / "suppressions"
+SUPPRESSIONS = ROOT / "tests" / "stress" / "suppressions"
 OURS = re.compile(r"povray-src/")
 # how a finding begins, for each tool, and what lines may belong to it
 BLOCKS = re.compile(r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$"

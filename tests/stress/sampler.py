@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The sampler at length: projections, period, overflow, discrepancy, neighbours."""
 
-import common
+from tests.stress import harness
 
 
 def measure(setup, log2_samples=20):
     """What the program finds."""
     tool = setup.tool("stress_sampler")
-    return common.once(setup.work("sampler"), str(log2_samples), [tool], lambda: common.output([tool, log2_samples]))
+    return harness.once(setup.work("sampler"), str(log2_samples), [tool], lambda: harness.output([tool, log2_samples]))
 
 
 def faults(result):

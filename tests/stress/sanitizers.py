@@ -9,17 +9,13 @@ with a reason each.
 import os
 import pathlib
 import subprocess
-import sys
 import tempfile
 
-import common
-import reports
+from tests.render import light, scenes
+from tests.stress import harness, reports
+from tools.repository import ROOT, module_command
 
-sys.path.insert(0, str(common.ROOT / "tests" / "render"))
-import light  # noqa: E402
-import scenes  # noqa: E402
-
-TUTORIAL = sorted((common.ROOT / "scenes" / "tutorial").glob("*.pov"))
+TUTORIAL = sorted((ROOT / "scenes" / "tutorial").glob("*.pov"))
 MODULES = ("light", "noise")  # of tests/render: radiosity, photons, media, bokeh, whatever draws random numbers
 LIT = {name: light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
 
@@ -48,8 +44,8 @@ def build(setup, preset):
     """The program and what the tests need."""
     for command in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "-j", str(setup.jobs),
                                                     "--target", "povray", "parse_blocks", "compare"]):
-        subprocess.run(command, cwd=common.ROOT, check=True)
-    return common.ROOT / "build" / preset
+        subprocess.run(command, cwd=ROOT, check=True)
+    return ROOT / "build" / preset
 
 
 def watched(what, tool, commands, folder, work, suppressions=True):
@@ -59,7 +55,7 @@ def watched(what, tool, commands, folder, work, suppressions=True):
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         return done.returncode and f"exit code {done.returncode}: {done.stdout.decode(errors='replace')[-1500:]}"
 
-    failed = [words for words in common.in_parallel(4, run, commands) if words]
+    failed = [words for words in harness.in_parallel(4, run, commands) if words]
     ours, others, met = reports.findings(folder, suppressions)
     return {"what": what, "tool": tool, "runs": len(commands), "failed": len(failed), "ours": len(ours), "others": len(others),
             "known": met, "first": (ours + others)[:3], "said": failed[:3]}
@@ -68,7 +64,7 @@ def watched(what, tool, commands, folder, work, suppressions=True):
 def tutorial(povray, threads):
     """Each tutorial scene, small."""
     return [[str(povray), f"+I{scene}", f"+O{scene.stem}.png", "+W48", "+H36", "-D", "-P", "-A", f"+WT{threads}", "+BS8",
-             f"+L{common.ROOT / 'scenes' / 'include'}"] for scene in TUTORIAL]
+             f"+L{ROOT / 'scenes' / 'include'}"] for scene in TUTORIAL]
 
 
 def lit(povray, threads, work):
@@ -84,15 +80,13 @@ def lit(povray, threads, work):
 
 def battery(povray, tree, module):
     """A module of the render tests."""
-    return [["python3", "-B", str(common.ROOT / "tests" / "render" / f"{module}.py"), "--povray", str(povray), "--compare",
-             str(tree / "tests" / "tools" / "compare")]]
+    return [module_command(f"tests.render.{module}", "--povray", povray, "--compare", tree / "tests" / "tools" / "compare")]
 
 
 def parser(povray):
     """The parser battery: every file of cases."""
-    cases = sorted((common.ROOT / "tests" / "parse" / "cases").glob("*.txt"))
-    return [["python3", "-B", str(common.ROOT / "tests" / "parse" / "check_messages.py"), "--povray", str(povray), str(path)]
-            for path in cases]
+    cases = sorted((ROOT / "tests" / "parse" / "cases").glob("*.txt"))
+    return [module_command("tests.parse.check_messages", "--povray", povray, path) for path in cases]
 
 
 def valgrind(setup, folder, work):
@@ -124,7 +118,7 @@ def program_rows(setup, tree, tool, threads):
                 povray = listener(program, folder, options)
                 return watched(what, tool, commands(povray), folder, folder, suppressions=number > 0)
 
-        rows.append(common.once(setup.work("sanitizers"), f"{tree.name}{number}",
+        rows.append(harness.once(setup.work("sanitizers"), f"{tree.name}{number}",
                                 [program, __file__, reports.__file__, *sorted(reports.SUPPRESSIONS.iterdir())], run))
     return rows
 

@@ -5,14 +5,10 @@
 import math
 import pathlib
 import statistics
-import sys
 import tempfile
 
-import common
-import watch
-
-sys.path.insert(0, str(common.ROOT / "tests" / "render"))
-import scenes  # noqa: E402
+from tests.render import scenes
+from tests.stress import watch
 
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 FULL = {"rows": (4, 8, 16, 32, 64), "samples": (100, 1000, 10_000), "objects": (10_000, 100_000, 1_000_000), "width": 16384}

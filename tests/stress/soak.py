@@ -6,15 +6,11 @@ large one is the processor's time, since a waiting program allocates nothing."""
 import re
 import statistics
 import subprocess
-import sys
 import tempfile
 import pathlib
 
-import common
-import watch
-
-sys.path.insert(0, str(common.ROOT / "tests" / "render"))
-import scenes  # noqa: E402
+from tests.render import scenes
+from tests.stress import harness, watch
 
 FRAMES, SECONDS = 1000, 3600
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -102,9 +98,9 @@ def measure(setup, frames=FRAMES, seconds=SECONDS, heap_frames=50):
 
     def made(part):
         name, size, run = part
-        return common.once(work, f"{name}-{size}", [setup.povray, __file__], lambda: run(setup, size))
+        return harness.once(work, f"{name}-{size}", [setup.povray, __file__], lambda: run(setup, size))
 
-    return dict(zip([name for name, _, _ in wanted], common.in_parallel(setup.jobs, made, wanted)))
+    return dict(zip([name for name, _, _ in wanted], harness.in_parallel(setup.jobs, made, wanted)))
 
 
 def faults(result):

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Checks that every reference picture has its entry, every entry its picture, and both agree."""
@@ -7,7 +6,7 @@ import argparse
 import pathlib
 import sys
 
-import manifest
+from tests.tools import manifest
 
 
 def main():

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Renders one picture with the fork and compares it with its reference.
@@ -12,9 +11,8 @@ import pathlib
 import shlex
 import sys
 
-import failure_page
-import manifest
-import pictures
+from tests.tools import failure_page, manifest, pictures
+from tools.repository import module_command
 
 
 def arguments():
@@ -54,9 +52,8 @@ def report(entry, args, folder, trouble):
     folder.mkdir(parents=True, exist_ok=True)
     job = entry.job(args.povray, args.declare)
     rerun = f"cd {shlex.quote(str(folder))} && {shlex.join(pictures.command_of(job, entry.output))}"
-    tool = str(pathlib.Path(__file__).with_name("update_references.py"))
-    accept = [tool, entry.name, "--povray", args.povray, "--compare", args.compare,
-              "--reason", "WHY"]
+    accept = module_command("tests.tools.update_references", entry.name, "--povray", args.povray, "--compare", args.compare,
+                            "--reason", "WHY")
     if entry.case:
         accept += ["--oracle", str(pathlib.Path(args.compare).with_name("oracle"))]
     commands = {"Render it again": rerun, "Accept the change": accept}

@@ -11,9 +11,9 @@ import dataclasses
 import json
 import pathlib
 
-import pictures
+from tests.tools import pictures
+from tools.repository import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "reference-images"
 ORACLE_CASES = ROOT / "tests" / "oracle" / "cases"
 SCENES = ROOT / "tests" / "reference" / "scenes"
@@ -99,7 +99,7 @@ def complaints(manifest, folder, names, compare):
     """What is wrong with manifest and folder, given the names of the pictures there should be."""
     found = []
     for name in sorted(set(names) - set(manifest)):
-        found.append(f"{name}: has no entry in MANIFEST.json; make it with update_references.py")
+        found.append(f"{name}: has no entry in MANIFEST.json; make it with tests.tools.update_references")
     for name in sorted(set(manifest) - set(names)):
         found.append(f"{name}: is in MANIFEST.json, but no such case or scene exists")
     listed = {folder / entry.get("file", "") for entry in manifest.values()}

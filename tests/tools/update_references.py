@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Makes reference pictures and their entries in MANIFEST.json: the only program that does.
@@ -17,8 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-import manifest
-import pictures
+from tests.tools import manifest, pictures
 
 ORACLE_BATCHES, ORACLE_SAMPLES, ORACLE_PROCESSES = 8, 512, 48
 

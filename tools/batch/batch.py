@@ -8,16 +8,8 @@ import signal
 import sys
 import time
 
-import describe
-import local
-import merge
-import plan
-import povray
-import progress
-import sheet
-import slurm
-import task
-from store import BatchError, Work, locked, read_json, write_json, write_text
+from tools.batch import describe, local, merge, plan, povray, progress, sheet, slurm, task
+from tools.batch.store import BatchError, Work, locked, read_json, write_json, write_text
 
 ENGINES = {"local": local, "slurm": slurm}
 HELP = """Options of POV-Ray may follow, as for ./render: +W1920 +H1080 Declare=Tilt=4

@@ -7,13 +7,10 @@ import os
 import pathlib
 import sys
 
-import key as keys
-import merge
-import plan
-import povray
-import progress
-from probe import Probe
-from store import BatchError, read_json, sha256, write_json
+from tools.batch import key as keys, merge, plan, povray, progress
+from tools.batch.probe import Probe
+from tools.batch.store import BatchError, read_json, sha256, write_json
+from tools.repository import ROOT
 
 MESSAGE_LINES = 12
 
@@ -30,8 +27,7 @@ class Request:
         self.settings = settings
         folder = os.getcwd()
         program = os.path.realpath(settings.povray)
-        repository = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
-        self.inputs = plan.Inputs(settings.scene, folder, words, program, repository)
+        self.inputs = plan.Inputs(settings.scene, folder, words, program, str(ROOT))
         self.kind = settings.kind
         self.extension = self.picture_kind()
         self.threads = self.inputs.options.threads or 1

@@ -11,7 +11,7 @@ import hashlib
 import json
 import os
 
-from store import BatchError, sha256
+from tools.batch.store import BatchError, sha256
 
 
 class Links:

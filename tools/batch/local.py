@@ -9,8 +9,9 @@ import subprocess
 import sys
 import time
 
-import povray
-from store import BatchError
+from tools.batch import povray
+from tools.batch.store import BatchError
+from tools.repository import LAUNCHER
 
 
 def workers(settings, threads):
@@ -26,7 +27,6 @@ def check():
 
 def invocation(work, description, settings):
     """The call of parallel, and its environment."""
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "batch.py")
     count = workers(settings, description["threads"])
     # parallel's shell gives way to the worker, whose parent is then parallel itself. Names that hold anything
     # reach it through the environment.
@@ -40,12 +40,12 @@ def invocation(work, description, settings):
         str(1 + settings.retries),
         "--halt",
         "never",
-        'exec setpriv --pdeathsig KILL "$BATCH_PYTHON" -B "$BATCH_SCRIPT" task "$BATCH_WORK" {}',
+        'exec setpriv --pdeathsig KILL "$BATCH_PYTHON" -B "$BATCH_LAUNCHER" tools.batch.batch task "$BATCH_WORK" {}',
     ]
     env = dict(
         os.environ,
         BATCH_PYTHON=sys.executable,
-        BATCH_SCRIPT=script,
+        BATCH_LAUNCHER=str(LAUNCHER),
         BATCH_WORK=str(work.folder),
         PARALLEL_SHELL="/bin/sh",
         SHELL="/bin/sh",

@@ -8,9 +8,9 @@ import pathlib
 import shutil
 import subprocess
 
-import povray
-from plan import unit_name
-from store import BatchError, read_json, sha256, sync_file, sync_folder, write_json
+from tools.batch import povray
+from tools.batch.plan import unit_name
+from tools.batch.store import BatchError, read_json, sha256, sync_file, sync_folder, write_json
 
 
 def oiiotool(folder, arguments):

@@ -11,9 +11,9 @@ import itertools
 import os
 import re
 
-from key import Links
-from pov_options import PovOptions
-from store import BatchError, sha256
+from tools.batch.key import Links
+from tools.batch.pov_options import PovOptions
+from tools.batch.store import BatchError, sha256
 
 BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on where they begin
 TALL = 256  # rows of a band, where there is a choice: each edge costs some 15 to 20 rows in a blurred picture

@@ -6,7 +6,7 @@ names of files are made independent of the current folder, and the kind of pictu
 import os
 import re
 
-from store import BatchError
+from tools.batch.store import BatchError
 
 # What the batch sets itself, with what to do instead.
 REFUSED_SWITCHES = {

@@ -8,8 +8,8 @@ import shutil
 import struct
 import subprocess
 
-from plan import POVINC
-from store import BatchError, boot, read_json, write_json
+from tools.batch.plan import POVINC
+from tools.batch.store import BatchError, boot, read_json, write_json
 
 PICTURE = "picture"  # stem of what POV-Ray writes in a unit's folder
 PAGE = 4096

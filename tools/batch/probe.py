@@ -9,10 +9,8 @@ depend on them; the samples of a tilt_lens picture never do. """
 import re
 import time
 
-import key as keys
-import merge
-import povray
-from store import BatchError
+from tools.batch import key as keys, merge, povray
+from tools.batch.store import BatchError
 
 SMALL_ROWS = 64
 SMALL_COLUMNS = 128

@@ -7,8 +7,8 @@ import shutil
 import sys
 import time
 
-from plan import unit_name
-from store import read_json
+from tools.batch.plan import unit_name
+from tools.batch.store import read_json
 
 
 def span(seconds):

@@ -6,9 +6,8 @@ import math
 import os
 import pathlib
 
-import merge
-import povray
-from store import sync_file
+from tools.batch import merge, povray
+from tools.batch.store import sync_file
 
 THUMB = 320  # columns of a picture on the sheet
 STRIP = 26  # rows for the label

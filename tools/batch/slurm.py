@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs tasks on a Slurm cluster: a job array, and a job that depends on it and finishes the batch."""
 
-import os
 import re
 import shlex
 import shutil
@@ -10,12 +9,13 @@ import subprocess
 import sys
 import time
 
-from store import BatchError, read_json, write_json, write_text
+from tools.batch.store import BatchError, read_json, write_json, write_text
+from tools.repository import module_command
 
 PATIENCE = 600  # seconds that a silent controller is waited for
 SCRIPT = """#!/bin/sh
 # Written by batch; one task of the array, or the last step.
-exec {python} -B {script} {verb} {work} {argument}
+exec {program} {work} {argument}
 """
 
 
@@ -71,14 +71,11 @@ def site_options(settings):
 
 def write_script(work, verb, argument):
     """The batch script; the shell reads the names from it, so they may hold anything."""
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "batch.py")
     path = work.folder / f"{verb}.sh"
     write_text(
         path,
         SCRIPT.format(
-            python=shlex.quote(sys.executable),
-            script=shlex.quote(script),
-            verb=verb,
+            program=shlex.join(module_command("tools.batch.batch", verb)),
             work=shlex.quote(str(work.folder)),
             argument=argument,
         ),

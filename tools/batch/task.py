@@ -13,11 +13,9 @@ import signal
 import sys
 import time
 
-import key as keys
-import merge
-import povray
-from plan import unit_name
-from store import BatchError, Work, locked, read_json, sha256, sync_file, sync_folder, write_json
+from tools.batch import key as keys, merge, povray
+from tools.batch.plan import unit_name
+from tools.batch.store import BatchError, Work, locked, read_json, sha256, sync_file, sync_folder, write_json
 
 
 class Changed(BatchError):

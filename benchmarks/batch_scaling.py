@@ -1,9 +1,8 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Measures how batches scale, and writes the figures into docs/batch.md (between its two marks).
 
-usage: scaling.py [--repeat N] [--write]     without --write the text is only printed
+usage: python3 -m benchmarks.batch_scaling [--repeat N] [--write]     without --write the text is only printed
 
 Times are medians. Where a table says processor, it is the time that the processor worked, which other
 programs on the machine disturb little; by the clock they disturb it much, so the load before the run is
@@ -19,11 +18,12 @@ import sys
 import tempfile
 import time
 
-REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(REPOSITORY / "tests" / "batch"))
-BEGIN, END = "<!-- written by tools/batch/scaling.py -->\n", "<!-- end -->\n"
-SCENE = REPOSITORY / "scenes" / "tutorial" / "film.pov"
-POVRAY = REPOSITORY / "build" / "bin" / "povray"
+from tools.cluster import Cluster
+from tools.repository import BUILD, ROOT
+
+BEGIN, END = "<!-- written by benchmarks/batch_scaling.py -->\n", "<!-- end -->\n"
+SCENE = ROOT / "scenes" / "tutorial" / "film.pov"
+POVRAY = BUILD / "bin" / "povray"
 TINY = ("+W16", "+H12", "Declare=Stop=22")
 FRAMES = 12  # of the tiny films
 STILL = ("+W640", "+H512", "Declare=Tilt=-8")  # eight bands of 64 rows
@@ -68,7 +68,7 @@ class Measurements:
         self.count += 1
         output = self.folder / f"out{self.count}{'.png' if words[0] == 'still' else ''}"
         return measured(
-            [REPOSITORY / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"],
+            [ROOT / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"],
             self.folder,
             env,
         )
@@ -170,8 +170,6 @@ def largest_memory(command, folder):
 def dispatch_rate(repeat):
     """Tasks a second that the tests' cluster of three nodes starts and ends, of an array that does
     nothing."""
-    from cluster import Cluster
-
     rates = []
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder) as cluster:
         for _ in range(repeat):
@@ -297,7 +295,7 @@ def main():
     section = text(settings.repeat)
     print(section)
     if settings.write:
-        page = REPOSITORY / "docs" / "batch.md"
+        page = ROOT / "docs" / "batch.md"
         head, _, rest = page.read_text(encoding="utf-8").partition(BEGIN)
         page.write_text(head + BEGIN + section + END + rest.partition(END)[2], encoding="utf-8")
 

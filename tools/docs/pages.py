@@ -88,7 +88,7 @@ def example_of(block):
         return Example(block, kind, named[1] if named else "", expectations(block, parts))
     if block.marker is None or block.marker[0] != "example":
         raise BadPage(f"{block.place()}: code without #version and without a comment <!-- example: ... --> right above "
-                      f"its fence. One of {', '.join(KINDS)} is allowed; see tests/docs/pages.py.")
+                      f"its fence. One of {', '.join(KINDS)} is allowed; see tools/docs/pages.py.")
     kind, *parts = block.marker[1].split(";")
     kind = kind.strip()
     reason = ""

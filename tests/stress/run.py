@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Measures and writes docs/numerics.md: tests/stress/run [PART...], all parts without one.
+"""Measures and writes docs/numerics.md: python3 -m tests.stress.run [PART...], all parts without one.
 
 Each part keeps its result in docs/numerics/PART.json, and the page is made from what is there; long parts go on
 where they were stopped. `--page` makes the page alone, `--quick` measures small sizes and keeps nothing.
@@ -13,8 +12,8 @@ import pathlib
 import shutil
 import sys
 
-import common
-import page
+from tests.stress import harness, page
+from tools.repository import BUILD
 
 PARTS = ("rays", "sampler", "pictures", "sanitizers", "fuzz", "faults", "soak", "scale", "shortly")
 # what the long forms need beyond ./check, each a Debian package of that name
@@ -34,7 +33,7 @@ def main():
     """The command."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
-    parser.add_argument("--build", type=pathlib.Path, default=common.ROOT / "build", help="the release build with its tests")
+    parser.add_argument("--build", type=pathlib.Path, default=BUILD, help="the release build with its tests")
     parser.add_argument("--jobs", type=int, default=2, help="programs at a time")
     parser.add_argument("--page", action="store_true", help="make the page from kept results")
     parser.add_argument("--quick", action="store_true", help="small sizes; fails where a promise is broken; keeps nothing")
@@ -46,15 +45,15 @@ def main():
     missing = [tool for part, tool in TOOLS.items() if part in names and not shutil.which(tool)]
     if missing and not (settings.quick or settings.page):
         parser.error(f"missing: apt-get install {' '.join(missing)}")
-    setup = common.Setup(settings.build.resolve(), settings.jobs)
+    setup = harness.Setup(settings.build.resolve(), settings.jobs)
     broken = []
     if not settings.page:
         for name in names:
-            part = importlib.import_module(name)
+            part = importlib.import_module(f"tests.stress.{name}")
             result = part.measure(setup, **(QUICK[name] if settings.quick else {}))
             broken += [f"{name}: {fault}" for fault in part.faults(result)]
             if not settings.quick:
-                common.save(name, result)
+                harness.save(name, result)
     if not settings.quick:
         page.write()
     if broken:

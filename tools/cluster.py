@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A private Slurm cluster on loopback: munge, one controller, some nodes, all in one folder and all this
@@ -279,7 +278,7 @@ def main():
     """cluster.py NODES COMMAND...: runs a command with a cluster to use."""
     if len(sys.argv) < 3 or not sys.argv[1].isdigit():
         sys.exit(
-            "usage: cluster.py NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes"
+            "usage: python3 -m tools.cluster NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes"
         )
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(
         folder, int(sys.argv[1])

@@ -10,7 +10,8 @@ import os
 import pathlib
 import subprocess
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from tools.repository import ROOT
+
 RESULTS = ROOT / "docs" / "numerics"
 
 

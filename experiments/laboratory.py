@@ -11,9 +11,10 @@ import re
 import shutil
 import subprocess
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[1]
-SCENES = REPOSITORY / "scenes" / "paper"
-HERE = pathlib.Path(__file__).resolve().parent
+from tools.repository import ROOT
+
+SCENES = ROOT / "scenes" / "paper"
+OWN_SCENES = ROOT / "experiments" / "scenes"
 
 
 class Failed(Exception):
@@ -52,15 +53,16 @@ class Laboratory:
 
     povray: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path             # folder with tests/tools and tests/paper as built
+    tools: pathlib.Path             # build folder, with tests/
     work: pathlib.Path              # pictures and logs
     results: pathlib.Path           # curves and tables to keep
     quick: bool = False
     threads: int = 2
     program: str = ""           # its hash, once it was needed
 
-    def tool(self, folder, name):
-        return str(self.tools / "tests" / folder / name)
+    def tool(self, name):
+        """A measuring program of experiments/tools."""
+        return str(self.tools / "tests" / "paper" / "tools" / name)
 
     def run(self, command, stdin=None, accept=(0,), cwd=None):
         """Runs a program; its standard output."""
@@ -124,7 +126,7 @@ class Laboratory:
         return made
 
     def moments(self, picture, windows):
-        return self.json([self.tool("paper", "profile"), "moments", picture],
+        return self.json([self.tool("profile"), "moments", picture],
                          stdin=json.dumps(windows))
 
     def oracle(self, name, case, scene, batches, samples):
@@ -140,7 +142,7 @@ class Laboratory:
             text = json.dumps({"name": name, "scene": scene.name, **case})
             (folder / "case.json").write_text(text)
             (folder / scene.name).write_bytes(scene.read_bytes())
-            self.run([self.tool("tools", "oracle"), "render", folder / "case.json",
+            self.run([self.tools / "tests" / "tools" / "oracle", "render", folder / "case.json",
                       folder / "part.exr", "--povray", self.stock, "--work", frames, "--batches",
                       batches, "--samples", samples])
             shutil.rmtree(frames)

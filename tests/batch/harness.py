@@ -16,9 +16,9 @@ import tempfile
 import time
 import unittest
 
-REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
+from tools.repository import ROOT
+
 SETTINGS = argparse.Namespace(povray=None)
-sys.path.insert(0, str(REPOSITORY / "tools" / "batch"))
 
 # A tilt_lens scene; Samples sets what it costs, clock moves the ball.
 LENS = """#version 3.7;
@@ -118,7 +118,7 @@ class BatchTest(unittest.TestCase):
 
     def words(self, *words):
         """The command line of a call."""
-        return [str(REPOSITORY / "batch"), *map(str, words), "--povray", str(self.program)]
+        return [str(ROOT / "batch"), *map(str, words), "--povray", str(self.program)]
 
     def stand_in(self, script):
         """Takes a program that does what the script says, with the files of the one under test around it."""

@@ -1,11 +1,10 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Renders the gallery at full size and makes the thumbnails and the table of docs/gallery.md from it.
 
-    scenes/gallery/make_pictures                       all of them
-    scenes/gallery/make_pictures chess_by_swing        one
-    scenes/gallery/make_pictures --small               thumbnails only, in a seventh of the time
+    python3 -m tools.docs.gallery                       all of them
+    python3 -m tools.docs.gallery chess_by_swing        one
+    python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time
 
 Size and options of a picture are those of the command in the scene's opening comment. The full pictures
 stay in the output folder. With --small a picture is rendered in the thumbnail's size at once, which leaves a little more
@@ -22,10 +21,11 @@ import resource
 import subprocess
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-REPOSITORY = HERE.parent.parent
-THUMBNAILS = REPOSITORY / "docs/pictures/gallery"
-PAGE = REPOSITORY / "docs/gallery.md"
+from tools.repository import BUILD, ROOT
+
+SCENES = ROOT / "scenes/gallery"
+THUMBNAILS = ROOT / "docs/pictures/gallery"
+PAGE = ROOT / "docs/gallery.md"
 TABLE = THUMBNAILS / "times.csv"
 WIDTH = 480
 LARGEST = 60_000  # bytes of a thumbnail
@@ -42,7 +42,7 @@ class Scene:
     @property
     def path(self):
         """Its file."""
-        return HERE / f"{self.name}.pov"
+        return SCENES / f"{self.name}.pov"
 
 
 def read_scene(path):
@@ -56,7 +56,7 @@ def read_scene(path):
 
 def all_scenes():
     """Every scene of the folder, by name."""
-    return {path.stem: read_scene(path) for path in sorted(HERE.glob("*.pov"))}
+    return {path.stem: read_scene(path) for path in sorted(SCENES.glob("*.pov"))}
 
 
 def small(options):
@@ -77,7 +77,7 @@ def render(scene, arguments):
     """Renders the picture; returns its file and its line of the table."""
     picture = arguments.output / f"{scene.name}{'_small' if arguments.small else ''}.png"
     command = [arguments.povray, f"+I{scene.path}", f"+O{picture}", "+FN8", "-D", "-P", "-A",
-               f"+L{REPOSITORY / 'scenes/include'}", *scene.options, *(small(scene.options) if arguments.small else []), *arguments.option]
+               f"+L{ROOT / 'scenes/include'}", *scene.options, *(small(scene.options) if arguments.small else []), *arguments.option]
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           errors="replace", check=False)
@@ -135,8 +135,8 @@ def main():
     scenes = all_scenes()
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene", nargs="*", help="names of scenes; all without")
-    parser.add_argument("--povray", default=str(REPOSITORY / "build/bin/povray"))
-    parser.add_argument("--output", type=pathlib.Path, default=REPOSITORY / "build/gallery",
+    parser.add_argument("--povray", default=str(BUILD / "bin/povray"))
+    parser.add_argument("--output", type=pathlib.Path, default=BUILD / "gallery",
                         help="folder of the full pictures (default: build/gallery)")
     parser.add_argument("--small", action="store_true", help="thumbnails only, rendered in their own size")
     parser.add_argument("--option", action="append", default=[], help="one more option for povray, such as --option=+WT1")

@@ -1,12 +1,11 @@
-#!/usr/bin/env python3
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Makes the pictures of docs/manual.md, its table of qualities, and the drawings of docs/optics.md.
 
-    docs/figures/make.py                     everything: some minutes
-    docs/figures/make.py pictures tilt_8     some of the pictures
-    docs/figures/make.py drawings            needs gnuplot (Debian: gnuplot-nox)
-    docs/figures/make.py quality             the table
+    python3 -m tools.docs.figures                     everything: some minutes
+    python3 -m tools.docs.figures pictures tilt_8     some of the pictures
+    python3 -m tools.docs.figures drawings            needs gnuplot (Debian: gnuplot-nox)
+    python3 -m tools.docs.figures quality             the table
 
 The scenes are taken from the manual itself, so that a picture shows what its code makes. Pictures are written with
 oiiotool (Debian: openimageio-tools).
@@ -21,15 +20,14 @@ import subprocess
 import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+from tools.docs import pages
+from tools.repository import BUILD, ROOT
+
 MANUAL = ROOT / "docs" / "manual.md"
 PICTURES = ROOT / "docs" / "pictures" / "manual"
 DRAWINGS = ROOT / "docs" / "pictures" / "optics"
+SCRIPTS = ROOT / "tools" / "docs" / "drawings"
 SMALL, WIDE = (256, 144), (480, 270)
-
-sys.path.insert(0, str(ROOT / "tests" / "docs"))
-import pages  # noqa: E402
 
 
 def variants(stem, scene, variable, values, size=SMALL):
@@ -128,7 +126,7 @@ def quality_table(povray):
             time = re.search(r"Trace Time:.*\n\s*using 1 thread\(s\) with ([\d.]+) CPU", said)
             first = first or float(time[1])
             rows.append(f"| {step} | {', '.join(samples.groups())} | {error[1]} | {float(time[1]) / first:.1f} |")
-    begin, end = "<!-- quality table: docs/figures/make.py quality -->\n", "<!-- end of the quality table -->"
+    begin, end = "<!-- quality table: tools/docs/figures.py quality -->\n", "<!-- end of the quality table -->"
     text = MANUAL.read_text()
     before, rest = text.split(begin)
     MANUAL.write_text(before + begin + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1])
@@ -139,13 +137,13 @@ def make_drawings(names, folder=DRAWINGS):
     """Plots the drawings of these names, all where there is none; returns their names."""
     if shutil.which("gnuplot") is None:
         sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
-    scripts = {script.stem: script for script in sorted(HERE.glob("*.gp")) if script.stem != "common"}
+    scripts = {script.stem: script for script in sorted(SCRIPTS.glob("*.gp")) if script.stem != "common"}
     unknown = set(names) - set(scripts)
     if unknown:
         sys.exit(f"no such drawing: {', '.join(sorted(unknown))}. Known: {', '.join(scripts)}")
     folder.mkdir(parents=True, exist_ok=True)
     for name in names or scripts:
-        subprocess.run(["gnuplot", "-e", f"output='{folder / (name + '.svg')}'", scripts[name].name], cwd=HERE, check=True)
+        subprocess.run(["gnuplot", "-e", f"output='{folder / (name + '.svg')}'", scripts[name].name], cwd=SCRIPTS, check=True)
     return list(names or scripts)
 
 
@@ -153,7 +151,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("part", nargs="?", choices=["all", "pictures", "drawings", "quality"], default="all")
     parser.add_argument("names", nargs="*", help="some pictures or drawings; without: all")
-    parser.add_argument("--povray", default=str(ROOT / "build" / "bin" / "povray"))
+    parser.add_argument("--povray", default=str(BUILD / "bin" / "povray"))
     args = parser.parse_args()
     povray = str(pathlib.Path(args.povray).resolve())
     if args.part in ("all", "drawings"):

@@ -1,0 +1,15 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Where this repository lies, and how its Python programs are started from any folder."""
+
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+BUILD = ROOT / "build"
+LAUNCHER = ROOT / "run_module.py"
+
+
+def module_command(module, *words):
+    """The command line that runs a module of this repository, such as "tests.stress.run", in any current folder."""
+    return [sys.executable, "-B", str(LAUNCHER), module, *map(str, words)]
