@@ -15,6 +15,7 @@ from benchmarks import (
     contract,
     growth,
     instructions,
+    pages,
     pan_focus,
     plots,
     post,
@@ -26,7 +27,7 @@ from benchmarks import (
     versus_stock,
 )
 from benchmarks.lab import Failed, Lab
-from tools.repository import BUILD, ROOT
+from tools.repository import BUILD
 
 PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract", "builds")
 NAMES = [scene.name for scene in suite.SCENES]
@@ -56,10 +57,15 @@ def arguments():
     parser.add_argument("--work", type=pathlib.Path, default=BUILD / "benchmarks")
     parser.add_argument("--fresh", action="store_true",
                         help="measure again what an earlier run has measured (references are kept)")
-    parser.add_argument("--update-docs", action="store_true", help="put tables and plots into docs/")
+    parser.add_argument("--update-docs", action="store_true", help="keep the results in docs/benchmarks and show them in the pages of docs/")
+    parser.add_argument("--pages", action="store_true", help="measure nothing; write the pages from docs/benchmarks")
     args = parser.parse_args()
     args.scenes = chosen(args.scenes, NAMES, "scene", parser)
     args.parts = chosen(args.parts or ("stock,tilted" if args.quick else ",".join(PARTS)), PARTS, "part", parser)
+    if args.update_docs and (args.quick or args.scenes != NAMES):
+        parser.error("--update-docs takes all settings and all scenes, not --quick or --scenes")
+    if args.pages:
+        return args
     programs = [args.ours, args.stock] + [args.unpatched] * ("instructions" in args.parts) + [args.fast] * ("builds" in args.parts)
     for path in programs:
         if not path.is_file():
@@ -87,7 +93,7 @@ def measure_scenes(lab, args, results, runs):
 def measure(lab, args):
     done = subprocess.run([lab.ours, "--version"], capture_output=True, text=True, check=False)
     version = next((line.strip() for line in (done.stdout + done.stderr).splitlines() if "patch series" in line), "?")
-    results, runs = {"version": version}, []
+    results, runs = {}, []
     if {"stock", "tilted"} & set(args.parts):
         measure_scenes(lab, args, results, runs)
     scenes = [scene for scene in suite.SCENES if scene.name in args.scenes]
@@ -110,11 +116,11 @@ def measure(lab, args):
         results["contract"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt)]
     if "builds" in args.parts:
         results["builds"] = builds.measure(lab, scenes, args.fast.resolve())
-    return results, runs
+    return version, results, runs
 
 
 def draw(folder, results, runs):
-    """Plots and CSV files."""
+    """Plots, and the records of all runs."""
     for name in sorted({record["scene"] for record in runs} & set(NAMES)):
         for tilt, title in ((0, report.TITLES[name]), (1, report.TITLES[name] + ", tilted")):
             records = [record for record in runs if record["scene"] == name and record.get("tilted", 0) == tilt]
@@ -124,20 +130,31 @@ def draw(folder, results, runs):
         rows = [row for row in results["growth"] if row["series"] == name]
         plots.growth(folder / f"growth_{name.replace(' ', '_')}.svg", name, rows)
     if runs:
-        report.write_csv(folder / "runs.csv", runs, report.COLUMNS)
-    for part in ("growth", "contract", "pan", "tilt", "instructions", "camera", "denoise", "builds"):
-        if results.get(part):
-            report.write_csv(folder / f"{part}.csv", results[part])
+        report.write_csv(folder / "runs.csv", runs)
+
+
+def update_docs(folder, program, results):
+    """Keeps the parts that were measured, with their plots; other parts stay as they are."""
+    for part, rows in results.items():
+        pages.save(part, rows, program)
+    for path in folder.glob("*.svg"):
+        shutil.copy(path, pages.DOCS / "pictures" / "benchmarks" / path.name)
+    if {"stock", "tilted", "pan"} <= set(results):
+        shutil.copy(folder / "runs.csv", pages.DOCS / "benchmarks" / "runs.csv")
+    pages.update()
 
 
 def main():
     args = arguments()
+    if args.pages:
+        pages.update()
+        return 0
     work = args.work.resolve()
     if args.fresh:
         (work / "runs.jsonl").unlink(missing_ok=True)
     lab = Lab(args.ours.resolve(), args.stock.resolve(), args.tools.resolve(), work, args.quick)
     try:
-        results, runs = measure(lab, args)
+        program, results, runs = measure(lab, args)
         folder = work / "results"
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir()
@@ -145,14 +162,11 @@ def main():
     except Failed as trouble:
         print(trouble, file=sys.stderr)
         return 1
-    made = report.text(results, args.quick, sorted(path.name for path in folder.glob("*.svg")))
-    (folder / "tables.md").write_text(made)
+    made = report.text(results)
+    (folder / "tables.md").write_text(made + "\n")
     print(made)
     if args.update_docs:
-        pictures = ROOT / "docs" / "pictures" / "benchmarks"
-        shutil.rmtree(pictures, ignore_errors=True)
-        shutil.copytree(folder, pictures, ignore=shutil.ignore_patterns("*.md"))
-        report.update_document(ROOT / "docs" / "benchmarks.md", made)
+        update_docs(folder, program, results)
     return 0
 
 

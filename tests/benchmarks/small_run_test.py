@@ -88,12 +88,12 @@ class SmallRun(unittest.TestCase):
         self.assertTrue(all(0.5 < ratio < 3.0 for ratio in reconstruction.compare(rows).values()), rows)
         for row in rows:
             self.assertLess(row["bias"], (0.7 if row["denoise"] else 0.3)*row["rmse"], row)
-        self.assertIn("Aimed at: nowhere below 1", report.text({"version": "a test", "denoise": rows}, quick=True))
+        self.assertIn("in each scene at each setting at least 1", report.section("denoise", rows))
 
     def test_share_of_camera_and_sampler(self):
         rows = camera_share.measure(self.lab, lambda *_, within: 1000 if within == camera_share.ALL else 750)
         self.assertEqual([row["share"] for row in rows], [0.25])
-        self.assertIn("worst 25.0 %, missed", report.text({"version": "a test", "camera": rows}, quick=True))
+        self.assertIn("25.0 % at the most; missed", report.section("camera", rows))
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
@@ -109,12 +109,13 @@ class SmallRun(unittest.TestCase):
     def test_tables_and_plots(self):
         errors = {line["target"]: line["rmse"] for line in self.lines}
         records = tilted.measure(self.lab, SCENE, errors)
-        results = {"version": "a test", "stock": {"checks": self.lines},
+        results = {"stock": {"checks": self.lines},
                    "tilted": {"checks": tilted.compare(records, errors)},
                    "pan": pan_focus.compare(pan_focus.measure(self.lab, SCENE)),
                    "contract": contract.measure(self.lab, dataclasses.replace(SCENE, reference=(2, 128)), 0)}
-        text = report.text(results, quick=True)
-        for words in ("as stock with 100", "Geometric mean of all", "Aimed at: at most 1.3 times", "MSE/V"):
+        text = report.text(results) + report.overview(results) + report.goals(results)
+        for words in ("error of stock with 100 samples", "geometric mean at least 8", "at most 1.3. Measured", "MSE/V",
+                      "| all |", "| figure | goal |"):
             self.assertIn(words, text)
         plots.errors(self.lab.work / "plot.svg", "checks", self.records)
         self.assertIn("tilt_lens", (self.lab.work / "plot.svg").read_text())

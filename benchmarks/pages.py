@@ -1,0 +1,79 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Keeps the results of the benchmark in docs/benchmarks, and shows them in the pages.
+
+A page shows a part, such as the part `stock`, between the lines `<!-- benchmark: stock -->` and
+`<!-- end of benchmark -->`. Any page of docs/ may have such places, each part has exactly one. Each part is kept with the
+program and the machine that measured it, so that parts may be measured on different days.
+
+To add a part: a measuring module and its call in benchmark.py, a section in report.py, a place in a page.
+"""
+
+import json
+import re
+
+from benchmarks import report
+from tools.repository import ROOT
+
+DOCS = ROOT / "docs"
+PLACE = re.compile(r"(?P<begin><!-- benchmark: (?P<name>\w+) -->\n).*?(?P<end><!-- end of benchmark -->)", re.DOTALL)
+SUMMARIES = {"overview": (("stock", "tilted"), report.overview), "goals": (tuple(report.GOALS), report.goals)}
+
+
+def save(part, rows, program, docs=DOCS):
+    """Keeps the rows of a part."""
+    folder = docs / "benchmarks"
+    folder.mkdir(parents=True, exist_ok=True)
+    kept = {"program": program, "machine": report.machine(), "rows": rows}
+    (folder / f"{part}.json").write_text(json.dumps(kept, indent=1) + "\n")
+
+
+def load(docs=DOCS):
+    """All parts that are kept, by name."""
+    return {path.stem: json.loads(path.read_text()) for path in sorted((docs / "benchmarks").glob("*.json"))}
+
+
+def origin(parts):
+    """Which program and machine measured these parts."""
+    made = dict.fromkeys(f"{part['program']}, on {part['machine']}" for part in parts)
+    return f"Measured with {'; and with '.join(made)}."
+
+
+def block(name, kept):
+    """The text for one place."""
+    if name in SUMMARIES:
+        parts, write = SUMMARIES[name]
+        found = {part: kept[part] for part in parts if part in kept}
+        made = write({part: stored["rows"] for part, stored in found.items()})
+    else:
+        found = {name: kept[name]}
+        made = report.section(name, kept[name]["rows"])
+    return f"\n{made}\n\n{origin(found.values())}\n\n"
+
+
+def faults(docs=DOCS):
+    """Places of unknown parts, and parts that are kept but not shown in exactly one place."""
+    known, kept = {*report.SECTIONS, *SUMMARIES}, load(docs)
+    shown = [match["name"] for page in sorted(docs.glob("*.md")) for match in PLACE.finditer(page.read_text())]
+    wrong = [f"a page has a place for {name}, which is no part of the benchmark" for name in shown if name not in known]
+    wrong += [f"a page has a place for {name}, of which docs/benchmarks keeps no result"
+              for name in shown if name in known - {*SUMMARIES} - {*kept}]
+    return wrong + [f"{name} is shown in {shown.count(name)} places of the pages, not in one"
+                    for name in [*kept, *SUMMARIES] if shown.count(name) != 1]
+
+
+def written(page, kept):
+    """The page's text with all places filled."""
+    return PLACE.sub(lambda match: match["begin"] + block(match["name"], kept) + match["end"], page.read_text())
+
+
+def update(docs=DOCS):
+    """Fills all places of all pages."""
+    wrong = faults(docs)
+    if wrong:
+        raise ValueError("\n".join(wrong))
+    kept = load(docs)
+    for page in sorted(docs.glob("*.md")):
+        made = written(page, kept)
+        if made != page.read_text():
+            page.write_text(made)
