@@ -15,7 +15,7 @@ macro(tilt_lens_require found package)
 endmacro()
 
 find_package(Threads REQUIRED)
-find_package(Boost 1.65 QUIET COMPONENTS thread date_time)
+find_package(Boost 1.65 CONFIG QUIET COMPONENTS thread date_time)
 find_package(ZLIB QUIET)
 find_package(PNG QUIET)
 find_package(JPEG QUIET)

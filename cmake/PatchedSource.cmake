@@ -52,18 +52,18 @@ function(patched_source_apply_series tree folder record)
     endif()
 endfunction()
 
-# Unpacks the archives in ARCHIVES and leaves Debian's patched source in FRESH/<source folder>.
+# Unpacks the list ARCHIVES into FRESH: upstream's source into a folder of its own, Debian's packaging into debian.
 function(patched_source_unpack archives fresh)
     file(REMOVE_RECURSE "${fresh}")
     file(MAKE_DIRECTORY "${fresh}")
-    foreach(role IN ITEMS orig debian)
+    foreach(archive IN LISTS archives)
         execute_process(
-            COMMAND tar --extract --no-same-owner --file "${archives}/${UPSTREAM_FILE_${role}}"
+            COMMAND tar --extract --no-same-owner --file "${archive}"
             WORKING_DIRECTORY "${fresh}"
             RESULT_VARIABLE result ERROR_VARIABLE said)
         if(NOT result EQUAL 0)
             file(REMOVE_RECURSE "${fresh}")
-            message(FATAL_ERROR "${UPSTREAM_FILE_${role}} could not be unpacked into ${fresh} (is the disk "
+            message(FATAL_ERROR "${archive} could not be unpacked into ${fresh} (is the disk "
                 "full?):\n${said}")
         endif()
     endforeach()

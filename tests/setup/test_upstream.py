@@ -11,7 +11,10 @@ import unittest
 
 from tests.setup.harness import CMAKE, REPOSITORY, SetupTest
 
-FILES = {"dsc": "povray_1.dsc", "orig": "povray_1.orig.tar.gz", "debian": "povray_1-1.debian.tar.xz"}
+TARBALL = "povray_1.orig.tar.gz"
+# The packaging revisions: name of the control file and of the archive of each.
+REVISIONS = {"1": ("povray_1-1.dsc", "povray_1-1.debian.tar.xz"), "2": ("povray_1-2.dsc", "povray_1-2.debian.tar.xz")}
+PACKAGING = REVISIONS["2"][1]       # the newest revision, which is preferred
 TARGET = "LICENSE"                  # the upstream file that this test's patches change
 NO_NETWORK = "http://127.0.0.1:9"   # the discard port: refuses at once
 
@@ -44,9 +47,10 @@ class Upstream(SetupTest):
         self.downloads = self.folder / "downloads"
         self.archives = self.folder / "archives"
         self.archives.mkdir()
-        write_archive(self.archives / FILES["orig"], "w:gz", ORIG)
-        write_archive(self.archives / FILES["debian"], "w:xz", DEBIAN)
-        (self.archives / FILES["dsc"]).write_text("Source: povray\n", encoding="utf-8")
+        write_archive(self.archives / TARBALL, "w:gz", ORIG)
+        for revision, (control, packaging) in REVISIONS.items():
+            write_archive(self.archives / packaging, "w:xz", {**DEBIAN, "debian/changelog": f"povray (1-{revision})\n"})
+            (self.archives / control).write_text(f"Version: 1-{revision}\n", encoding="utf-8")
         self.write_pin()
         self.series = self.folder / "patches"
         self.series.mkdir()
@@ -55,13 +59,15 @@ class Upstream(SetupTest):
     def write_pin(self):
         """A pin of the archives as they are now."""
         self.pin = self.folder / "upstream.json"
-        files = []
-        for role, name in FILES.items():
+
+        def pinned(name):
             content = (self.archives / name).read_bytes()
-            files.append({"role": role, "name": name, "size": len(content),
-                          "sha256": hashlib.sha256(content).hexdigest()})
-        self.pin.write_text(json.dumps({"package": "povray", "version": "1:3.7.0.10-2", "upstream_version": "1",
-                                        "source_folder": "povray-1", "files": files}), encoding="utf-8")
+            return {"name": name, "size": len(content), "sha256": hashlib.sha256(content).hexdigest()}
+
+        revisions = [{"version": f"1-{revision}", "releases": ["old", "new"], "dsc": pinned(control),
+                      "debian": pinned(packaging)} for revision, (control, packaging) in REVISIONS.items()]
+        self.pin.write_text(json.dumps({"package": "povray", "upstream_version": "1", "source_folder": "povray-1",
+                                        "tarball": pinned(TARBALL), "revisions": revisions}), encoding="utf-8")
 
     def write_series(self, text):
         """A series of one patch that puts the line TEXT ahead of TARGET."""
@@ -97,18 +103,44 @@ class Upstream(SetupTest):
         self.assert_prepared()
 
     def test_one_of_the_files_is_taken_for_its_folder(self):
-        self.assert_succeeds(self.prepare(self.archives / FILES["orig"]))
+        self.assert_succeeds(self.prepare(self.archives / TARBALL))
         self.assert_prepared()
+
+    def test_any_one_revision_will_do(self):
+        for revision in REVISIONS:
+            folder = self.folder / f"only {revision}"
+            folder.mkdir()
+            for name in (TARBALL, *REVISIONS[revision]):
+                os.link(self.archives / name, folder / name)
+            (self.work / "key").unlink(missing_ok=True)
+            self.assert_succeeds(self.prepare(folder))
+            self.assert_prepared()
+
+    def test_parts_of_two_revisions_are_none(self):
+        (self.archives / REVISIONS["1"][0]).unlink()
+        (self.archives / REVISIONS["2"][1]).unlink()
+        self.assert_fails_saying(self.prepare(self.archives), f"{REVISIONS['1'][0]} is missing (revision 1-1)",
+                                 f"{REVISIONS['2'][1]} is missing (revision 1-2)")
+
+    def test_revision_that_is_not_pinned(self):
+        for control, packaging in REVISIONS.values():
+            (self.archives / control).unlink()
+            (self.archives / packaging).unlink()
+        (self.archives / "povray_1-7.dsc").write_text("Version: 1-7\n", encoding="utf-8")
+        self.assert_fails_saying(self.prepare(self.archives), "povray_1-7.dsc, a packaging revision that is not pinned",
+                                 "1-1 (old, new) 1-2 (old, new)", "Add a revision of Debian's package")
 
     def test_missing_folder(self):
         process = self.prepare(self.folder / "nowhere")
-        self.assert_fails_saying(process, "POVRAY_TARBALL", FILES["orig"] + " is missing")
+        self.assert_fails_saying(process, "POVRAY_TARBALL", TARBALL + " is missing")
 
     def test_changed_file_and_next_try(self):
-        archive = self.archives / FILES["debian"]
+        for name in REVISIONS["1"]:     # only one revision is at hand
+            (self.archives / name).unlink()
+        archive = self.archives / PACKAGING
         original = archive.read_bytes()
         archive.write_bytes(original[:-1])
-        self.assert_fails_saying(self.prepare(self.archives), FILES["debian"] + " has", "bytes, expected")
+        self.assert_fails_saying(self.prepare(self.archives), PACKAGING + " has", "bytes, expected")
         archive.write_bytes(original[:-1] + bytes([original[-1] ^ 1]))
         self.assert_fails_saying(self.prepare(self.archives), "SHA-256", "expected")
         archive.write_bytes(original)
@@ -120,7 +152,7 @@ class Upstream(SetupTest):
         config.write_text(f'Acquire::http::Proxy "{NO_NETWORK}";\nAcquire::https::Proxy "{NO_NETWORK}";\n',
                           encoding="utf-8")
         self.downloads.mkdir()
-        (self.downloads / FILES["orig"]).write_bytes(b"half a file")
+        (self.downloads / TARBALL).write_bytes(b"half a file")
         process = self.prepare(env={"APT_CONFIG": str(config), "http_proxy": NO_NETWORK, "https_proxy": NO_NETWORK})
         self.assert_fails_saying(process, "could not be downloaded", "could not be reached", "-DPOVRAY_TARBALL=")
         self.assertEqual(list(self.downloads.iterdir()), [])

@@ -60,9 +60,10 @@ def series_sha256():
 
 
 def upstream():
-    """Package and version that the fork is made from."""
+    """The release of POV-Ray that the fork is made from. Debian's packaging revision is left out: those that are
+    pinned hold the same patches (docs/patching.md)."""
     pin = json.loads((manifest.ROOT / "povray-src" / "upstream.json").read_text())
-    return " ".join(str(pin[field]) for field in ("package", "version"))
+    return " ".join(str(pin[field]) for field in ("package", "upstream_version"))
 
 
 def make_oracle(entry, args, work):
