@@ -12,6 +12,9 @@ import pathlib
 import re
 import sys
 
+# What a patch is for is the folder it lies in.
+FOLDERS = ("camera", "output", "speed", "fixes")
+
 REQUIRED_FIELDS = ("Description", "Author", "Origin", "Forwarded", "Last-Update", "Hooks", "Tests")
 
 # A hook is a line or two. A patch that adds more than this needs a reason in its header, in the field
@@ -66,18 +69,20 @@ def changed_lines(text, sign):
 
 
 def check_list(folder):
-    """Every listed file exists, none is listed twice, no file is left out, names are verbs and words."""
+    """Every listed file exists in a folder of its question, none is listed twice, no file is left out."""
     names = series(folder)
     for name in sorted(set(names)):
         if names.count(name) > 1:
             yield f"{name}: listed {names.count(name)} times"
         if not (folder / name).is_file():
             yield f"{name}: listed in series, but there is no such file"
-        if not re.fullmatch(r"[a-z]+(-[a-z0-9]+)+\.patch", name):
-            yield f"{name}: a patch is named like add-camera-item.patch (words, no number in front)"
-    for path in sorted(folder.iterdir()):
-        if path.name != "series" and path.name not in names:
-            yield f"{path.name}: not listed in series"
+        if not re.fullmatch(rf"({'|'.join(FOLDERS)})/[a-z]+(-[a-z0-9]+)+\.patch", name):
+            yield (f"{name}: a patch is named like camera/add-camera-item.patch (words, no number in front, in one of "
+                   f"the folders {', '.join(FOLDERS)})")
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder).as_posix()
+        if path.is_file() and name != "series" and name not in names:
+            yield f"{name}: not listed in series"
 
 
 def check_headers(folder):
@@ -92,6 +97,8 @@ def check_headers(folder):
             datetime.date.fromisoformat(date)
         except ValueError:
             yield f"{name}: Last-Update is {date!r}, expected a date such as 2025-01-31"
+        if name.startswith("fixes/") and fields.get("Forwarded") == "not-needed":
+            yield f"{name}: Forwarded is not-needed, but a defect of upstream's is to be reported: no, or where it was"
 
 
 def check_size(folder):

@@ -32,39 +32,43 @@ class CheckPatchesTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             for patch, text in patches.items():
+                (folder / patch).parent.mkdir(exist_ok=True)
                 (folder / patch).write_text(text, encoding="utf-8")
             listed = "\n".join(patches) if series is None else series
             (folder / "series").write_text(listed + "\n", encoding="utf-8")
             return list(check_patches.CHECKS[check](folder))
 
     def assert_fault(self, check, text, expected, **kwargs):
-        faults = self.faults(check, {"add-item.patch": text}, **kwargs)
+        faults = self.faults(check, {"camera/add-item.patch": text}, **kwargs)
         self.assertTrue(any(expected in fault for fault in faults), f"{expected!r} not in {faults}")
 
     def test_good_patch_passes_all(self):
         for check in check_patches.CHECKS:
-            self.assertEqual(self.faults(check, {"add-item.patch": GOOD}), [], check)
+            self.assertEqual(self.faults(check, {"camera/add-item.patch": GOOD}), [], check)
 
     def test_list(self):
-        self.assert_fault("list", GOOD, "no such file", series="add-item.patch\nadd-more.patch")
-        self.assert_fault("list", GOOD, "listed 2 times", series="add-item.patch\nadd-item.patch")
-        self.assert_fault("list", GOOD, "not listed", series="# add-item.patch")
-        faults = self.faults("list", {"01-Item.patch": GOOD})
-        self.assertTrue(any("named like" in fault for fault in faults), faults)
+        self.assert_fault("list", GOOD, "no such file", series="camera/add-item.patch\ncamera/add-more.patch")
+        self.assert_fault("list", GOOD, "listed 2 times", series="camera/add-item.patch\ncamera/add-item.patch")
+        self.assert_fault("list", GOOD, "not listed", series="# camera/add-item.patch")
+        for name in ("camera/01-Item.patch", "add-item.patch", "misc/add-item.patch"):
+            faults = self.faults("list", {name: GOOD})
+            self.assertTrue(any("named like" in fault for fault in faults), faults)
 
     def test_headers(self):
         for field in check_patches.REQUIRED_FIELDS:
             lines = [line for line in GOOD.splitlines() if not line.startswith(field + ":")]
             self.assert_fault("headers", "\n".join(lines), field)
         self.assert_fault("headers", GOOD.replace("2025-01-31", "January"), "expected a date")
+        faults = self.faults("headers", {"fixes/mend-item.patch": GOOD})
+        self.assertTrue(any("is to be reported" in fault for fault in faults), faults)
 
     def test_size(self):
         def longer(count):
             return GOOD.replace("+\ttilt", "+\tx();\n" * count + "+\ttilt")
-        self.assertEqual(self.faults("size", {"add-item.patch": longer(39)}), [])
+        self.assertEqual(self.faults("size", {"camera/add-item.patch": longer(39)}), [])
         self.assert_fault("size", longer(40), "adds 41 lines")
         reasoned = longer(40).replace("Author:", "Size-Reason: a table\nAuthor:")
-        self.assertEqual(self.faults("size", {"add-item.patch": reasoned}), [])
+        self.assertEqual(self.faults("size", {"camera/add-item.patch": reasoned}), [])
         self.assert_fault("size", longer(80).replace("Author:", "Size-Reason: a table\nAuthor:"), "adds 81 lines")
         self.assert_fault("size", GOOD.replace("+\ttilt_lens::Hook();\n", ""), "adds no line")
 
