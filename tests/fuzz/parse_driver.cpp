@@ -150,7 +150,7 @@ ParseOutcome Parse(const std::string& scene)
         if (outcome.errors.empty() && camera.TiltLens.given)
         {
             outcome.lens = true;
-            outcome.broken = BrokenRay(pov::TiltLensCamera::Solve(camera));
+            outcome.broken = BrokenRay(*camera.TiltLens.lens);
         }
         delete own;
     }

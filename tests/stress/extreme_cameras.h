@@ -13,15 +13,10 @@
 #include <vector>
 
 #include "../unit/random_cameras.h"
+#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {
-
-/// Where in the frame the ray starts, both in [-0.5, 0.5].
-struct FilmPoint
-{
-    double x, y;
-};
 
 struct ExtremeSet
 {
