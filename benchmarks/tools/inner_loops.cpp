@@ -109,10 +109,10 @@ void TilePerSample(benchmark::State& state)
     const std::uint32_t edge = 32;
     for (auto _ : state)
     {
-        CellStore store(limits, edge, edge, {0, 0, edge, edge});
+        BlockCache store(limits, edge, edge, {0, 0, edge, edge});
         TileSampler tile(store);
         tile.Run({0, 0, edge, edge},
-                 [](const SampleId& id, Traced& traced)
+                 [](const SampleId& id, SampleResult& traced)
                  {
                      const double light = id.index * 0x9e3779b9u > 0x7fffffffu ? 1.0 : 0.1 * (id.x & 3);
                      traced = Radiance{light, light, 0.5 * light, 0.0, 0.0};

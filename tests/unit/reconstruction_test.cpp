@@ -18,11 +18,11 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(kCell);
+constexpr int kSide = int(kBlockSide);
 
 struct Pixel
 {
-    Radiance mean{}, halves{};
+    Radiance mean{}, difference{};
     double noise = 0.0;
 };
 
@@ -35,28 +35,28 @@ Pixel Noisy(double truth, double variance, std::mt19937& random)
     for (int c = 0; c < 3; c++)
     {
         pixel.mean[c] = truth + 0.5 * (a + b);
-        pixel.halves[c] = a - b;
+        pixel.difference[c] = a - b;
     }
     pixel.noise = 3 * 0.5 * variance;
     return pixel;
 }
 
 /// A cell's surroundings, all in the picture.
-Surroundings Make(const std::function<Pixel(int, int)>& pixel)
+PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
 {
-    std::array<Estimates, 9> cells;
-    std::array<const Estimates*, 9> places;
+    std::array<BlockStatistics, 9> cells;
+    std::array<const BlockStatistics*, 9> places;
     for (int i = 0; i < 9; i++)
     {
         for (int y = 0; y < kSide; y++)
             for (int x = 0; x < kSide; x++)
             {
                 const Pixel p = pixel(x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide);
-                cells[i].Set(x, y, p.mean, p.halves, p.noise);
+                cells[i].Set(x, y, p.mean, p.difference, p.noise);
             }
         places[i] = &cells[i];
     }
-    return Surroundings(places);
+    return PaddedBlock(places);
 }
 
 struct Errors
@@ -71,15 +71,15 @@ Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
     Errors errors;
     for (int picture = 0; picture < 200; picture++)
     {
-        const Surroundings around = Make([&](int x, int y) { return Noisy(truth(x, y), variance, random); });
-        const Rebuilt rebuilt = Rebuild(around);
+        const PaddedBlock around = Make([&](int x, int y) { return Noisy(truth(x, y), variance, random); });
+        const ReconstructedBlock rebuilt = Reconstruct(around);
         for (int y = 0; y < kSide; y++)
             for (int x = 0; x < kSide; x++)
             {
-                const int i = y * kSide + x, at = Surroundings::At(x, y);
-                errors.before += std::pow(around.Means()[0][at] - truth(x, y), 2);
+                const int i = y * kSide + x, at = PaddedBlock::At(x, y);
+                errors.before += std::pow(around.Mean(0)[at] - truth(x, y), 2);
                 errors.after += std::pow(rebuilt.mean[0][i] - truth(x, y), 2);
-                errors.claimed += rebuilt.remains[i] * around.Noise()[at] / 3.0;
+                errors.claimed += rebuilt.residualVarianceRatio[i] * around.Noise()[at] / 3.0;
             }
     }
     return errors;
@@ -89,8 +89,8 @@ TEST(Reconstruction, LeavesPixelsWithoutNoiseAlone)
 {
     std::mt19937 random(3);
     const auto picture = [&](int x, int y) { return Noisy(0.01 * x * x + 0.1 * y, 0.0, random); };
-    const Surroundings around = Make(picture);
-    const Rebuilt rebuilt = Rebuild(around);
+    const PaddedBlock around = Make(picture);
+    const ReconstructedBlock rebuilt = Reconstruct(around);
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)
             EXPECT_NEAR(rebuilt.mean[0][y * kSide + x], picture(x, y).mean[0], 1e-6);
@@ -130,8 +130,8 @@ TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
     // each cell but the middle one known or not; a pixel is 1000 times its cell's number and its place there
     for (int known = 0; known < 256; known++)
     {
-        std::array<Estimates, 9> cells;
-        std::array<const Estimates*, 9> places{};
+        std::array<BlockStatistics, 9> cells;
+        std::array<const BlockStatistics*, 9> places{};
         for (int i = 0; i < 9; i++)
         {
             for (int y = 0; y < kSide; y++)
@@ -140,9 +140,9 @@ TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
             if (i == 4 || known >> (i < 4 ? i : i - 1) & 1)
                 places[i] = &cells[i];
         }
-        const Surroundings around(places);
-        for (int y = -Surroundings::kBorder; y < kSide + Surroundings::kBorder; y++)
-            for (int x = -Surroundings::kBorder; x < kSide + Surroundings::kBorder; x++)
+        const PaddedBlock around(places);
+        for (int y = -PaddedBlock::kBorder; y < kSide + PaddedBlock::kBorder; y++)
+            for (int x = -PaddedBlock::kBorder; x < kSide + PaddedBlock::kBorder; x++)
             {
                 const auto cellOf = [](int at) { return at < 0 ? 0 : at < kSide ? 1 : 2; };
                 const auto mirror = [](int& at) { at = at < 0 ? -1 - at : at < kSide ? at : 2 * kSide - 1 - at; };
@@ -157,21 +157,21 @@ TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
                 }
                 const int cell = 3 * cellOf(v) + cellOf(u);
                 const double expected = 1000.0 * cell + 10.0 * ((v + kSide) % kSide) + (u + kSide) % kSide;
-                ASSERT_EQ(around.Means()[0][Surroundings::At(x, y)], expected) << known << ": " << x << ", " << y;
+                ASSERT_EQ(around.Mean(0)[PaddedBlock::At(x, y)], expected) << known << ": " << x << ", " << y;
             }
     }
 }
 
 TEST(Reconstruction, ACellAtTheEdgeRepeatsItsOwnPixels)
 {
-    Estimates cell;
+    BlockStatistics cell;
     for (int y = 0; y < 3; y++)
         for (int x = 0; x < 5; x++)
             cell.Set(x, y, {10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, {0.0, 10.0 * y + x, 0.0, 0.0, 0.0}, 10.0 * y + x);
     cell.RepeatEdges(5, 3);
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)
-            for (const CellPlane* plane : {&cell.mean[0], &cell.halves[1], &cell.noise})
+            for (const BlockPlane* plane : {&cell.Mean(0), &cell.DualBufferDifference(1), &cell.Noise()})
                 EXPECT_EQ((*plane)[y * kSide + x], 10.0f * std::min(y, 2) + std::min(x, 4));
 }
 
@@ -182,12 +182,12 @@ TEST(Reconstruction, WhatIsBrightHarmsNothingDarkBesideIt)
         for (const double dark : {0.0, 0.5})
         {
             std::mt19937 random(4);
-            const Surroundings around = Make([&](int x, int y)
+            const PaddedBlock around = Make([&](int x, int y)
             {
                 const bool lit = x >= 3 && x < 5 && y >= 2 && y < 5;
                 return lit ? Noisy(lamp, 0.01 * lamp * lamp, random) : Noisy(dark, 1e-3 * dark, random);
             });
-            const Rebuilt rebuilt = Rebuild(around);
+            const ReconstructedBlock rebuilt = Reconstruct(around);
             for (int y = 0; y < kSide; y++)
                 for (int x = 0; x < kSide; x++)
                 {
@@ -201,13 +201,13 @@ TEST(Reconstruction, WhatIsBrightHarmsNothingDarkBesideIt)
 TEST(Reconstruction, TransparencyGoesWithTheColours)
 {
     std::mt19937 random(6);
-    const Surroundings around = Make([&](int x, int)
+    const PaddedBlock around = Make([&](int x, int)
     {
         Pixel e = Noisy(0.5, 1e-3, random);
         e.mean[4] = x < 4 ? 1.0f : 0.0f;  // an outline that only transparency shows
         return e;
     });
-    const Rebuilt rebuilt = Rebuild(around);
+    const ReconstructedBlock rebuilt = Reconstruct(around);
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)
             EXPECT_NEAR(rebuilt.mean[4][y * kSide + x], x < 4 ? 1.0 : 0.0, 0.05 * std::sqrt(0.5e-3));
@@ -219,7 +219,7 @@ TEST(Reconstruction, ReachesNotBeyondWhatColoursCanBe)
     int touched = 0;
     for (int picture = 0; picture < 50; picture++)
     {
-        const Surroundings around = Make([&](int x, int y)
+        const PaddedBlock around = Make([&](int x, int y)
         {
             Pixel pixel = Noisy(0.5 * std::max(0, x - 3), 1e-2, random);
             for (double& mean : pixel.mean)
@@ -227,7 +227,7 @@ TEST(Reconstruction, ReachesNotBeyondWhatColoursCanBe)
             pixel.mean[4] = std::min(1.0, 0.25 * std::max(0, y + 1));
             return pixel;
         });
-        const Rebuilt rebuilt = Rebuild(around);
+        const ReconstructedBlock rebuilt = Reconstruct(around);
         for (int i = 0; i < kSide * kSide; i++)
         {
             EXPECT_GE(rebuilt.mean[0][i], 0.0f) << i;
@@ -244,11 +244,11 @@ TEST(Reconstruction, WhatIsLeftOfFewNoisyPixelsIsNotKnown)
     const auto remains = [](int side)
     {
         std::mt19937 random(9);
-        return Rebuild(Make([&](int x, int y)
+        return Reconstruct(Make([&](int x, int y)
         {
             const bool noisy = x >= 1 && x < 1 + side && y >= 2 && y < 2 + side;
             return noisy ? Noisy(0.5, 1e-3, random) : Noisy(0.5, 0.0, random);
-        })).remains[4 * kSide + 3];
+        })).residualVarianceRatio[4 * kSide + 3];
     };
     EXPECT_EQ(remains(0), 1.0f);
     EXPECT_EQ(remains(1), 1.0f);
@@ -260,29 +260,29 @@ TEST(Reconstruction, NothingIsTooBrightForIt)
     for (const float bright : {1e18f, 1e25f, 3e38f, HUGE_VALF})
     {
         std::mt19937 random(8);
-        const Surroundings around = Make([&](int x, int y)
+        const PaddedBlock around = Make([&](int x, int y)
         {
             Pixel e = Noisy(0.5, 1e-3, random);
             if (x == 2 && y == 3)
             {
                 e.mean.fill(bright);
-                e.halves[0] = -bright;
+                e.difference[0] = -bright;
                 e.noise = 0.001f * bright * bright;  // from 1e21 on more than a float holds
             }
             return e;
         });
-        const Rebuilt rebuilt = Rebuild(around);
-        for (int i = 0; i < int(kCell * kCell); i++)
+        const ReconstructedBlock rebuilt = Reconstruct(around);
+        for (int i = 0; i < int(kBlockSide * kBlockSide); i++)
         {
-            EXPECT_GT(rebuilt.remains[i], 0.0f) << bright << ", pixel " << i;
-            EXPECT_LE(rebuilt.remains[i], 1.0f) << bright << ", pixel " << i;
+            EXPECT_GT(rebuilt.residualVarianceRatio[i], 0.0f) << bright << ", pixel " << i;
+            EXPECT_LE(rebuilt.residualVarianceRatio[i], 1.0f) << bright << ", pixel " << i;
             const bool beside = i != 3 * kSide + 2;
             if (bright < HUGE_VALF && beside)
             {
-                EXPECT_TRUE(IsLight(rebuilt.MeanOf(i))) << bright << ", pixel " << i;
+                EXPECT_TRUE(IsFinite(rebuilt.MeanOf(i))) << bright << ", pixel " << i;
                 EXPECT_LT(rebuilt.mean[0][i], 1.0f) << bright << ", pixel " << i;
             }
-            EXPECT_TRUE(bright < HUGE_VALF || beside || !IsLight(rebuilt.MeanOf(i))) << "pixel " << i;
+            EXPECT_TRUE(bright < HUGE_VALF || beside || !IsFinite(rebuilt.MeanOf(i))) << "pixel " << i;
         }
     }
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tilt_lens/sampling/sequence.h"
 #include "tilt_lens/sampling/tile_sampler.h"
 
 namespace tilt_lens
@@ -32,19 +33,19 @@ inline Sample SampleOf(const SampleId& id)
     return PixelSampler(id.x, id.y, 0)(id.index);
 }
 
-inline void Constant(const SampleId&, Traced& light)
+inline void Constant(const SampleId&, SampleResult& light)
 {
     light = Grey(0.7);
 }
 
 /// Independent noise of variance 1/12 that no stratification sees.
-inline void WhiteNoise(const SampleId& id, Traced& light)
+inline void WhiteNoise(const SampleId& id, SampleResult& light)
 {
     light = Grey(Noise(id, 1));
 }
 
 /// A slanted edge between black and white, seen in focus.
-inline void Edge(const SampleId& id, Traced& light)
+inline void Edge(const SampleId& id, SampleResult& light)
 {
     const Sample s = SampleOf(id);
     light = Grey(0.3 * (id.x + s.pixelX) + (id.y + s.pixelY) > 20.0 ? 1.0 : 0.0);
@@ -77,7 +78,7 @@ inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, con
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width,
     std::uint32_t height, const Tracer& trace)
 {
-    CellStore store(limits, width, height, tile);
+    BlockCache store(limits, width, height, tile);
     TileSampler sampler(store);
     return ResultsOf(sampler, tile, trace);
 }
@@ -86,7 +87,7 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
     std::uint32_t top, const Tracer& trace)
 {
-    return ResultsOf(limits, {left, top, kCell, kCell}, 4096, 4096, trace);
+    return ResultsOf(limits, {left, top, kBlockSide, kBlockSide}, 4096, 4096, trace);
 }
 
 inline SamplingLimits Limits(

@@ -27,7 +27,7 @@ namespace
 TEST(TileSamplerLimits, AConstantEndsAtTheMinimum)
 {
     for (const std::uint32_t min : {2u, 8u, 64u})
-        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * kCell, kCell, Constant))
+        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * kBlockSide, kBlockSide, Constant))
         {
             EXPECT_EQ(r.samples, min);
             EXPECT_NEAR(r.mean[0], 0.7, 1e-15);
@@ -50,22 +50,22 @@ TEST(TileSamplerLimits, MinimumAndMaximumAreKept)
         for (const Tracer& trace : {Tracer(Constant),
                  Tracer(WhiteNoise), Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
-                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), kCell, kCell, trace))
+                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), kBlockSide, kBlockSide, trace))
                 {
                     ASSERT_GE(r.samples, c[0]) << "of " << c[0] << ", " << c[1];
                     ASSERT_LE(r.samples, c[1]) << "of " << c[0] << ", " << c[1];
                     ASSERT_TRUE(std::isfinite(r.mean[0]) && r.variance >= 0.0);
                 }
-    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), kCell, kCell, WhiteNoise))
+    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), kBlockSide, kBlockSide, WhiteNoise))
         EXPECT_EQ(r.samples, 1000u);
 }
 
 TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
 {
-    const Area tile{2 * kCell, kCell, 2 * kCell, kCell};
+    const Area tile{2 * kBlockSide, kBlockSide, 2 * kBlockSide, kBlockSide};
     std::set<std::vector<std::uint32_t>> seen;
     std::uint64_t calls = 0, inside = 0;
-    const auto trace = [&](const SampleId& id, Traced& light)
+    const auto trace = [&](const SampleId& id, SampleResult& light)
     {
         const Sample s = SampleOf(id);
         calls++;
@@ -76,7 +76,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
                     same.pixelY == s.pixelY);
         Edge(id, light);
     };
-    CellStore store(Limits(6, 300, 1e-4), 8 * kCell, 8 * kCell, tile);
+    BlockCache store(Limits(6, 300, 1e-4), 8 * kBlockSide, 8 * kBlockSide, tile);
     TileSampler sampler(store);
     std::uint64_t counted = 0;
     double variance = 0.0;
@@ -87,11 +87,11 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     }
     EXPECT_EQ(inside, counted);
     EXPECT_EQ(seen.size(), calls) << "a sample was traced twice";
-    EXPECT_EQ(calls - inside, 8u * (10 * kCell * kCell)) << "first samples of the cells around the tile";
-    EXPECT_EQ(sampler.Account().Samples(), counted);
-    EXPECT_EQ(sampler.Account().Pixels(), 2u * kCell * kCell);
-    EXPECT_EQ(sampler.Account().notFinite, 0u);
-    EXPECT_DOUBLE_EQ(sampler.Account().variance, variance);
+    EXPECT_EQ(calls - inside, 8u * (10 * kBlockSide * kBlockSide)) << "first samples of the cells around the tile";
+    EXPECT_EQ(sampler.Statistics().Samples(), counted);
+    EXPECT_EQ(sampler.Statistics().Pixels(), 2u * kBlockSide * kBlockSide);
+    EXPECT_EQ(sampler.Statistics().notFinite, 0u);
+    EXPECT_DOUBLE_EQ(sampler.Statistics().variance, variance);
 }
 
 // a picture of 45 by 37 pixels: no multiple of a cell
@@ -156,7 +156,7 @@ TEST(TileSamplerOrder, AnyTilesInAnyOrderGiveTheSamePixelsAndLeaveNothingBehind)
                 for (std::uint32_t x = 0; x < kWidth; x += side)
                     tiles.push_back({x, y, std::min(side, kWidth - x), std::min(side, kHeight - y)});
             std::shuffle(tiles.begin(), tiles.end(), std::mt19937(side));
-            CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
+            BlockCache store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
             for (const Area& tile : tiles)
             {
                 TileSampler sampler(store);
@@ -173,12 +173,12 @@ TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
     {
         const auto whole = way.Whole();
         std::atomic<std::uint64_t> calls{0};
-        const Tracer counted = [&](const SampleId& id, Traced& light)
+        const Tracer counted = [&](const SampleId& id, SampleResult& light)
         {
             calls++;
             way.trace(id, light);
         };
-        CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
+        BlockCache store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
         std::atomic<std::uint32_t> row{0};
         std::atomic<std::uint64_t> samples{0};
         std::vector<std::thread> threads;
@@ -189,7 +189,7 @@ TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
                 {
                     TileSampler sampler(store);
                     ExpectPartOf(whole, ResultsOf(sampler, {0, y, kWidth, 1}, counted), {0, y, kWidth, 1});
-                    samples += sampler.Account().Samples();
+                    samples += sampler.Statistics().Samples();
                 }
             });
         for (std::thread& thread : threads)
@@ -209,9 +209,9 @@ TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
             samples += pixel.samples;
         for (const int broken : {1, 100, samples * 9 / 10})
         {
-            CellStore store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
+            BlockCache store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
             int calls = 0;
-            const Tracer failing = [&](const SampleId& id, Traced& light)
+            const Tracer failing = [&](const SampleId& id, SampleResult& light)
             {
                 if (++calls == broken)
                     throw std::runtime_error("cancelled");
@@ -228,7 +228,7 @@ TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
 TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
 {
     // Pixels left and right of the one that the edge crosses see it through 3 % of the lens.
-    const auto trace = [](const SampleId& id, Traced& light)
+    const auto trace = [](const SampleId& id, SampleResult& light)
     {
         const Sample s = SampleOf(id);
         const bool crossed = id.x % 8 == 4;
@@ -237,10 +237,10 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
     int stopped = 0;
     for (std::uint32_t cell = 0; cell < 25; cell++)
     {
-        const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * kCell, 0, trace);
-        for (std::uint32_t y = 0; y < kCell; y++)
+        const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * kBlockSide, 0, trace);
+        for (std::uint32_t y = 0; y < kBlockSide; y++)
             for (const std::uint32_t x : {3u, 5u})
-                stopped += results[y * kCell + x].samples <= 8;
+                stopped += results[y * kBlockSide + x].samples <= 8;
     }
     EXPECT_EQ(stopped, 0);
 }
@@ -249,15 +249,15 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsLeftAlone)
 {
     for (const std::uint32_t met : {1u, 2u})  // of every eight samples
     {
-        const auto trace = [met](const SampleId& id, Traced& traced)
+        const auto trace = [met](const SampleId& id, SampleResult& traced)
         {
             traced = Grey(Noise(id, 1));
-            traced.met = id.index % 8 < met;
+            traced.hit = id.index % 8 < met;
         };
         SamplingLimits limits = Limits(8, 1024, 1e-2);
-        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
+        const std::vector<Result> plain = ResultsOf(limits, kBlockSide, kBlockSide, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, met == 1) << met;
+        EXPECT_EQ(ResultsOf(limits, kBlockSide, kBlockSide, trace) == plain, met == 1) << met;
     }
 }
 
@@ -266,15 +266,15 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltBesideWhatMeetsEn
 {
     for (const std::uint32_t full : {0u, 1u})  // rows of cells below that meet something with every sample
     {
-        const auto trace = [full](const SampleId& id, Traced& traced)
+        const auto trace = [full](const SampleId& id, SampleResult& traced)
         {
             traced = Grey(Noise(id, 1));
-            traced.met = id.y >= 2 * kCell ? full == 1 : id.index % 8 == 0;
+            traced.hit = id.y >= 2 * kBlockSide ? full == 1 : id.index % 8 == 0;
         };
         SamplingLimits limits = Limits(8, 8, 1e-2);
-        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
+        const std::vector<Result> plain = ResultsOf(limits, kBlockSide, kBlockSide, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, full == 0) << full;
+        EXPECT_EQ(ResultsOf(limits, kBlockSide, kBlockSide, trace) == plain, full == 0) << full;
     }
 }
 
@@ -283,38 +283,38 @@ TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltWhereAQuarterMeet
 {
     for (const std::uint32_t met : {1u, 2u})  // of every eight samples in the upper left quarter; no other meets anything
     {
-        const auto trace = [met](const SampleId& id, Traced& traced)
+        const auto trace = [met](const SampleId& id, SampleResult& traced)
         {
-            const bool inside = id.x / (kCell / 2) == 2 && id.y / (kCell / 2) == 2;
+            const bool inside = id.x / (kBlockSide / 2) == 2 && id.y / (kBlockSide / 2) == 2;
             traced = Grey(inside ? Noise(id, 1) : 0.0);
-            traced.met = inside && id.index % 8 < met;
+            traced.hit = inside && id.index % 8 < met;
         };
         SamplingLimits limits = Limits(8, 8, 1e-2);
-        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
+        const std::vector<Result> plain = ResultsOf(limits, kBlockSide, kBlockSide, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, met == 1) << met;
+        EXPECT_EQ(ResultsOf(limits, kBlockSide, kBlockSide, trace) == plain, met == 1) << met;
     }
 }
 
 TEST(TileSamplerReconstruction, WhatMostlyMeetsNothingIsRebuiltAfterManySamples)
 {
-    const auto trace = [](const SampleId& id, Traced& traced)
+    const auto trace = [](const SampleId& id, SampleResult& traced)
     {
         traced = Grey(Noise(id, 1));
-        traced.met = id.index % 8 == 7;
+        traced.hit = id.index % 8 == 7;
     };
     for (const std::uint32_t samples : {128u, 256u})
     {
         SamplingLimits limits = Limits(8, samples, 1e-6);
-        const std::vector<Result> plain = ResultsOf(limits, kCell, kCell, trace);
+        const std::vector<Result> plain = ResultsOf(limits, kBlockSide, kBlockSide, trace);
         limits.denoise = true;
-        EXPECT_EQ(ResultsOf(limits, kCell, kCell, trace) == plain, samples == 128) << samples;
+        EXPECT_EQ(ResultsOf(limits, kBlockSide, kBlockSide, trace) == plain, samples == 128) << samples;
     }
 }
 
 TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
 {
-    const auto trace = [](const SampleId& id, Traced& light)
+    const auto trace = [](const SampleId& id, SampleResult& light)
     { light = Grey(0.5 + (id.y < 5 ? 0.02 : 1.0) * (Noise(id, 1) - 0.5)); };
     SamplingLimits limits = Limits(8, 8, 1e-2);
     const std::vector<Result> plain = ResultsOf(limits, 8, 0, trace);
@@ -322,15 +322,15 @@ TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
     const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
     for (std::uint32_t i = 0; i < rebuilt.size(); i++)
     {
-        if (i / kCell == 4)  // there what is beside may have been missed
+        if (i / kBlockSide == 4)  // there what is beside may have been missed
             continue;
-        EXPECT_EQ(rebuilt[i] == plain[i], i / kCell < 4) << i;
+        EXPECT_EQ(rebuilt[i] == plain[i], i / kBlockSide < 4) << i;
     }
 }
 
 TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
 {
-    const auto bright = [](const SampleId& id, Traced& light)
+    const auto bright = [](const SampleId& id, SampleResult& light)
     { light = Grey(1000.0 * Noise(id, 1)); };
     for (const Result& r : ResultsOf(Limits(8, 1 << 20, 1e-3), 0, 0, bright))
     {
@@ -343,10 +343,10 @@ TEST(TileSamplerStop, EveryChannelCounts)
 {
     for (std::size_t channel = 0; channel < 5; channel++)
     {
-        const auto trace = [&](const SampleId& id, Traced& light)
+        const auto trace = [&](const SampleId& id, SampleResult& light)
         {
             light = Radiance{};
-            light.light[channel] = Noise(id, 1);
+            light.radiance[channel] = Noise(id, 1);
         };
         for (const Result& r : ResultsOf(Limits(8, 4096, 1e-4), 0, 0, trace))
             ASSERT_GT(r.samples, 400u) << "channel " << channel;
@@ -359,33 +359,33 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
              std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
     {
         const auto spoiled = [](const SampleId& id)
-        { return id.x == 2 * kCell + 2 && id.y == kCell + 3 && id.index % 8 == 5; };
-        const auto broken = [&](const SampleId& id, Traced& light)
+        { return id.x == 2 * kBlockSide + 2 && id.y == kBlockSide + 3 && id.index % 8 == 5; };
+        const auto broken = [&](const SampleId& id, SampleResult& light)
         {
             Edge(id, light);
             if (spoiled(id))
-                light.light[1] = bad;
+                light.radiance[1] = bad;
         };
-        const auto black = [&](const SampleId& id, Traced& light)
+        const auto black = [&](const SampleId& id, SampleResult& light)
         {
             Edge(id, light);
             if (spoiled(id))
                 light = Radiance{};
         };
-        const Area tile{2 * kCell, kCell, kCell, kCell};
+        const Area tile{2 * kBlockSide, kBlockSide, kBlockSide, kBlockSide};
         const SamplingLimits limits = Limits(8, 1024, 1e-4);
-        CellStore brokenStore(limits, 8 * kCell, 8 * kCell, tile), blackStore(limits, 8 * kCell, 8 * kCell, tile);
+        BlockCache brokenStore(limits, 8 * kBlockSide, 8 * kBlockSide, tile), blackStore(limits, 8 * kBlockSide, 8 * kBlockSide, tile);
         TileSampler brokenTile(brokenStore), blackTile(blackStore);
         const auto results = ResultsOf(brokenTile, tile, broken);
         EXPECT_TRUE(results == ResultsOf(blackTile, tile, black)) << bad;
-        EXPECT_EQ(brokenTile.Account().notFinite, results[3 * kCell + 2].samples / 8) << bad;
-        EXPECT_EQ(blackTile.Account().notFinite, 0u);
+        EXPECT_EQ(brokenTile.Statistics().notFinite, results[3 * kBlockSide + 2].samples / 8) << bad;
+        EXPECT_EQ(blackTile.Statistics().notFinite, 0u);
     }
 }
 
-TEST(SamplingAccount, AddsUpAndKnowsItsQuantiles)
+TEST(SamplingStatistics, AddsUpAndKnowsItsQuantiles)
 {
-    SamplingAccount account, other;
+    SamplingStatistics account, other;
     EXPECT_EQ(account.Pixels(), 0u);
     EXPECT_EQ(account.Samples(), 0u);
     EXPECT_EQ(account.Most(), 0u);
@@ -409,7 +409,7 @@ TEST(SamplingAccount, AddsUpAndKnowsItsQuantiles)
     EXPECT_EQ(account.Quantile(1.0), 1024u);
     EXPECT_DOUBLE_EQ(account.StandardError(), 0.01);
 
-    SamplingAccount huge;
+    SamplingStatistics huge;
     huge.pixelsBySamples = {{1u << 31, 1ull << 20}};
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }

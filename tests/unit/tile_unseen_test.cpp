@@ -18,7 +18,7 @@ namespace
 {
 
 /// Black and white noise in every fourth column, grey beside it.
-void NoisyColumns(const SampleId& id, Traced& light)
+void NoisyColumns(const SampleId& id, SampleResult& light)
 {
     light = Grey(id.x % 4 == 0 ? (Noise(id, 1) > 0.5 ? 1.0 : 0.0) : 0.5);
 }
@@ -27,7 +27,7 @@ void NoisyColumns(const SampleId& id, Traced& light)
 std::uint32_t SamplesBesideNoise(double variance)
 {
     std::uint32_t most = 0;
-    const std::vector<Result> results = ResultsOf(Limits(8, 65536, variance), 2 * kCell, kCell, NoisyColumns);
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, variance), 2 * kBlockSide, kBlockSide, NoisyColumns);
     for (std::uint32_t i = 0; i < results.size(); i++)
         if (i % 4 == 1 || i % 4 == 3)
             most = std::max(most, results[i].samples);
@@ -47,7 +47,7 @@ TEST(TileSamplerUnseen, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)
 }
 
 /// One sample in twelve meets something bright.
-void Seldom(const SampleId& id, Traced& light)
+void Seldom(const SampleId& id, SampleResult& light)
 {
     light = Grey(Noise(id, 1) < 1.0 / 12.0 ? 1.0 : 0.5);
 }
@@ -58,13 +58,13 @@ std::uint32_t MissedBy(bool denoise)
     SamplingLimits limits = Limits(8, 65536, 3e-4);
     limits.denoise = denoise;
     std::uint32_t missed = 0;
-    for (std::uint32_t left = 0; left < 5 * kCell; left += kCell)
+    for (std::uint32_t left = 0; left < 5 * kBlockSide; left += kBlockSide)
     {
-        const std::vector<Result> results = ResultsOf(limits, left, kCell, Seldom);
+        const std::vector<Result> results = ResultsOf(limits, left, kBlockSide, Seldom);
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
             bool met = false;
-            for (SampleId id{left + i % kCell, kCell + i / kCell, 0}; id.index < results[i].samples; id.index++)
+            for (SampleId id{left + i % kBlockSide, kBlockSide + i / kBlockSide, 0}; id.index < results[i].samples; id.index++)
                 met = met || Noise(id, 1) < 1.0 / 12.0;
             missed += !met;
         }
@@ -79,36 +79,36 @@ TEST(TileSamplerUnseen, IsNotLeftToTheReconstruction)
 }
 
 /// A black line along a row of pixels that fills a sixteenth of each.
-void LineAlongRow(const SampleId& id, Traced& light)
+void LineAlongRow(const SampleId& id, SampleResult& light)
 {
-    light = Grey(id.y == kCell / 2 && SampleOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
+    light = Grey(id.y == kBlockSide / 2 && SampleOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
 }
 
 // Of three pixels side by side all may have missed it with eight samples; what is seen around them is then all alike.
 TEST(TileSamplerUnseen, WhatAllBesideAPixelHaveMissedIsLookedForWhereLittleNoiseIsAllowed)
 {
-    const std::uint32_t width = 32 * kCell;
-    const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, kCell}, width, kCell, LineAlongRow);
+    const std::uint32_t width = 32 * kBlockSide;
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, kBlockSide}, width, kBlockSide, LineAlongRow);
     for (std::uint32_t x = 0; x < width; x++)
-        EXPECT_NEAR(results[kCell / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
+        EXPECT_NEAR(results[kBlockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
     EXPECT_LE(results[0].samples, 64u);  // and not without end, far from the line
 }
 
 /// Every fourth sample is aimed at a lamp of so much light and meets what hides it.
 Tracer HiddenLamp(double light)
 {
-    return [light](const SampleId& id, Traced& traced)
+    return [light](const SampleId& id, SampleResult& traced)
     {
         traced = Grey(0.0);
         if (id.index % 4 == 0)
-            traced.sought = light;
+            traced.expectedEmission = light;
     };
 }
 
 std::uint32_t SamplesForHiddenLamp(double light, double variance)
 {
     std::uint32_t most = 0;
-    for (const Result& result : ResultsOf(Limits(8, 65536, variance), kCell, kCell, HiddenLamp(light)))
+    for (const Result& result : ResultsOf(Limits(8, 65536, variance), kBlockSide, kBlockSide, HiddenLamp(light)))
         most = std::max(most, result.samples);
     return most;
 }

@@ -4,6 +4,7 @@
 // Whether the variance asked for is the variance got, on pictures whose true pixels are known.
 
 #include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/sampling/variance_target.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ double BlurredEdgeMean(std::uint32_t x, std::uint32_t)
     return std::min(1.0, (x % 64 + 0.5) / 64.0);
 }
 
-void BlurredEdge(const SampleId& id, Traced& light)
+void BlurredEdge(const SampleId& id, SampleResult& light)
 {
     const Sample s = SampleOf(id);
     light = Grey(s.lensU * 64.0 + (s.pixelX - 0.5) < id.x % 64 + 0.5 ? 1.0 : 0.0);
@@ -50,7 +51,7 @@ double LinearMean(std::uint32_t x, std::uint32_t)
 }
 
 /// Smooth light: what stratified samples are best at.
-void Linear(const SampleId& id, Traced& light)
+void Linear(const SampleId& id, SampleResult& light)
 {
     const Sample s = SampleOf(id);
     light = Grey(0.5 + 0.5 * ((id.x % 8) - 3.5) / 8.0 + 0.4 * (s.lensU + s.lensV - 1.0) +
@@ -58,20 +59,20 @@ void Linear(const SampleId& id, Traced& light)
 }
 
 /// A checker board far out of focus: half of the lens sees white, in small fields.
-void Checker(const SampleId& id, Traced& light)
+void Checker(const SampleId& id, SampleResult& light)
 {
     const Sample s = SampleOf(id);
     light = Grey((int(s.lensU * 6) + int(s.lensV * 6)) % 2 ? 1.0 : 0.0);
 }
 
 /// One percent of the lens sees a lamp; it lies elsewhere for each pixel.
-void Lamp(const SampleId& id, Traced& light)
+void Lamp(const SampleId& id, SampleResult& light)
 {
     const Sample s = SampleOf(id);
     const double u = s.lensU - 0.9 * (PixelHash(id.x, id.y, 0, 5) * 0x1p-32);
     const double v = s.lensV - 0.9 * (PixelHash(id.x, id.y, 0, 6) * 0x1p-32);
     light = Grey(u >= 0 && u < 0.1 && v >= 0 && v < 0.1 ? 1.0 : 0.0);
-    light.blur = 100.0;
+    light.blurRadius = 100.0;
 }
 
 double LampMean(std::uint32_t, std::uint32_t)
@@ -105,13 +106,13 @@ Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_
     Score score;
     for (std::uint32_t cell = 0; cell < cells; cell++)
     {
-        const std::uint32_t left = cell % 8 * kCell, top = cell / 8 * kCell;
+        const std::uint32_t left = cell % 8 * kBlockSide, top = cell / 8 * kBlockSide;
         const std::vector<Result> results = ResultsOf(limits, left, top, picture.trace);
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
             const Result& r = results[i];
             const double error =
-                std::pow(r.mean[0] - picture.mean(left + i % kCell, top + i / kCell), 2);
+                std::pow(r.mean[0] - picture.mean(left + i % kBlockSide, top + i / kBlockSide), 2);
             score.error += error;
             score.claimed += r.variance;
             score.beyond += error > 4.0 * limits.variance;
@@ -183,7 +184,7 @@ TEST_P(VarianceAskedFor, IsGotWhereOneSampleInAHundredMatters)
 }
 
 /// Weak noise, and beside it strong noise in every fourth column.
-void Columns(const SampleId& id, Traced& light)
+void Columns(const SampleId& id, SampleResult& light)
 {
     light = Grey(0.5 + (id.x % 4 == 0 ? 0.8 : 0.08) * (Noise(id, 1) - 0.5));
 }
@@ -201,31 +202,31 @@ TEST_P(VarianceAskedFor, NoisyPixelsAmongQuietOnesKeepMore)
     EXPECT_LT(adaptive.MeanError(), even);
 }
 
-TEST(Allowance, IsWhatWasAskedForWhereAllAreAsNoisy)
+TEST(VarianceTarget, IsWhatWasAskedForWhereAllAreAsNoisy)
 {
     const SamplingLimits limits = Limits(8, 65536, 1e-4);
     for (const std::uint32_t n : {8u, 64u, 65536u})
     {
-        const Allowance allowed(limits, n);
+        const VarianceTarget target(limits, n);
         // 0/0: a pixel among those without any noise
         for (const double like : {1.0, std::nan("")})
         {
-            EXPECT_LE(allowed(like), limits.variance) << n;
-            EXPECT_GE(allowed(like), Allowance::kLeastWhereEven * limits.variance) << n;
+            EXPECT_LE(target(like), limits.variance) << n;
+            EXPECT_GE(target(like), settings.leastTargetAmongLike * limits.variance) << n;
         }
-        EXPECT_GE(allowed(0.0), Allowance::kLeast * limits.variance) << n;
+        EXPECT_GE(target(0.0), settings.leastTarget * limits.variance) << n;
         // what is rare may keep more than what merely is noisy, but not without end
-        EXPECT_LE(allowed(Allowance::kFew), Allowance::kMost * limits.variance) << n;
-        EXPECT_GE(allowed(100.0), allowed(Allowance::kFew)) << n;
-        EXPECT_LE(allowed(100.0), Allowance::kMostOfFew * limits.variance) << n;
+        EXPECT_LE(target(settings.rareDeviation), settings.greatestTarget * limits.variance) << n;
+        EXPECT_GE(target(100.0), target(settings.rareDeviation)) << n;
+        EXPECT_LE(target(100.0), settings.greatestRareTarget * limits.variance) << n;
     }
-    EXPECT_GT(Allowance(limits, 65536)(100.0), Allowance::kMost * limits.variance);
+    EXPECT_GT(VarianceTarget(limits, 65536)(100.0), settings.greatestTarget * limits.variance);
     // strong noise that took many samples may keep more, weak noise beside it less
-    EXPECT_LT(Allowance(limits, 8)(2.0), limits.variance);
-    EXPECT_GT(Allowance(limits, 4096)(2.0), limits.variance);
-    EXPECT_LT(Allowance(limits, 8)(0.2), 0.5 * limits.variance);
+    EXPECT_LT(VarianceTarget(limits, 8)(2.0), limits.variance);
+    EXPECT_GT(VarianceTarget(limits, 4096)(2.0), limits.variance);
+    EXPECT_LT(VarianceTarget(limits, 8)(0.2), 0.5 * limits.variance);
     // where all are as quiet, there is nobody to save rays for
-    EXPECT_GT(Allowance(limits, 8)(1.0), Allowance(limits, 8)(0.2));
+    EXPECT_GT(VarianceTarget(limits, 8)(1.0), VarianceTarget(limits, 8)(0.2));
 }
 
 TEST(TileSamplerStop, ClaimedVarianceOfWhiteNoiseIsItsVariance)

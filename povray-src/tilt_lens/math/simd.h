@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file simd.h
-/// Numbers that lie side by side, to and from a vector register. They need no alignment.
+/// Vector registers of 16 bytes: their types, and numbers that lie side by side to and from them. Memory needs no alignment.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
@@ -11,6 +11,13 @@
 
 namespace tilt_lens
 {
+
+/// Lanes compare to masks: `a < b ? a : b` chooses lane by lane.
+typedef double Double2 __attribute__((vector_size(16)));
+typedef float Float4 __attribute__((vector_size(16)));
+typedef float Float2 __attribute__((vector_size(8)));  ///< what converts to a Double2
+typedef long long Mask2 __attribute__((vector_size(16)));
+typedef int Mask4 __attribute__((vector_size(16)));
 
 /// @param from  as many numbers as a Vector holds, which may be a single number
 template<class Vector, class Number>
@@ -26,6 +33,10 @@ void Store(Number* to, Vector vector)
 {
     std::memcpy(to, &vector, sizeof(vector));
 }
+
+/// Lane by lane; b where either is no number.
+inline Float4 Min(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 Max(Float4 a, Float4 b) { return a > b ? a : b; }
 
 } // namespace tilt_lens
 

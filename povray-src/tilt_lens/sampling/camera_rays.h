@@ -13,7 +13,7 @@
 #include <array>
 
 #include "tilt_lens/camera/ray.h"
-#include "tilt_lens/sampling/emitters.h"
+#include "tilt_lens/sampling/emitter_sampling.h"
 
 namespace tilt_lens
 {
@@ -21,7 +21,7 @@ namespace tilt_lens
 /// A sample and its ray.
 struct CameraRay
 {
-    Start start;     ///< film point, lens point and weight
+    CameraSample sample;  ///< film point, lens point and weight
     LensRay ray;     ///< relative to the lens centre, world axes, scene units
     double length;   ///< of the ray's direction
     Vec3 direction;  ///< the ray's, normalised
@@ -29,7 +29,7 @@ struct CameraRay
     /// Completes a ray from its start.
     void FindRay(const Lens& lens)
     {
-        ray = MakeRay(lens, start.x, start.y, start.point.a, start.point.b);
+        ray = MakeRay(lens, sample.x, sample.y, sample.point.a, sample.point.b);
         length = Length(ray.direction);
         direction = {ray.direction.x / length, ray.direction.y / length, ray.direction.z / length};
     }
@@ -40,7 +40,7 @@ class CameraRayBatch
 {
   public:
     /// @param first  samples that each pixel gets in its first round
-    CameraRayBatch(const Lens& lens, const Emitters& emitters, std::uint32_t first) :
+    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, std::uint32_t first) :
         lens(lens), emitters(emitters), ahead(std::min(kMost, first))
     {
     }
@@ -50,7 +50,7 @@ class CameraRayBatch
         if (count == 0 || id.x != first.x || id.y != first.y)
         {
             sampler = PixelSampler(id.x, id.y, 0);
-            targets = emitters.Of(id.x, id.y);
+            targets = emitters.TargetsOf(id.x, id.y);
             count = 0;
         }
         if (id.index - first.index >= count)
@@ -65,10 +65,10 @@ class CameraRayBatch
     static constexpr std::uint32_t kMost = 8;
 
     const Lens& lens;
-    const Emitters& emitters;
+    const EmitterSampler& emitters;
     const std::uint32_t ahead;  ///< rays made at a time; rounds of samples are no shorter, so that none is made in vain
     PixelSampler sampler{0, 0, 0};
-    Emitters::Targets targets;
+    EmitterSampler::Targets targets;
     SampleId first{};
     std::uint32_t count = 0;
     std::array<CameraRay, kMost> rays;
@@ -81,7 +81,7 @@ class CameraRayBatch
         for (std::uint32_t i = 0; i < count; i++)
             samples[i] = sampler(from.index + i);
         for (std::uint32_t i = 0; i < count; i++)
-            rays[i].start = emitters.Aim(targets, {from.x, from.y, from.index + i}, samples[i]);
+            rays[i].sample = emitters.Generate(targets, {from.x, from.y, from.index + i}, samples[i]);
         for (std::uint32_t i = 0; i < count; i++)
             rays[i].FindRay(lens);
     }

@@ -28,7 +28,7 @@ double ExpectedSamples(const SamplingLimits& limits, const std::vector<Radiance>
     return std::min<double>(wanted, limits.max);
 }
 
-void WorkMap::Plan(const Area& rendered, bool probing)
+void ProgressEstimator::Plan(const Area& rendered, bool probing)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     area = rendered;
@@ -46,7 +46,7 @@ void WorkMap::Plan(const Area& rendered, bool probing)
     done = 0.0;
 }
 
-std::optional<WorkMap::Probe> WorkMap::NextProbe()
+std::optional<ProgressEstimator::Probe> ProgressEstimator::NextProbe()
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (given == weights.size())
@@ -57,7 +57,7 @@ std::optional<WorkMap::Probe> WorkMap::NextProbe()
     return Probe{block, area.left + middle(x, area.width), area.top + middle(y, area.height)};
 }
 
-void WorkMap::SetWeight(std::size_t block, double weight)
+void ProgressEstimator::SetWeight(std::size_t block, double weight)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     done += (weight - weights[block]) * finished[block];
@@ -66,7 +66,7 @@ void WorkMap::SetWeight(std::size_t block, double weight)
     tried++;
 }
 
-void WorkMap::Finish(const Area& tile)
+void ProgressEstimator::Finish(const Area& tile)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     for (std::uint32_t y = tile.top; y < tile.Bottom(); y++)
@@ -79,7 +79,7 @@ void WorkMap::Finish(const Area& tile)
             }
 }
 
-std::optional<double> WorkMap::Share() const
+std::optional<double> ProgressEstimator::Share() const
 {
     const std::lock_guard<std::mutex> lock(mutex);
     if (weights.empty() || tried < weights.size())

@@ -20,7 +20,9 @@
 #include <optional>
 #include <vector>
 
-#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/math/area.h"
+#include "tilt_lens/math/radiance.h"
+#include "tilt_lens/sampling/sampling_limits.h"
 
 namespace tilt_lens
 {
@@ -28,14 +30,14 @@ namespace tilt_lens
 /// Samples that a pixel will take under these limits, guessed from a few of its samples.
 double ExpectedSamples(const SamplingLimits& limits, const std::vector<Radiance>& tried);
 
-class WorkMap
+class ProgressEstimator
 {
   public:
     static constexpr std::uint32_t kBlock = 16;
     static constexpr std::uint32_t kTries = 8;  ///< samples of a tried pixel
 
     /// Before Plan there is nothing to do, and Share() is unknown.
-    WorkMap() = default;
+    ProgressEstimator() = default;
 
     /// The part of the picture that is rendered. With `probing`, blocks have no weight until they are
     /// tried; without, all weigh the same.

@@ -166,7 +166,7 @@ Sample PixelSampler::operator()(std::uint32_t index) const
             ToUnit(point.value[3])};
 }
 
-Pair PixelSampler::Further(std::uint32_t index, std::uint32_t number) const
+Pair PixelSampler::PaddedPair(std::uint32_t index, std::uint32_t number) const
 {
     const std::uint64_t seeds = StreamWord(key, (std::uint64_t{number} << 32) + 1);
     // an order in which each block of 2^k samples stays one

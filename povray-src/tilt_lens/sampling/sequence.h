@@ -67,7 +67,7 @@ class PixelSampler
     /// Two more numbers for a sample, as well distributed over the pixel's samples as its lens points,
     /// independent of them and of the pairs with other numbers: the sequence of the lens points in
     /// another order of its own (Burley's shuffled padding).
-    Pair Further(std::uint32_t index, std::uint32_t number) const;
+    Pair PaddedPair(std::uint32_t index, std::uint32_t number) const;
 
     /// A uniform hash for whatever else a sample needs, such as the seed of a random generator.
     /// Independent of the samples; equals PixelHash(x, y, seed, salt).

@@ -3,64 +3,69 @@
 
 #include "tilt_lens/sampling/tile_sampler.h"
 
+#include <algorithm>
+#include <array>
+
 namespace tilt_lens
 {
 
 void TileSampler::Run(const Area& wanted, const Tracer& trace)
 {
     tile = wanted;
-    pixels.assign(std::size_t(tile.width) * tile.height, Cell::Final());
-    for (std::uint32_t y = tile.top - tile.top % kCell; y < tile.Bottom(); y += kCell)
-        for (std::uint32_t x = tile.left - tile.left % kCell; x < tile.Right(); x += kCell)
-            RunCell(x, y, trace);
-    store.Forget(tile);
+    pixels.assign(tile.Size(), PixelResult());
+    for (std::uint32_t y = tile.top - tile.top % kBlockSide; y < tile.Bottom(); y += kBlockSide)
+        for (std::uint32_t x = tile.left - tile.left % kBlockSide; x < tile.Right(); x += kBlockSide)
+            RunBlock(x, y, trace);
+    cache.Release(tile);
 }
 
-void TileSampler::RunCell(std::uint32_t left, std::uint32_t top, const Tracer& trace)
+void TileSampler::RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& trace)
 {
-    const std::shared_ptr<const Cell> held = store.Finished(left, top, trace);
-    const Cell& cell = *held;
-    const auto forEach = [&](const auto& visit)
-    {
-        for (std::uint32_t y = cell.area.top; y < cell.area.Bottom(); y++)
-            for (std::uint32_t x = cell.area.left; x < cell.area.Right(); x++)
-                if (tile.Has(x, y))
-                    visit(x, y, At(x, y));
-    };
-    forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel) { pixel = cell.FinalOf(x, y); });
-    const Rows rows = cell.NoisyRows(store.limits);
+    const std::shared_ptr<const Block> block = cache.Converged(left, top, trace);
+    ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel) { pixel = block->ResultOf(x, y); });
+    const Rows rows = block->NoisyRows(cache.limits);
     if (rows.IsEmpty())
         return;
-    const CellStore::Block block = store.FinishedAround(left, top, trace);
-    Cell::Neighbours cells;
-    for (std::size_t i = 0; i < block.size(); i++)
-        cells[i] = block[i].get();
-    const Rebuilt rebuilt = Rebuild(Cell::SurroundingsOf(cells), rows);
-    forEach([&](std::uint32_t x, std::uint32_t y, Cell::Final& pixel)
+    std::array<const BlockStatistics*, 9> statistics;
+    const BlockCache::BlockAndNeighbours around = cache.ConvergedAround(left, top, trace);
+    std::transform(around.begin(), around.end(), statistics.begin(), [](const std::shared_ptr<const Block>& one)
+        { return one ? one->Statistics() : nullptr; });
+    const ReconstructedBlock reconstructed = Reconstruct(PaddedBlock(statistics), rows);
+    ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel)
     {
-        const int row = y - cell.area.top;
-        const std::size_t i = row * kCell + x - cell.area.left;
-        const Radiance mean = rebuilt.MeanOf(i);
-        if (!rows.Has(row) || !IsLight(mean))  // no light beside what a float cannot hold
+        const int row = y - block->area.top;
+        const std::size_t i = row * kBlockSide + x - block->area.left;
+        const Radiance mean = reconstructed.MeanOf(i);
+        if (!rows.Has(row) || !IsFinite(mean))  // beside what a float cannot hold
             return;
         pixel.mean = mean;
-        pixel.variance *= rebuilt.remains[i];
-        pixel.rebuilt = true;
+        pixel.variance *= reconstructed.residualVarianceRatio[i];
+        pixel.reconstructed = true;
     });
 }
 
-SamplingAccount TileSampler::Account() const
+/// Calls with the place and the result of each of the block's pixels that lie in the tile.
+template<class Visit>
+void TileSampler::ForEachPixelOf(const Block& block, const Visit& visit)
 {
-    SamplingAccount account;
-    for (const Cell::Final& pixel : pixels)
+    for (std::uint32_t y = block.area.top; y < block.area.Bottom(); y++)
+        for (std::uint32_t x = block.area.left; x < block.area.Right(); x++)
+            if (tile.Has(x, y))
+                visit(x, y, pixels[tile.IndexOf(x, y)]);
+}
+
+SamplingStatistics TileSampler::Statistics() const
+{
+    SamplingStatistics statistics;
+    for (const PixelResult& pixel : pixels)
     {
-        account.pixelsBySamples[pixel.samples]++;
-        account.variance += pixel.variance;
-        account.notFinite += pixel.notFinite;
-        account.aimed += pixel.aimed;
-        account.rebuilt += pixel.rebuilt;
+        statistics.pixelsBySamples[pixel.samples]++;
+        statistics.variance += pixel.variance;
+        statistics.notFinite += pixel.notFinite;
+        statistics.emitterSampled += pixel.emitterSamples;
+        statistics.reconstructed += pixel.reconstructed;
     }
-    return account;
+    return statistics;
 }
 
 } // namespace tilt_lens

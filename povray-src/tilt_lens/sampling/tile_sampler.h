@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tile_sampler.h
-/// The pixels of one tile: sampled by its cells (cell.h), rebuilt from them and those around
-/// (reconstruction.h).
+/// The pixels of one tile: sampled by its blocks (block.h), reconstructed from them and those around (reconstruction.h).
 
 #ifndef TILT_LENS_TILE_SAMPLER_H
 #define TILT_LENS_TILE_SAMPLER_H
@@ -11,8 +10,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tilt_lens/sampling/cell_store.h"
-#include "tilt_lens/sampling/sampling.h"
+#include "tilt_lens/sampling/block_cache.h"
+#include "tilt_lens/sampling/sampling_statistics.h"
 
 namespace tilt_lens
 {
@@ -20,8 +19,8 @@ namespace tilt_lens
 class TileSampler
 {
   public:
-    /// @param store  of the picture, shared with its other tiles' samplers
-    explicit TileSampler(CellStore& store) : store(store) {}
+    /// @param cache  of the picture, shared with its other tiles' samplers
+    explicit TileSampler(BlockCache& cache) : cache(cache) {}
 
     /// Samples a tile, which lies inside the picture. No tile may be asked for twice.
     void Run(const Area& tile, const Tracer& trace);
@@ -30,18 +29,19 @@ class TileSampler
     /// @{
     Radiance Mean(std::uint32_t x, std::uint32_t y) const { return At(x, y).mean; }
     std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const { return At(x, y).samples; }
-    double Variance(std::uint32_t x, std::uint32_t y) const { return At(x, y).variance; }  ///< as Cell::Final has it
-    SamplingAccount Account() const;                                                       ///< of the tile
+    double Variance(std::uint32_t x, std::uint32_t y) const { return At(x, y).variance; }  ///< as PixelResult has it
+    SamplingStatistics Statistics() const;                                                 ///< of the tile
     /// @}
 
   private:
-    CellStore& store;
+    BlockCache& cache;
     Area tile{};
-    std::vector<Cell::Final> pixels;
+    std::vector<PixelResult> pixels;
 
-    void RunCell(std::uint32_t left, std::uint32_t top, const Tracer& trace);
-    Cell::Final& At(std::uint32_t x, std::uint32_t y) { return pixels[(y - tile.top) * std::size_t(tile.width) + x - tile.left]; }
-    const Cell::Final& At(std::uint32_t x, std::uint32_t y) const { return const_cast<TileSampler*>(this)->At(x, y); }
+    void RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& trace);
+    template<class Visit>
+    void ForEachPixelOf(const Block& block, const Visit& visit);
+    const PixelResult& At(std::uint32_t x, std::uint32_t y) const { return pixels[tile.IndexOf(x, y)]; }
 };
 
 } // namespace tilt_lens

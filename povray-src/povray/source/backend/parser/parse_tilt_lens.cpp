@@ -16,6 +16,7 @@
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
 #include "backend/parser/tilt_lens_words.h"
+#include "tilt_lens/sampling/sampling_limits.h"
 
 #include "base/povdebug.h"
 
@@ -356,11 +357,11 @@ void TiltLensParser::TakeFocalPoint(Camera& camera)
 /// Stock shows no blur where blur_samples is missing; tilt_lens has a default. One number is the most.
 void TiltLensParser::TakeBlurSamples(Camera& camera)
 {
-    const int kMin = 8, kMax = 1024;
+    const tilt_lens::SamplingLimits usual;
     if (camera.Blur_Samples == 0)
-        camera.Blur_Samples = kMax;
+        camera.Blur_Samples = usual.max;
     if (camera.Blur_Samples_Min == 0)
-        camera.Blur_Samples_Min = std::min(kMin, camera.Blur_Samples);
+        camera.Blur_Samples_Min = std::min(int(usual.min), camera.Blur_Samples);
 }
 
 void TiltLensParser::Check(Camera& camera)

@@ -67,14 +67,14 @@ TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
 
 /// Camera ray in, light out.
 void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
-                                 DBL width, tilt_lens::Traced& traced)
+                                 DBL width, tilt_lens::SampleResult& result)
 {
-    const tilt_lens::Start& start = camera.start;
-    if (start.weight == 0.0)
+    const tilt_lens::CameraSample& sample = camera.sample;
+    if (sample.weight == 0.0)
     {
-        traced = Radiance{};
-        traced.sought = start.sought;
-        traced.met = false;
+        result = Radiance{};
+        result.expectedEmission = sample.expectedEmission;
+        result.hit = false;
         return;
     }
     // from a point of the lens through the focus of that film point
@@ -85,7 +85,7 @@ void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsI
     Make_Vector(ray.Direction, camera.direction.x, camera.direction.y, camera.direction.z);
     if (trace.camera.Tnormal != NULL)
     {
-        VECTOR film = {start.x, start.y, 0.0};
+        VECTOR film = {sample.x, sample.y, 0.0};
         Perturb_Normal(ray.Direction, trace.camera.Tnormal, film, NULL, NULL, trace.threadData);
         VNormalizeEq(ray.Direction);
     }
@@ -102,11 +102,11 @@ void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsI
     Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
     const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
     trace.areaLightSampler = NULL;
-    traced.light = {start.weight * colour[pRED], start.weight * colour[pGREEN], start.weight * colour[pBLUE],
-                    start.weight * colour[pFILTER], start.weight * colour[pTRANSM]};
-    traced.sought = start.sought;
-    traced.met = distance < HUGE_VAL || !trace.sceneData->atmosphere.empty();
-    traced.blur = view->BlurRadius(camera.ray.w, distance / camera.length, width);
+    result.radiance = {sample.weight * colour[pRED], sample.weight * colour[pGREEN], sample.weight * colour[pBLUE],
+                       sample.weight * colour[pFILTER], sample.weight * colour[pTRANSM]};
+    result.expectedEmission = sample.expectedEmission;
+    result.hit = distance < HUGE_VAL || !trace.sceneData->atmosphere.empty();
+    result.blurRadius = view->BlurRadius(camera.ray.w, distance / camera.length, width);
 }
 
 /// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
@@ -117,8 +117,8 @@ bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosit
 {
     if (trace.pretrace || radiosityDepth > 0)
         return false;
-    const tilt_lens::Pair point = pixel->Further(index, areaLightsMet++);
-    areaLightPointsLeft += std::uint64_t(light.Area_Size1) * light.Area_Size2 - 1;
+    const tilt_lens::Pair point = pixel->PaddedPair(index, areaLightsMet++);
+    areaLightPointsSkipped += std::uint64_t(light.Area_Size1) * light.Area_Size2 - 1;
     areaLightPoints++;
     u = PointOfRow(light.Area_Size1, point.u);
     v = PointOfRow(light.Area_Size2, point.v);
@@ -176,11 +176,11 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     colour.clear();
     for (id.index = 0; id.index < samples; id.index++)
     {
-        tilt_lens::Traced traced;
-        tilt_lens::CameraRay camera{view->emitters.Aim({}, id, sequence(id.index))};
+        tilt_lens::SampleResult result;
+        tilt_lens::CameraRay camera{view->emitters.Generate({}, id, sequence(id.index))};
         camera.FindRay(view->lens);
-        TraceSample(sequence, id.index, camera, width, traced);
-        colour += ToColour(traced.light);
+        TraceSample(sequence, id.index, camera, width, result);
+        colour += ToColour(result.radiance);
     }
     colour /= samples;
 }
@@ -194,14 +194,14 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
         return;
     }
     const tilt_lens::Area tile = AreaOf(rect);
-    tilt_lens::CellStore own(view->limits, width, height, tile);
-    tilt_lens::TileSampler sampler(alone ? own : *view->cells);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->limits.First());
-    areaLightPoints = areaLightPointsLeft = 0;
-    sampler.Run(tile, [&](const SampleId& id, tilt_lens::Traced& traced)
+    tilt_lens::BlockCache own(view->limits, width, height, tile);
+    tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->limits.FirstRound());
+    areaLightPoints = areaLightPointsSkipped = 0;
+    sampler.Run(tile, [&](const SampleId& id, tilt_lens::SampleResult& result)
     {
         const tilt_lens::CameraRay& camera = rays.Of(id);
-        TraceSample(rays.Sampler(), id.index, camera, width, traced);
+        TraceSample(rays.Sampler(), id.index, camera, width, result);
     });
 
     pixels.clear();
@@ -212,9 +212,9 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
             pixels.push_back(ToColour(sampler.Mean(x, y)));
             effort.push_back({sampler.Samples(x, y), sampler.Variance(x, y)});
         }
-    tilt_lens::SamplingAccount account = sampler.Account();
+    tilt_lens::SamplingStatistics account = sampler.Statistics();
     account.lightPoints = areaLightPoints;
-    account.lightPointsLeft = areaLightPointsLeft;
+    account.lightPointsSkipped = areaLightPointsSkipped;
     view->Add(account);
     trace.threadData->Stats()[Number_Of_Pixels] += account.Pixels();
     trace.threadData->Stats()[Number_Of_Samples] += account.Samples();
@@ -223,20 +223,20 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
 void TiltLensTracer::EstimateWork(unsigned int width, unsigned int height)
 {
     const tilt_lens::SamplingLimits& limits = view->limits;
-    const unsigned int samples = std::min(tilt_lens::WorkMap::kTries, limits.max);
+    const unsigned int samples = std::min(tilt_lens::ProgressEstimator::kTries, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, limits.First());
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, limits.FirstRound());
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->work.NextProbe())
     {
         const auto before = raysTraced();
         std::vector<Radiance> tried;
-        tilt_lens::Traced traced;
+        tilt_lens::SampleResult result;
         for (unsigned int sample = 0; sample < samples; sample++)
         {
             const tilt_lens::CameraRay& camera = rays.Of({probe->x, probe->y, sample});
-            TraceSample(rays.Sampler(), sample, camera, width, traced);
-            tried.push_back(traced.light);
+            TraceSample(rays.Sampler(), sample, camera, width, result);
+            tried.push_back(result.radiance);
         }
         view->work.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
     }

@@ -78,12 +78,12 @@ class TiltLensTracer : public AreaLightSampler
     unsigned int index = 0;
     unsigned int areaLightsMet = 0;
     /// Points of area lights in this tile: asked, and those beside them that were not.
-    std::uint64_t areaLightPoints = 0, areaLightPointsLeft = 0;
+    std::uint64_t areaLightPoints = 0, areaLightPointsSkipped = 0;
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
     void TraceSample(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
-                     DBL width, tilt_lens::Traced& traced);
+                     DBL width, tilt_lens::SampleResult& result);
     void EnterInteriors(Ray& ray);
     void SeedRandomNumbers(unsigned int seed);
     void SeedSubsurface(unsigned int seed);

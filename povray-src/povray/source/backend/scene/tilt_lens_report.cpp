@@ -94,15 +94,15 @@ std::string TiltLensView::Skipped() const
         text += Line("  Skipped..............%.0f pixels, done before the render was continued\n", pixelsBefore);
     if (limits.variance > 0.0)
         text += Line("  Ended at the minimum.%.0f of %.0f pixels, after %.0f samples\n",
-                     account.PixelsUpTo(limits.First()), pixels, limits.First());
+                     account.PixelsUpTo(limits.FirstRound()), pixels, limits.FirstRound());
     if (limits.Denoises())
-        text += Line("  Reconstruction.......%.0f pixels, %.0f left as they were\n", account.rebuilt,
-                     pixels - account.rebuilt);
+        text += Line("  Reconstruction.......%.0f pixels, %.0f left as they were\n", account.reconstructed,
+                     pixels - account.reconstructed);
     if (account.lightPoints > 0)
         text += Line("  Area lights..........%.0f points asked, %.0f more left out\n",
-                     account.lightPoints, account.lightPointsLeft);
+                     account.lightPoints, account.lightPointsSkipped);
     if (!emitters.Empty())
-        text += Line("  Aimed at lamps.......%.0f samples, lamps in view: %.0f\n", account.aimed, emitters.Count());
+        text += Line("  Aimed at lamps.......%.0f samples, lamps in view: %.0f\n", account.emitterSampled, emitters.Count());
     if (objectsWithInterior > 0)
     {
         const std::size_t hold = std::count_if(aroundLens.begin(), aroundLens.end(),

@@ -73,7 +73,7 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     lens(*camera.TiltLens.lens),
     aperture(ApertureOf(camera, view.GetSceneData())),
     limits(LimitsOf(camera)),
-    cells(new tilt_lens::CellStore(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
+    blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
     emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToAimAt(camera, *view.GetSceneData())),
@@ -97,7 +97,7 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
     return prepared;
 }
 
-void TiltLensView::Add(const tilt_lens::SamplingAccount& tile)
+void TiltLensView::Add(const tilt_lens::SamplingStatistics& tile)
 {
     boost::mutex::scoped_lock lock(accountMutex);
     account.Add(tile);
@@ -145,7 +145,7 @@ void View::StartTiltLens(unsigned int& tracingmethod)
 void View::PlanTiltLensWork()
 {
     const POVRect& area = viewData.renderArea;
-    tilt_lens::WorkMap& work = viewData.tiltLens->work;
+    tilt_lens::ProgressEstimator& work = viewData.tiltLens->work;
     // trying pixels would change a radiosity cache, and with it the picture
     const bool probing = !viewData.tiltLens->aids && !viewData.sceneData->radiositySettings.radiosityEnabled;
     work.Plan({area.left, area.top, area.GetWidth(), area.GetHeight()}, probing);

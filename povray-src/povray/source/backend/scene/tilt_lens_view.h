@@ -22,7 +22,7 @@
 #include "base/povmscpp.h"
 #include "base/povmsgid.h"
 #include "tilt_lens/camera/aperture.h"
-#include "tilt_lens/sampling/emitters.h"
+#include "tilt_lens/sampling/emitter_sampling.h"
 #include "tilt_lens/sampling/tile_sampler.h"
 #include "tilt_lens/camera/optics.h"
 #include "tilt_lens/sampling/progress_estimator.h"
@@ -66,7 +66,7 @@ class TiltLensView
     const tilt_lens::SamplingLimits limits;
 
     /// The pixels that are being sampled.
-    const shared_ptr<tilt_lens::CellStore> cells;
+    const shared_ptr<tilt_lens::BlockCache> blocks;
 
     /// Rays from the lens ask no other objects whether they start inside.
     const std::vector<ObjectAroundLens> aroundLens;
@@ -75,10 +75,10 @@ class TiltLensView
     const std::size_t objectsWithInterior;
 
     /// Small bright objects that pixels aim at.
-    const tilt_lens::Emitters emitters;
+    const tilt_lens::EmitterSampler emitters;
 
     /// How much of the work is done, for the progress display.
-    tilt_lens::WorkMap work;
+    tilt_lens::ProgressEstimator work;
 
     /// Pixels that a continued render has already; set before the first tile.
     std::uint64_t pixelsBefore = 0;
@@ -94,7 +94,7 @@ class TiltLensView
     }
 
     /// Adds the account of a finished tile.
-    void Add(const tilt_lens::SamplingAccount& tile);
+    void Add(const tilt_lens::SamplingStatistics& tile);
 
     /// Puts the share of the work into a message of progress, in per cent, where it is known.
     void AddProgress(POVMS_Object& message) const;
@@ -110,7 +110,7 @@ class TiltLensView
     std::string Skipped() const;
 
     mutable boost::mutex accountMutex;
-    tilt_lens::SamplingAccount account;
+    tilt_lens::SamplingStatistics account;
 };
 
 /// The numbers of a lens that a photographer checks, one a line, for a picture `width` pixels wide; what the

@@ -26,9 +26,9 @@ SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance)
 Radiance Grey(double value) { return {value, value, value, 0.0, 0.0}; }
 
 /// Gives every block a weight by its column: 1 to the left of `x`, `right` from there on.
-void TryAll(WorkMap& map, std::uint32_t x, double right)
+void TryAll(ProgressEstimator& map, std::uint32_t x, double right)
 {
-    while (const std::optional<WorkMap::Probe> probe = map.NextProbe())
+    while (const std::optional<ProgressEstimator::Probe> probe = map.NextProbe())
         map.SetWeight(probe->block, probe->x < x ? 1.0 : right);
 }
 
@@ -69,16 +69,16 @@ TEST(ExpectedSamples, SamplesThatAreNoNumberCountAsBlack)
     EXPECT_EQ(ExpectedSamples(Limits(8, 1024, 1e-3), tried), ExpectedSamples(Limits(8, 1024, 1e-3), black));
 }
 
-TEST(WorkMap, KnowsNothingBeforeAllBlocksAreTried)
+TEST(ProgressEstimator, KnowsNothingBeforeAllBlocksAreTried)
 {
-    WorkMap map;
+    ProgressEstimator map;
     EXPECT_FALSE(map.Share());
     EXPECT_FALSE(map.NextProbe());
     map.Plan({0, 0, 40, 20}, true);
     for (int block = 0; block < 6; block++)
     {
         EXPECT_FALSE(map.Share()) << block;
-        const std::optional<WorkMap::Probe> probe = map.NextProbe();
+        const std::optional<ProgressEstimator::Probe> probe = map.NextProbe();
         ASSERT_TRUE(probe);
         map.SetWeight(probe->block, 1.0);
     }
@@ -86,23 +86,23 @@ TEST(WorkMap, KnowsNothingBeforeAllBlocksAreTried)
     EXPECT_EQ(map.Share(), 0.0);
 }
 
-TEST(WorkMap, TriesAPixelOfEachBlockInThePart)
+TEST(ProgressEstimator, TriesAPixelOfEachBlockInThePart)
 {
-    WorkMap map;
+    ProgressEstimator map;
     const Area part{100, 7, 37, 50};
     map.Plan(part, true);
     std::set<std::pair<std::uint32_t, std::uint32_t>> blocks;
-    while (const std::optional<WorkMap::Probe> probe = map.NextProbe())
+    while (const std::optional<ProgressEstimator::Probe> probe = map.NextProbe())
     {
         EXPECT_TRUE(part.Has(probe->x, probe->y)) << probe->x << ", " << probe->y;
-        blocks.insert({(probe->x - 100) / WorkMap::kBlock, (probe->y - 7) / WorkMap::kBlock});
+        blocks.insert({(probe->x - 100) / ProgressEstimator::kBlock, (probe->y - 7) / ProgressEstimator::kBlock});
     }
     EXPECT_EQ(blocks.size(), 3u * 4u);
 }
 
-TEST(WorkMap, WeighsTheBlocks)
+TEST(ProgressEstimator, WeighsTheBlocks)
 {
-    WorkMap map;
+    ProgressEstimator map;
     map.Plan({0, 0, 64, 32}, true);
     TryAll(map, 32, 9.0);
     map.Finish({0, 0, 32, 32});
@@ -113,11 +113,11 @@ TEST(WorkMap, WeighsTheBlocks)
     EXPECT_NEAR(*map.Share(), 1.0, 1e-12);
 }
 
-TEST(WorkMap, TilesOfAnySizeAddUpToOneAndNeverFall)
+TEST(ProgressEstimator, TilesOfAnySizeAddUpToOneAndNeverFall)
 {
     for (const std::uint32_t size : {4u, 9u, 16u, 32u, 100u})
     {
-        WorkMap map;
+        ProgressEstimator map;
         const Area part{5, 3, 83, 61};
         map.Plan(part, true);
         TryAll(map, 50, 123.456);
@@ -133,26 +133,26 @@ TEST(WorkMap, TilesOfAnySizeAddUpToOneAndNeverFall)
     }
 }
 
-TEST(WorkMap, CountsTilesThatWereDoneBeforeTheProbes)
+TEST(ProgressEstimator, CountsTilesThatWereDoneBeforeTheProbes)
 {
-    WorkMap map;
+    ProgressEstimator map;
     map.Plan({0, 0, 64, 16}, true);
     map.Finish({32, 0, 32, 16});
     TryAll(map, 32, 3.0);
     EXPECT_NEAR(*map.Share(), 0.75, 1e-12);
 }
 
-TEST(WorkMap, TilesMayReachOverThePart)
+TEST(ProgressEstimator, TilesMayReachOverThePart)
 {
-    WorkMap map;
+    ProgressEstimator map;
     map.Plan({8, 8, 20, 20}, false);
     map.Finish({0, 0, 64, 64});
     EXPECT_EQ(map.Share(), 1.0);
 }
 
-TEST(WorkMap, WithoutProbesPixelsCount)
+TEST(ProgressEstimator, WithoutProbesPixelsCount)
 {
-    WorkMap map;
+    ProgressEstimator map;
     map.Plan({0, 0, 100, 10}, false);
     EXPECT_FALSE(map.NextProbe());
     EXPECT_EQ(map.Share(), 0.0);
@@ -160,9 +160,9 @@ TEST(WorkMap, WithoutProbesPixelsCount)
     EXPECT_NEAR(*map.Share(), 0.25, 1e-12);
 }
 
-TEST(WorkMap, NothingToDoIsDone)
+TEST(ProgressEstimator, NothingToDoIsDone)
 {
-    WorkMap map;
+    ProgressEstimator map;
     map.Plan({0, 0, 32, 16}, true);
     TryAll(map, 0, 0.0);
     EXPECT_EQ(map.Share(), 1.0) << "all weights are 0";

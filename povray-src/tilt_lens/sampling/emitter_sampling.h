@@ -30,7 +30,9 @@
 
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/optics.h"
-#include "tilt_lens/sampling/sampling.h"
+#include "tilt_lens/sampling/sample.h"
+#include "tilt_lens/sampling/sampling_limits.h"
+#include "tilt_lens/sampling/sequence.h"
 
 namespace tilt_lens
 {
@@ -44,16 +46,16 @@ struct Emitter
 };
 
 /// Where the ray of a sample starts.
-struct Start
+struct CameraSample
 {
     double x, y;          ///< film point as in MakeRay
     AperturePoint point;  ///< of the lens
     double weight;        ///< of its light; 0: there is nothing to trace
-    double sought;        ///< as Traced has it
+    double expectedEmission;  ///< as SampleResult has it
 };
 
 /// The emitters of a picture. Immutable: threads share it.
-class Emitters
+class EmitterSampler
 {
   public:
     /// How many a pixel aims at, at most: those that bring it most light.
@@ -61,7 +63,7 @@ class Emitters
 
     /// Keeps those of `all` that are worth aiming at: too small on the film and too bright to be found by chance.
     /// @param width, height  of the whole picture in pixels
-    Emitters(const Lens& lens, const Aperture& aperture, const SamplingLimits& limits, std::uint32_t width,
+    EmitterSampler(const Lens& lens, const Aperture& aperture, const SamplingLimits& limits, std::uint32_t width,
              std::uint32_t height, const std::vector<Emitter>& all);
 
     bool Empty() const { return kept.empty(); }
@@ -79,12 +81,12 @@ class Emitters
         };
         std::vector<Target> targets;
     };
-    Targets Of(std::uint32_t x, std::uint32_t y) const;
+    Targets TargetsOf(std::uint32_t x, std::uint32_t y) const;
 
     /// @param targets  of the sample's pixel
-    Start Aim(const Targets& targets, const SampleId& id, const Sample& sample) const
+    CameraSample Generate(const Targets& targets, const SampleId& id, const Sample& sample) const
     {
-        Start start{(id.x + sample.pixelX) / width - 0.5, 0.5 - (id.y + sample.pixelY) / height, {0.0, 0.0}, 1.0, 0.0};
+        CameraSample start{(id.x + sample.pixelX) / width - 0.5, 0.5 - (id.y + sample.pixelY) / height, {0.0, 0.0}, 1.0, 0.0};
         if (targets.targets.empty() || id.index >= usable)
             start.point = aperture(sample.lensU, sample.lensV);
         else
@@ -126,9 +128,9 @@ class Emitters
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
     bool Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const;
-    void AimAtOneOf(const Targets& targets, const SampleId& id, const Sample& sample, Start& start) const;
-    bool AimAt(const Kept& emitter, double u, double v, const SampleId& id, const Sample& sample, Start& start) const;
-    double Density(const Kept& emitter, const Start& start) const;
+    void AimAtOneOf(const Targets& targets, const SampleId& id, const Sample& sample, CameraSample& start) const;
+    bool AimAt(const Kept& emitter, double u, double v, const SampleId& id, const Sample& sample, CameraSample& start) const;
+    double Density(const Kept& emitter, const CameraSample& start) const;
 };
 
 } // namespace tilt_lens

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/emitters.h"
+#include "tilt_lens/sampling/emitter_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +29,12 @@ void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
 
 } // namespace
 
-Emitters::Emitters(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
+EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
                    std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all) :
     lens(itsLens), aperture(itsAperture), width(itsWidth), height(itsHeight),
     usable(limits.max / kBlockOfFour * kBlockOfFour)
 {
-    if (limits.First() < kBlockOfFour)
+    if (limits.FirstRound() < kBlockOfFour)
         return;
     for (const Emitter& emitter : all)
         Keep(emitter, limits.variance);
@@ -43,7 +43,7 @@ Emitters::Emitters(const Lens& itsLens, const Aperture& itsAperture, const Sampl
 
 /// Where the ray through a point of the lens and `through` starts on the film; false where there is none
 /// in front. On the ray P = l + s (D - w l) with w = k.D; so Y = s D solves Y = P - l + (k.Y) l.
-bool Emitters::FilmPointOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
+bool EmitterSampler::FilmPointOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
 {
     const Vec3 l = point.a * lens.lensX + point.b * lens.lensY;
     const double divisor = 1.0 - Dot(lens.focus, l);
@@ -59,7 +59,7 @@ bool Emitters::FilmPointOf(const Vec3& through, const AperturePoint& point, doub
 }
 
 /// The box around a point's disc of confusion, from points of the rim; a little more, since they are few.
-Emitters::Box Emitters::ReachOf(const Vec3& centre, bool& whole) const
+EmitterSampler::Box EmitterSampler::ReachOf(const Vec3& centre, bool& whole) const
 {
     constexpr int points = 16;
     const double rim = aperture.Rim() / std::cos(pi / points);
@@ -78,7 +78,7 @@ Emitters::Box Emitters::ReachOf(const Vec3& centre, bool& whole) const
 }
 
 /// Takes an emitter into the list if it is worth it.
-bool Emitters::Keep(const Emitter& emitter, double variance)
+bool EmitterSampler::Keep(const Emitter& emitter, double variance)
 {
     const double ahead = Dot(emitter.centre, lens.axis);
     const double distance = Length(emitter.centre);
@@ -104,7 +104,7 @@ bool Emitters::Keep(const Emitter& emitter, double variance)
 }
 
 /// Notes in blocks of pixels who may be seen there, so that a pixel asks few.
-void Emitters::Distribute()
+void EmitterSampler::Distribute()
 {
     constexpr double most = 64.0;  // blocks in a row or column: bounds the memory
     block = std::max<std::uint32_t>(8, std::uint32_t(std::ceil(std::max(width, height) / most)));
@@ -130,7 +130,7 @@ void Emitters::Distribute()
 }
 
 /// Whether some film point of a pixel and some lens point see an emitter.
-bool Emitters::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
+bool EmitterSampler::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
 {
     const Box& box = emitter.covers;
     if (x + 1.0 < box.left || x > box.right || y + 1.0 < box.top || y > box.bottom)
@@ -144,7 +144,7 @@ bool Emitters::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) co
     return std::hypot(part.centre.a, part.centre.b) < aperture.Rim() + part.radius + halfPixel;
 }
 
-Emitters::Targets Emitters::Of(std::uint32_t x, std::uint32_t y) const
+EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t y) const
 {
     Targets result;
     if (kept.empty())
@@ -168,13 +168,13 @@ Emitters::Targets Emitters::Of(std::uint32_t x, std::uint32_t y) const
     return result;
 }
 
-void Emitters::AimAtOneOf(const Targets& targets, const SampleId& id, const Sample& sample, Start& start) const
+void EmitterSampler::AimAtOneOf(const Targets& targets, const SampleId& id, const Sample& sample, CameraSample& start) const
 {
     if (sample.lensU >= targets.share)
         start.point = aperture((sample.lensU - targets.share) / (1.0 - targets.share), sample.lensV);
     else
     {
-        start.sought = targets.light;
+        start.expectedEmission = targets.light;
         double u = sample.lensU;
         std::size_t i = 0;
         while (i + 1 < targets.targets.size() && u >= targets.targets[i].share)
@@ -194,7 +194,7 @@ void Emitters::AimAtOneOf(const Targets& targets, const SampleId& id, const Samp
 
 /// The lens points from which a film point sees an emitter, or a little more. On the ray
 /// l (1 - s w) = P - s D, and l lies in the lens plane.
-Emitters::Disc Emitters::PartOfLens(const Kept& emitter, double x, double y) const
+EmitterSampler::Disc EmitterSampler::PartOfLens(const Kept& emitter, double x, double y) const
 {
     const LensRay middle = MakeRay(lens, x, y, 0.0, 0.0);
     const Vec3& chief = middle.direction;
@@ -207,8 +207,8 @@ Emitters::Disc Emitters::PartOfLens(const Kept& emitter, double x, double y) con
 }
 
 /// Aims a sample with the coordinates u, v in [0, 1); false if it goes past the lens or the pixel.
-bool Emitters::AimAt(const Kept& emitter, double u, double v, const SampleId& id, const Sample& sample,
-                     Start& start) const
+bool EmitterSampler::AimAt(const Kept& emitter, double u, double v, const SampleId& id, const Sample& sample,
+                     CameraSample& start) const
 {
     if (emitter.throughLens)
     {
@@ -230,7 +230,7 @@ bool Emitters::AimAt(const Kept& emitter, double u, double v, const SampleId& id
 }
 
 /// How much more often aiming at an emitter starts a ray so than plain sampling does.
-double Emitters::Density(const Kept& emitter, const Start& start) const
+double EmitterSampler::Density(const Kept& emitter, const CameraSample& start) const
 {
     if (emitter.throughLens)
     {

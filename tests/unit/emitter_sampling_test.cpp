@@ -4,7 +4,7 @@
 // Rays aimed at lamps: the mean stays that of plain rays, the variance falls, and only what is small and
 // bright is aimed at.
 
-#include "tilt_lens/sampling/emitters.h"
+#include "tilt_lens/sampling/emitter_sampling.h"
 
 #include <cmath>
 #include <vector>
@@ -64,15 +64,15 @@ struct Pixel
     double mean, variance;
 };
 
-Pixel SampleOf(const Emitters& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y,
+Pixel SampleOf(const EmitterSampler& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y,
                std::uint32_t n, std::uint32_t seed)
 {
-    const Emitters::Targets targets = emitters.Of(x, y);
+    const EmitterSampler::Targets targets = emitters.TargetsOf(x, y);
     const PixelSampler sampler(x, y, seed);
     double sum = 0.0, squares = 0.0;
     for (std::uint32_t i = 0; i < n; i++)
     {
-        const Start start = emitters.Aim(targets, {x, y, i}, sampler(i));
+        const CameraSample start = emitters.Generate(targets, {x, y, i}, sampler(i));
         const double light =
             start.weight > 0.0
                 ? start.weight * world(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) : 0.0;
@@ -120,14 +120,14 @@ struct Prepared
 {
     Lens lens;
     World world;
-    Emitters aimed, plain;
+    EmitterSampler aimed, plain;
 };
 
 Prepared Ready(const Case& one)
 {
     const Lens lens = LensOf(one.turn);
-    return {lens, {one.lamps}, Emitters(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps),
-            Emitters(lens, one.aperture, Limits(), kWidth, kHeight, {})};
+    return {lens, {one.lamps}, EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps),
+            EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, {})};
 }
 
 /// Pixels around the sharp images of all lamps.
@@ -145,7 +145,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& le
     return pixels;
 }
 
-TEST(Emitters, LeaveEveryMeanAsItIs)
+TEST(EmitterSampler, LeaveEveryMeanAsItIs)
 {
     for (const Case& one : Cases())
     {
@@ -167,7 +167,7 @@ TEST(Emitters, LeaveEveryMeanAsItIs)
     }
 }
 
-TEST(Emitters, LowerTheVarianceOfLamps)
+TEST(EmitterSampler, LowerTheVarianceOfLamps)
 {
     for (const Case& one : Cases())
     {
@@ -183,24 +183,24 @@ TEST(Emitters, LowerTheVarianceOfLamps)
 }
 
 /// A lamp behind something costs samples, but leaves no trace.
-TEST(Emitters, HiddenLampsLeaveEvenLightEven)
+TEST(EmitterSampler, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const Emitters aimed(lens, Aperture::Disc(), Limits(), kWidth, kHeight, {lamp});
+    const EmitterSampler aimed(lens, Aperture::Disc(), Limits(), kWidth, kHeight, {lamp});
     int reached = 0;
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
         {
             const Pixel pixel = SampleOf(aimed, lens, {{}}, x, y, 64, 1);
             EXPECT_NEAR(pixel.mean, kBackground, 0.1 * kBackground) << x << ", " << y;
-            reached += aimed.Of(x, y).share > 0.0;
+            reached += aimed.TargetsOf(x, y).share > 0.0;
         }
     EXPECT_GT(reached, 4);
     EXPECT_LT(reached, 100);
 }
 
-TEST(Emitters, ReachEveryPixelThatSeesThem)
+TEST(EmitterSampler, ReachEveryPixelThatSeesThem)
 {
     for (const Case& one : Cases())
     {
@@ -209,16 +209,16 @@ TEST(Emitters, ReachEveryPixelThatSeesThem)
             for (std::uint32_t x = 0; x < kWidth; x++)
             {
                 const bool seen = SampleOf(plain, lens, world, x, y, 1024, 2).variance > 1e-9;
-                EXPECT_TRUE(!seen || aimed.Of(x, y).share > 0.0) << one.name << " at " << x << ", " << y;
+                EXPECT_TRUE(!seen || aimed.TargetsOf(x, y).share > 0.0) << one.name << " at " << x << ", " << y;
             }
     }
 }
 
-TEST(Emitters, AimOnlyAtWhatIsSmallAndBrightAndBefore)
+TEST(EmitterSampler, AimOnlyAtWhatIsSmallAndBrightAndBefore)
 {
     const Lens lens = LensOf(0.0);
     const auto empty = [&](const Emitter& emitter, const SamplingLimits& limits = Limits())
-    { return Emitters(lens, Aperture::Disc(), limits, kWidth, kHeight, {emitter}).Empty(); };
+    { return EmitterSampler(lens, Aperture::Disc(), limits, kWidth, kHeight, {emitter}).Empty(); };
     EXPECT_FALSE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}));
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 3.0, 40.0})) << "large: found by chance";
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 1.0})) << "dim";
@@ -228,21 +228,21 @@ TEST(Emitters, AimOnlyAtWhatIsSmallAndBrightAndBefore)
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}, Limits(1, 2))) << "fewer samples than a block of four";
 }
 
-TEST(Emitters, AimAFixedShareOfEveryBlockOfFour)
+TEST(EmitterSampler, AimAFixedShareOfEveryBlockOfFour)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const Emitters aimed(lens, Aperture::Disc(), Limits(8, 39), kWidth, kHeight, {lamp});
+    const EmitterSampler aimed(lens, Aperture::Disc(), Limits(8, 39), kWidth, kHeight, {lamp});
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
         {
-            const Emitters::Targets targets = aimed.Of(x, y);
+            const EmitterSampler::Targets targets = aimed.TargetsOf(x, y);
             const PixelSampler sampler(x, y, 0);
             for (std::uint32_t from = 0; from < 40; from += 4)
             {
                 int count = 0;
                 for (std::uint32_t i = from; i < from + 4; i++)
-                    count += aimed.Aim(targets, {x, y, i}, sampler(i)).sought > 0.0;
+                    count += aimed.Generate(targets, {x, y, i}, sampler(i)).expectedEmission > 0.0;
                 EXPECT_EQ(count, from + 4 > 39 ? 0 : int(4 * targets.share)) << x << ", " << y << " from " << from;
             }
         }

@@ -1,44 +1,26 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/sampling.h"
+#include "tilt_lens/sampling/sampling_statistics.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tilt_lens
 {
 
-std::uint32_t SamplingLimits::First() const
-{
-    std::uint32_t power = 1;
-    while (power < min && power < max)
-        power *= 2;
-    return std::min(power, max);
-}
-
-double Allowance::operator()(double unusual) const
-{
-    // written so that a pixel among those without any noise, 0/0, may keep as much as one among its like
-    const double rare = kMost * std::sqrt(std::max(1.0, unusual / kFew));
-    const double most = unusual > 1.0 ? std::min({unusual, rare, kMostOfFew}) : 1.0;
-    const double least = unusual < 1.0 ? std::max(kLeast, kLeastWhereEven * unusual) : kLeastWhereEven;
-    return variance * std::clamp(proportional, least, most);
-}
-
-void SamplingAccount::Add(const SamplingAccount& other)
+void SamplingStatistics::Add(const SamplingStatistics& other)
 {
     for (const auto& entry : other.pixelsBySamples)
         pixelsBySamples[entry.first] += entry.second;
     variance += other.variance;
     notFinite += other.notFinite;
-    aimed += other.aimed;
-    rebuilt += other.rebuilt;
+    emitterSampled += other.emitterSampled;
+    reconstructed += other.reconstructed;
     lightPoints += other.lightPoints;
-    lightPointsLeft += other.lightPointsLeft;
+    lightPointsSkipped += other.lightPointsSkipped;
 }
 
-std::uint64_t SamplingAccount::Pixels() const
+std::uint64_t SamplingStatistics::Pixels() const
 {
     std::uint64_t pixels = 0;
     for (const auto& entry : pixelsBySamples)
@@ -46,7 +28,7 @@ std::uint64_t SamplingAccount::Pixels() const
     return pixels;
 }
 
-std::uint64_t SamplingAccount::Samples() const
+std::uint64_t SamplingStatistics::Samples() const
 {
     std::uint64_t samples = 0;
     for (const auto& entry : pixelsBySamples)
@@ -54,7 +36,7 @@ std::uint64_t SamplingAccount::Samples() const
     return samples;
 }
 
-std::uint64_t SamplingAccount::PixelsUpTo(std::uint32_t samples) const
+std::uint64_t SamplingStatistics::PixelsUpTo(std::uint32_t samples) const
 {
     std::uint64_t pixels = 0;
     for (const auto& entry : pixelsBySamples)
@@ -62,12 +44,12 @@ std::uint64_t SamplingAccount::PixelsUpTo(std::uint32_t samples) const
     return pixels;
 }
 
-std::uint32_t SamplingAccount::Most() const
+std::uint32_t SamplingStatistics::Most() const
 {
     return pixelsBySamples.empty() ? 0 : pixelsBySamples.rbegin()->first;
 }
 
-std::uint32_t SamplingAccount::Quantile(double share) const
+std::uint32_t SamplingStatistics::Quantile(double share) const
 {
     const double wanted = share * Pixels();
     std::uint64_t below = 0;
@@ -80,7 +62,7 @@ std::uint32_t SamplingAccount::Quantile(double share) const
     return Most();
 }
 
-double SamplingAccount::StandardError() const
+double SamplingStatistics::StandardError() const
 {
     const std::uint64_t pixels = Pixels();
     return pixels == 0 ? 0.0 : std::sqrt(variance / pixels);

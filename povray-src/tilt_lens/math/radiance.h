@@ -1,0 +1,73 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file radiance.h
+/// The value of a sample or a pixel, and the few operations that statistics of it need.
+
+#ifndef TILT_LENS_RADIANCE_H
+#define TILT_LENS_RADIANCE_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace tilt_lens
+{
+
+/// Red, green, blue, filter, transmit; linear, 1 is white.
+using Radiance = std::array<double, 5>;
+
+inline double Square(double x) { return x * x; }
+
+inline void AddTo(Radiance& sum, const Radiance& value)
+{
+    for (std::size_t c = 0; c < sum.size(); c++)
+        sum[c] += value[c];
+}
+
+inline void DivideBy(Radiance& value, double divisor)
+{
+    for (double& channel : value)
+        channel /= divisor;
+}
+
+/// Whether all channels are finite.
+inline bool IsFinite(const Radiance& value)
+{
+    return std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Whether any channel differs from zero.
+inline bool IsNonZero(const Radiance& value)
+{
+    bool nonZero = false;
+    for (const double x : value)
+        nonZero |= x != 0.0;
+    return nonZero;
+}
+
+/// The largest channel of variances or of square errors: none of them is negative.
+inline double LargestChannel(const Radiance& value)
+{
+    double largest = 0.0;
+    for (const double x : value)
+        largest = std::max(largest, x);
+    return largest;
+}
+
+/// The divisor that makes a variance relative: 1 up to white, the mean's square above, since the eye and every tone curve
+/// see errors of bright pixels relative to their brightness.
+inline double SquaredScale(double mean) { return mean > 1.0 ? mean * mean : 1.0; }
+
+/// Each channel of a variance over the SquaredScale of its mean.
+inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
+{
+    for (std::size_t c = 0; c < variance.size(); c++)
+        variance[c] /= SquaredScale(mean[c]);
+    return variance;
+}
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,78 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/reconstruction/block_statistics.h"
+
+#include <algorithm>
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+constexpr int kSide = int(kBlockSide);
+
+/// Copies what of a block's row lies around another block; `place` is -1 left of it, 0, or 1 right of it. Instead of the
+/// neighbour's own row that of a block in the middle may be mirrored.
+void CopyRow(const float* from, int place, bool mirror, float* row)
+{
+    constexpr int border = PaddedBlock::kBorder;
+    float* to = row + (place < 0 ? 0 : place == 0 ? border : border + kSide);
+    if (place == 0)
+        std::copy_n(from, kSide, to);
+    else if (mirror)
+        std::reverse_copy(place < 0 ? from : from + kSide - border, place < 0 ? from + border : from + kSide, to);
+    else
+        std::copy_n(place < 0 ? from + kSide - border : from, border, to);
+    if (place > 0)
+        std::fill(to + border, row + PaddedBlock::kColumns, 0.0f);  // read, not used
+}
+
+} // namespace
+
+void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference,
+                          double noise)
+{
+    const std::size_t i = y * kBlockSide + x;
+    for (std::size_t c = 0; c < mean.size(); c++)
+    {
+        planes[kMean + c][i] = mean[c];
+        planes[kDualBufferDifference + c][i] = dualBufferDifference[c];
+    }
+    planes[kNoise][i] = noise;
+    transparent = transparent || mean[3] != 0.0 || mean[4] != 0.0;
+}
+
+void BlockStatistics::RepeatEdges(std::uint32_t width, std::uint32_t height)
+{
+    if (width == kBlockSide && height == kBlockSide)
+        return;
+    for (BlockPlane& plane : planes)
+        for (std::uint32_t y = 0; y < kBlockSide; y++)
+            for (std::uint32_t x = 0; x < kBlockSide; x++)
+                plane[y * kBlockSide + x] = plane[std::min(y, height - 1) * kBlockSide + std::min(x, width - 1)];
+}
+
+PaddedBlock::PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks)
+{
+    constexpr int begin[] = {-kBorder, 0, kSide, kSide + kBorder};  // of the rows of blocks
+    for (int i = 0; i < 9; i++)
+    {
+        const int row = i / 3, column = i % 3;
+        // the neighbour itself, or the nearest of those that are known
+        const bool sameRow = blocks[row * 3 + 1] != nullptr, sameColumn = blocks[3 + column] != nullptr;
+        const bool mirrorX = blocks[i] == nullptr && (sameRow || !sameColumn);
+        const bool mirrorY = blocks[i] == nullptr && !sameRow;
+        const BlockStatistics& block = *blocks[(mirrorY ? 1 : row) * 3 + (mirrorX ? 1 : column)];
+        transparent = transparent || block.IsTransparent();
+        for (int y = begin[row]; y < begin[row + 1]; y++)
+        {
+            const int inside = y - (row - 1) * kSide, from = (mirrorY ? kSide - 1 - inside : inside) * kSide;
+            for (std::size_t plane = 0; plane < planes.size(); plane++)
+                CopyRow(&block[plane][from], column - 1, mirrorX, &planes[plane][At(-kBorder, y)]);
+        }
+    }
+}
+
+} // namespace tilt_lens

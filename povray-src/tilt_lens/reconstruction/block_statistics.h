@@ -1,0 +1,88 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file block_statistics.h
+/// What the reconstruction knows of the pixels of a block, and of those around it: planes of one number a pixel.
+///
+/// A further number of each pixel is one more name of BlockStatistics::Plane; edges, borders and copies then follow.
+
+#ifndef TILT_LENS_BLOCK_STATISTICS_H
+#define TILT_LENS_BLOCK_STATISTICS_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "tilt_lens/math/radiance.h"
+#include "tilt_lens/settings.h"
+
+namespace tilt_lens
+{
+
+/// A value of each pixel of a block, row by row.
+using BlockPlane = std::array<float, kBlockSide * kBlockSide>;
+
+/// What is known of a block's pixels. Beyond the picture's edge pixels are repeated.
+class BlockStatistics
+{
+  public:
+    /// What there is of each pixel: five channels as Radiance has them, or one number.
+    enum Plane
+    {
+        kMean = 0,                  ///< five channels
+        kDualBufferDifference = 5,  ///< five channels: difference of the means of the pixel's two buffers
+        kNoise = 10,                ///< variance of the mean, estimated, summed over the channels
+        kPlanes
+    };
+
+    void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference, double noise);
+    /// @param width, height  of what was Set
+    void RepeatEdges(std::uint32_t width, std::uint32_t height);
+
+    const BlockPlane& operator[](std::size_t plane) const { return planes[plane]; }
+    const BlockPlane& Mean(std::size_t channel) const { return planes[kMean + channel]; }
+    const BlockPlane& DualBufferDifference(std::size_t channel) const { return planes[kDualBufferDifference + channel]; }
+    const BlockPlane& Noise() const { return planes[kNoise]; }
+    /// Whether filter or transmit are not zero anywhere.
+    bool IsTransparent() const { return transparent; }
+
+  private:
+    std::array<BlockPlane, kPlanes> planes;
+    bool transparent = false;
+};
+
+/// A block's pixels and those around it, as far as filters and their risks look.
+class PaddedBlock
+{
+  public:
+    static constexpr int kFilterRadius = 4;  ///< pixels from the middle of a filter to its end
+    static constexpr int kRiskRadius = 3;    ///< pixels from a pixel to the farthest whose risk counts for it
+    static constexpr int kBorder = kFilterRadius + kRiskRadius;
+    static constexpr int kRows = int(kBlockSide) + 2 * kBorder;
+    static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< as many, rounded up to whole vector registers
+
+    using Plane = std::array<float, kRows * kColumns>;
+
+    /// Where in a Plane pixel (x, y) is, relative to the block's first one, -kBorder <= x, y < kBlockSide + kBorder.
+    static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
+
+    /// @param blocks  the block, which is in the middle, and its eight neighbours, row by row. Those that are null are
+    ///                outside the picture or not known: there the nearest block is mirrored.
+    explicit PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks);
+
+    const Plane& Mean(std::size_t channel) const { return planes[BlockStatistics::kMean + channel]; }
+    const Plane& DualBufferDifference(std::size_t channel) const
+    {
+        return planes[BlockStatistics::kDualBufferDifference + channel];
+    }
+    const Plane& Noise() const { return planes[BlockStatistics::kNoise]; }
+    bool IsTransparent() const { return transparent; }
+
+  private:
+    std::array<Plane, BlockStatistics::kPlanes> planes;
+    bool transparent = false;
+};
+
+} // namespace tilt_lens
+
+#endif

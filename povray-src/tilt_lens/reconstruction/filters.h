@@ -1,0 +1,60 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file filters.h
+/// Linear filters along rows or columns, and the bank of their products: docs/sampling.md, section 8.
+///
+/// Source: A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",
+/// Anal. Chem. 36(8), 1964, for the parabolas.
+
+#ifndef TILT_LENS_FILTERS_H
+#define TILT_LENS_FILTERS_H
+
+#include "tilt_lens/math/simd.h"
+#include "tilt_lens/reconstruction/block_statistics.h"
+
+namespace tilt_lens
+{
+
+/// What is done to pixels of a row or of a column: nothing, a parabola fitted to 5 or 9 of them, the mean of 9, or of the
+/// pixel and 4 on one side of it, where there is an edge on the other.
+enum Filter { kNone, kFit5, kFit9, kMean9, kAhead5, kBehind5, kFilters };
+
+/// Taps from the middle one to one end, or to both.
+constexpr float kTaps[kFilters][PaddedBlock::kFilterRadius + 1] = {
+    {1.0f},
+    {17.0f / 35, 12.0f / 35, -3.0f / 35},
+    {59.0f / 231, 54.0f / 231, 39.0f / 231, 14.0f / 231, -21.0f / 231},
+    {1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9},
+    {0.2f, 0.2f, 0.2f, 0.2f, 0.2f},
+    {0.2f, 0.2f, 0.2f, 0.2f, 0.2f},
+};
+
+/// The bank: what is done across and what is done down.
+constexpr Filter kBank[][2] = {
+    {kNone, kNone}, {kFit5, kNone}, {kNone, kFit5}, {kFit5, kFit5},
+    {kFit9, kNone}, {kNone, kFit9}, {kFit9, kFit9}, {kFit5, kFit9}, {kFit9, kFit5},
+    {kMean9, kNone}, {kNone, kMean9}, {kMean9, kMean9}, {kMean9, kFit5}, {kFit5, kMean9},
+    {kAhead5, kNone}, {kBehind5, kNone}, {kNone, kAhead5}, {kNone, kBehind5},
+};
+
+/// Four neighbouring pixels filtered along steps of 1 (a row) or PaddedBlock::kColumns (a column). What compilers make of
+/// plain loops over so short rows takes three times as long.
+template<Filter kFilter>
+Float4 Filtered(const float* at, int step)
+{
+    constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : PaddedBlock::kFilterRadius;
+    Float4 sum = kTaps[kFilter][0] * Load<Float4>(at);
+    for (int i = 1; i <= reach; i++)
+    {
+        if (kFilter == kAhead5 || kFilter == kBehind5)
+            sum += kTaps[kFilter][i] * Load<Float4>(at + (kFilter == kAhead5 ? i : -i) * step);
+        else
+            sum += kTaps[kFilter][i] * (Load<Float4>(at - i * step) + Load<Float4>(at + i * step));
+    }
+    return sum;
+}
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,119 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/sampling/block.h"
+
+#include <algorithm>
+
+#include "tilt_lens/sampling/convergence.h"
+#include "tilt_lens/sampling/denoiser_forecast.h"
+#include "tilt_lens/sampling/neighbourhood.h"
+#include "tilt_lens/sampling/variance_ratio.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// A round of one pixel.
+void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
+{
+    pixel.BeginRound(until);
+    SampleId id{x, y, 0};
+    SampleResult result;
+    for (id.index = pixel.Samples(); id.index < until; id.index++)
+    {
+        trace(id, result);
+        pixel.Add(result);
+    }
+    pixel.EndRound();
+}
+
+} // namespace
+
+/// A pixel that was made active again catches up by the rounds that it left out, so that its buffers are as those of others.
+void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
+{
+    const Area& area = estimate.area;
+    for (std::uint32_t y = area.top; y < area.Bottom(); y++)
+        for (std::uint32_t x = area.left; x < area.Right(); x++)
+        {
+            PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
+            PixelStatistics& own = pixel.statistics;
+            while (pixel.active && own.Samples() < until)
+                TakeRound(own, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), trace);
+        }
+}
+
+void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
+{
+    const std::lock_guard<std::mutex> lock(busy);
+    if (phase != Phase::Unsampled)
+        return;
+    const std::uint32_t samples = limits.FirstRound();
+    auto estimate = std::make_unique<BlockEstimate>(area);
+    TakeSamples(*estimate, samples, trace);
+    UpdateVarianceRatios(*estimate, samples);
+    auto round = std::make_unique<FirstRound>(*estimate, samples);
+    if (IsWorthReconstructing(*estimate, limits, round->greatestHitFraction >= settings.leastHitFraction))
+        UpdateBlockStatistics(*estimate, samples);
+    round->statistics = estimate->statistics;
+    afterFirstRound = std::move(estimate);
+    firstRound = std::move(round);
+    phase = Phase::FirstRoundTaken;
+}
+
+FirstRounds Block::FirstRoundsOf(const Neighbours& neighbours) const
+{
+    FirstRounds rounds;
+    std::transform(neighbours.begin(), neighbours.end(), rounds.begin(), [](const Block* block)
+        { return block != nullptr ? block->firstRound.get() : nullptr; });
+    return rounds;
+}
+
+void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
+{
+    const std::lock_guard<std::mutex> lock(busy);
+    if (phase == Phase::Converged)
+        return;
+    const Neighbourhood around(FirstRoundsOf(neighbours), limits);
+    BlockEstimate estimate = *afterFirstRound;
+    std::uint32_t samples = limits.FirstRound();
+    while (UpdateConvergence(estimate, around, limits, samples))
+    {
+        samples = std::min(2 * samples, limits.max);
+        TakeSamples(estimate, samples, trace);
+        UpdateVarianceRatios(estimate, samples);
+        Reactivate(estimate, around);
+    }
+    if (IsWorthReconstructing(estimate, limits, around.HasEnoughHits()))
+        UpdateBlockStatistics(estimate, samples);
+
+    for (const PixelEstimate& pixel : estimate.pixels)
+    {
+        const PixelStatistics& own = pixel.statistics;
+        results.push_back({pixel.variance, own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
+    }
+    statistics = estimate.statistics;
+    afterFirstRound.reset();
+    phase = Phase::Converged;
+}
+
+Rows Block::NoisyRows(const SamplingLimits& limits) const
+{
+    Rows rows{int(area.height), 0};
+    if (!statistics)
+        return rows;
+    for (int y = 0; y < int(area.height); y++)
+    {
+        double variance = 0.0;
+        for (std::uint32_t x = 0; x < area.width; x++)
+            variance += results[y * area.width + x].variance;
+        if (variance > settings.leastRowVariance * limits.variance * area.width)
+            rows = {std::min(rows.begin, y), y + 1};
+    }
+    return rows;
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,82 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file block.h
+/// The rounds of samples of a square of pixels, on a grid fixed to the whole picture: docs/sampling.md, section 2.
+///
+/// A block is sampled in two steps: the first round, which its neighbours look at, and all further rounds. What a block sees
+/// depends on places in the picture alone, so that neither threads nor tiles nor sub-images change a value (section 10).
+/// Threads may ask for any step at any time; each is done once. A step that is broken off by an exception of the tracer
+/// leaves the block as it was.
+
+#ifndef TILT_LENS_BLOCK_H
+#define TILT_LENS_BLOCK_H
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "tilt_lens/math/area.h"
+#include "tilt_lens/reconstruction/reconstruction.h"
+#include "tilt_lens/sampling/block_estimate.h"
+#include "tilt_lens/sampling/sample.h"
+#include "tilt_lens/sampling/sampling_limits.h"
+
+namespace tilt_lens
+{
+
+/// A pixel after its last sample.
+struct PixelResult
+{
+    double variance = 0.0;  ///< of the mean, largest channel; relative to the square of what is above 1
+    Radiance mean{};
+    std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
+    bool reconstructed = false;
+};
+
+class Block
+{
+  public:
+    /// The block and its eight neighbours, row by row; null outside the picture.
+    using Neighbours = std::array<const Block*, 9>;
+
+    explicit Block(const Area& area) : area(area) {}
+
+    const Area area;
+
+    void TakeFirstRound(const SamplingLimits& limits, const Tracer& trace);
+    /// The neighbours have taken their first rounds.
+    void TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
+    bool IsConverged() const { return phase == Phase::Converged; }
+
+    /// @name Of a converged block.
+    /// @{
+    /// (x, y) is in the whole picture.
+    const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
+    /// Rows whose noise is noticed beside the `variance` asked for.
+    Rows NoisyRows(const SamplingLimits& limits) const;
+    /// Null where the reconstruction leaves the block out.
+    const BlockStatistics* Statistics() const { return statistics.get(); }
+    /// @}
+
+  private:
+    enum class Phase { Unsampled, FirstRoundTaken, Converged };
+
+    std::mutex busy;
+    std::atomic<Phase> phase{Phase::Unsampled};
+    std::unique_ptr<const BlockEstimate> afterFirstRound;  ///< until the block has converged
+    std::unique_ptr<const FirstRound> firstRound;          ///< from the first round on
+    std::shared_ptr<const BlockStatistics> statistics;     ///< the last
+    std::vector<PixelResult> results;
+
+    FirstRounds FirstRoundsOf(const Neighbours& neighbours) const;
+    /// Takes the samples of active pixels that are missing up to number `until`.
+    static void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace);
+};
+
+} // namespace tilt_lens
+
+#endif

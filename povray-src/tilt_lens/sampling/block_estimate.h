@@ -1,0 +1,87 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file block_estimate.h
+/// What is known of a block's pixels between two rounds of samples: plain data that the functions of convergence.h,
+/// variance_ratio.h and denoiser_forecast.h read and update.
+
+#ifndef TILT_LENS_BLOCK_ESTIMATE_H
+#define TILT_LENS_BLOCK_ESTIMATE_H
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tilt_lens/math/area.h"
+#include "tilt_lens/reconstruction/block_statistics.h"
+#include "tilt_lens/sampling/pixel_statistics.h"
+#include "tilt_lens/settings.h"
+
+namespace tilt_lens
+{
+
+struct PixelEstimate
+{
+    PixelStatistics statistics;
+    double varianceRatio = 1.0;  ///< of the mean's variance to that of as many independent samples
+    double variance = 0.0;       ///< of the mean, largest channel; relative to the square of what is above 1
+    double target = 0.0;         ///< the variance that it may keep, when it was decided last
+    double residualVarianceRatio = settings.leastResidualRatio;  ///< after the reconstruction, by the last forecast
+    bool active = true;          ///< takes part in the next round
+};
+
+/// A value of each quadrant of a block: upper left, upper right, lower left, lower right.
+using Quadrants = std::array<double, 4>;
+
+struct BlockEstimate
+{
+    Area area;
+    std::vector<PixelEstimate> pixels;          ///< row by row
+    Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by the dual buffers over that of independent samples
+    std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: it leaves the block out
+    std::uint32_t statisticsSamples = 0;        ///< of an active pixel, when `statistics` were made; 0: never
+
+    explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
+
+    std::size_t QuadrantOf(std::size_t pixel) const
+    {
+        return 2 * (pixel / area.width / (kBlockSide / 2)) + pixel % area.width / (kBlockSide / 2);
+    }
+    /// Whether no sample of any pixel differs from its others.
+    bool IsUniform() const;
+};
+
+/// What other blocks see of a pixel: its samples of the first round.
+struct FirstRoundPixel
+{
+    SampleVariation variation;
+    double deviation = 0.0;   ///< standard deviation of one sample, largest channel; relative to what is above 1
+    double blurRadius = 0.0;  ///< the largest that was hit, pixels
+};
+
+/// What other blocks see of a block, all of its first round. Immutable.
+struct FirstRound
+{
+    Area area;
+    std::vector<FirstRoundPixel> pixels;  ///< row by row
+    bool uniform;                         ///< no sample differs from the others of its pixel
+    double hitFraction;                   ///< samples that hit anything, of all
+    double greatestHitFraction;           ///< the same, of the quadrant that hit most
+    std::shared_ptr<const BlockStatistics> statistics;  ///< null: too few hits to reconstruct the block for its own sake
+
+    FirstRound(const BlockEstimate& estimate, std::uint32_t samples);
+
+    const FirstRoundPixel& At(std::uint32_t x, std::uint32_t y) const { return pixels[area.IndexOf(x, y)]; }
+};
+
+/// A block's first round and those of its eight neighbours, row by row; null outside the picture or where they are not
+/// asked for.
+using FirstRounds = std::array<const FirstRound*, 9>;
+
+/// The one of them that holds a pixel of the block or beside it, or null.
+const FirstRound* FirstRoundAt(const FirstRounds& rounds, std::int64_t x, std::int64_t y);
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,132 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/sampling/denoiser_forecast.h"
+
+#include <algorithm>
+
+#include "tilt_lens/math/window.h"
+#include "tilt_lens/reconstruction/reconstruction.h"
+#include "tilt_lens/sampling/variance_ratio.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// Where in a BlockPlane a pixel of the block is.
+std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
+{
+    return pixel / estimate.area.width * kBlockSide + pixel % estimate.area.width;
+}
+
+/// Whether a pixel's noise is small beside its brightness.
+bool IsKnown(const BlockStatistics& statistics, std::size_t place)
+{
+    double light = 0.0;
+    for (std::size_t c = 0; c < Radiance().size(); c++)
+        light += double(statistics.Mean(c)[place]) * statistics.Mean(c)[place];
+    return statistics.Noise()[place] <= settings.greatestForecastNoise * light;
+}
+
+/// Mean variance of one sample over the 3 by 3 pixels around each, as far as they are in the block.
+std::vector<Radiance> VarianceAround(const BlockEstimate& estimate)
+{
+    std::vector<Radiance> variance;
+    for (const PixelEstimate& pixel : estimate.pixels)
+        variance.push_back(pixel.statistics.Variation().variance);
+    return WindowMeans<1>(variance, estimate.area.width);
+}
+
+/// A candidate's variance after the reconstruction.
+Radiance ForecastVariance(const Candidate& candidate, const BlockEstimate& estimate, std::uint32_t samples)
+{
+    const PixelEstimate& pixel = estimate.pixels[candidate.pixel];
+    const std::size_t place = PlaneIndex(estimate, candidate.pixel);
+    Radiance variance = candidate.variance;
+    if (pixel.residualVarianceRatio >= settings.greatestForecastRatio || !IsKnown(*estimate.statistics, place))
+        return variance;
+    for (std::size_t c = 0; c < variance.size(); c++)
+    {
+        const double seen = pixel.varianceRatio * pixel.statistics.Variation().variance[c] / samples /
+                            SquaredScale(estimate.statistics->Mean(c)[place]);
+        variance[c] -= (1.0 - pixel.residualVarianceRatio) * std::min(seen, variance[c]);
+    }
+    return variance;
+}
+
+/// Residual variance ratios as far as the block and the first samples of its neighbours tell; once it has more samples
+/// itself, the block alone: noise of theirs would pass for its own error.
+BlockPlane ForecastRatios(const BlockEstimate& estimate, const Neighbourhood& around, bool afterFirstRound)
+{
+    std::array<const BlockStatistics*, 9> known{};
+    for (std::size_t i = 0; i < known.size(); i++)
+        if (around.Rounds()[i] != nullptr && afterFirstRound)
+            known[i] = around.Rounds()[i]->statistics.get();
+    known[4] = estimate.statistics.get();
+    return Reconstruct(PaddedBlock(known)).residualVarianceRatio;
+}
+
+} // namespace
+
+bool IsWorthReconstructing(const BlockEstimate& estimate, const SamplingLimits& limits, bool enoughHits)
+{
+    if (!limits.Denoises() || enoughHits)
+        return limits.Denoises();
+    std::uint64_t hits = 0;
+    for (const PixelEstimate& pixel : estimate.pixels)
+        hits += pixel.statistics.Hits();
+    return hits >= settings.enoughHits * estimate.pixels.size();
+}
+
+void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
+{
+    if (samples == estimate.statisticsSamples)
+        return;
+    const Area& area = estimate.area;
+    const bool uniform = estimate.IsUniform();  // then there is no noise to estimate
+    const std::vector<Radiance> variance = uniform ? std::vector<Radiance>(area.Size()) : VarianceAround(estimate);
+    const std::vector<double> ratio = uniform ? std::vector<double>(area.Size()) : LocalVarianceRatios(estimate);
+    const auto made = std::make_shared<BlockStatistics>();
+    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+    {
+        const PixelStatistics& pixel = estimate.pixels[i].statistics;
+        double noise = 0.0;
+        for (std::size_t c = 0; !uniform && c < variance[i].size(); c++)
+            noise += variance[i][c];
+        made->Set(i % area.width, i / area.width, pixel.Mean(), uniform ? Radiance{} : pixel.DualBufferDifference(),
+                  ratio[i] * noise / pixel.Samples());
+    }
+    made->RepeatEdges(area.width, area.height);
+    estimate.statistics = made;
+    estimate.statisticsSamples = samples;
+}
+
+void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& estimate, const Neighbourhood& around,
+                           const SamplingLimits& limits, std::uint32_t samples)
+{
+    if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& one)
+        {
+            return estimate.pixels[one.pixel].residualVarianceRatio < settings.greatestForecastRatio && !one.HasConverged();
+        }))
+        return;
+    UpdateBlockStatistics(estimate, samples);
+    // The residual ratio rises as noise falls, so that the last round's value is optimistic: no forecast if even that would
+    // save too few rays.
+    const auto saved = std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& one)
+    {
+        const Candidate denoised{one.pixel, ForecastVariance(one, estimate, samples), one.target};
+        return !one.HasConverged() && denoised.HasConverged();
+    });
+    if (saved * samples < settings.forecastCost * kBlockSide * kBlockSide)
+        return;
+    const BlockPlane ratios = ForecastRatios(estimate, around, samples == limits.FirstRound());
+    for (Candidate& one : candidates)
+    {
+        estimate.pixels[one.pixel].residualVarianceRatio = ratios[PlaneIndex(estimate, one.pixel)];
+        one.variance = ForecastVariance(one, estimate, samples);
+    }
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,111 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file pixel_statistics.h
+/// What the samples of one pixel tell: docs/sampling.md, section 3. It accumulates and decides nothing.
+///
+/// Samples are the prefix of one low-discrepancy sequence, taken in rounds that double their number. They are summed in
+/// two buffers: all samples of the rounds before, and those of the last round (of the first round its two halves).
+///
+/// Sources: dual buffers as in F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering",
+/// ACM Trans. Graph. 31(6), 2012; the variance of stratified samples as in W. G. Cochran, "Sampling Techniques", 1977,
+/// chapter 5.
+
+#ifndef TILT_LENS_PIXEL_STATISTICS_H
+#define TILT_LENS_PIXEL_STATISTICS_H
+
+#include <array>
+#include <cstdint>
+
+#include "tilt_lens/math/radiance.h"
+#include "tilt_lens/math/simd.h"
+#include "tilt_lens/sampling/sample.h"
+
+namespace tilt_lens
+{
+
+/// How the samples of a pixel, or of several, vary.
+struct SampleVariation
+{
+    Radiance variance{};             ///< of one sample; of several pixels the sum or the mean
+    Radiance maxSquaredDeviation{};  ///< of one sample from its pixel's mean
+
+    /// Sums variances, keeps the greater deviations.
+    void Merge(const SampleVariation& other);
+};
+
+class PixelStatistics
+{
+  public:
+    /// The samples up to number `until` (not included) are to come.
+    void BeginRound(std::uint32_t until);
+    /// The next sample. One that is not finite counts as black, and is counted.
+    void Add(const SampleResult& result);
+    /// After the last sample of a round: what is known below is of all samples so far.
+    void EndRound();
+
+    std::uint32_t Samples() const { return samples; }
+    std::uint32_t EmitterSamples() const { return emitterSamples; }
+    std::uint32_t NotFinite() const { return notFinite; }
+    std::uint32_t Hits() const { return hits; }                      ///< samples that hit anything
+    double BlurRadius() const { return blurRadius; }                 ///< the largest of the first round, pixels
+    double ExpectedEmission() const { return expectedEmission; }     ///< of the last emitter sample
+
+    Radiance Mean() const;
+    const SampleVariation& Variation() const { return variation; }
+    /// Difference of the means of the two buffers: noise, and nothing else.
+    Radiance DualBufferDifference() const;
+    std::uint32_t FirstBufferSamples() const { return firstBuffer; }
+
+  private:
+    std::array<Radiance, 2> sum{};  ///< of the samples in either buffer
+    Radiance squares{};             ///< sum over both
+    Radiance least, most;           ///< of a sample
+    Radiance emitterSum{};          ///< of the emitter samples
+    SampleVariation variation;
+    std::uint32_t samples = 0;
+    std::uint32_t firstBuffer = 0;  ///< samples in the first buffer
+    std::uint32_t roundBegin = 0;   ///< samples before this round
+    std::uint32_t emitterSamples = 0, notFinite = 0, hits = 0;
+    double blurRadius = 0.0, expectedEmission = 0.0;
+
+    template<class Channels>
+    void AddChannels(const Radiance& value, Radiance& bufferSum, std::size_t first);
+};
+
+/// Some channels of a sample, from the one numbered `first` on.
+template<class Channels>
+void PixelStatistics::AddChannels(const Radiance& value, Radiance& bufferSum, std::size_t first)
+{
+    const Channels x = Load<Channels>(&value[first]), a = Load<Channels>(&least[first]), b = Load<Channels>(&most[first]);
+    Store(&bufferSum[first], Load<Channels>(&bufferSum[first]) + x);
+    Store(&squares[first], Load<Channels>(&squares[first]) + x * x);
+    Store(&least[first], x < a ? x : a);
+    Store(&most[first], x > b ? x : b);
+}
+
+inline void PixelStatistics::Add(const SampleResult& result)
+{
+    static constexpr Radiance black{};
+    const bool finite = IsFinite(result.radiance);
+    notFinite += !finite;
+    hits += result.hit;
+    if (roundBegin == 0)
+        blurRadius = std::max(blurRadius, result.blurRadius);
+    const Radiance& value = finite ? result.radiance : black;
+    Radiance& bufferSum = sum[samples < firstBuffer ? 0 : 1];
+    AddChannels<Double2>(value, bufferSum, 0);
+    AddChannels<Double2>(value, bufferSum, 2);
+    AddChannels<double>(value, bufferSum, 4);
+    if (result.expectedEmission > 0.0)
+    {
+        AddTo(emitterSum, value);
+        emitterSamples++;
+        expectedEmission = result.expectedEmission;
+    }
+    samples++;
+}
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,40 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file sampling_limits.h
+/// What a scene asks of the sampler.
+
+#ifndef TILT_LENS_SAMPLING_LIMITS_H
+#define TILT_LENS_SAMPLING_LIMITS_H
+
+#include <algorithm>
+#include <cstdint>
+
+namespace tilt_lens
+{
+
+/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera. The numbers here are those of a scene that
+/// says nothing.
+struct SamplingLimits
+{
+    std::uint32_t min = 8, max = 1024;  ///< samples per pixel, 1 <= min <= max
+    double variance = 1e-4;             ///< of a pixel's value, where its brightness is at most 1
+    double confidence = 0.9;            ///< that the variance is below, (0, 1)
+    bool denoise = false;               ///< filter the noise (reconstruction.h)
+
+    /// Samples of every pixel's first round: min, rounded up to a power of two that max allows.
+    std::uint32_t FirstRound() const
+    {
+        std::uint32_t power = 1;
+        while (power < min && power < max)
+            power *= 2;
+        return std::min(power, max);
+    }
+
+    /// `variance 0` asks for the samples as they are.
+    bool Denoises() const { return denoise && variance > 0.0; }
+};
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,95 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/sampling/variance_ratio.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tilt_lens/math/window.h"
+
+namespace tilt_lens
+{
+
+void AddTo(VarianceRatioTerms& sum, const VarianceRatioTerms& terms)
+{
+    sum.dualBuffer += terms.dualBuffer;
+    sum.independent += terms.independent;
+    sum.squaredIndependent += terms.squaredIndependent;
+}
+
+void DivideBy(VarianceRatioTerms& terms, double divisor)
+{
+    terms.dualBuffer /= divisor;
+    terms.independent /= divisor;
+    terms.squaredIndependent /= divisor;
+}
+
+void VarianceRatioTerms::Add(const PixelStatistics& pixel)
+{
+    const double n = pixel.Samples(), a = pixel.FirstBufferSamples(), b = n - a;
+    const Radiance difference = pixel.DualBufferDifference();
+    double ofPixel = 0.0;
+    for (std::size_t c = 0; c < difference.size(); c++)
+    {
+        dualBuffer += Square(difference[c]) * (a * b) / (n * n);
+        ofPixel += pixel.Variation().variance[c] / n;
+    }
+    independent += ofPixel;
+    squaredIndependent += Square(ofPixel);
+}
+
+double VarianceRatioTerms::Ratio(double before, double prior, double pixels) const
+{
+    if (!(squaredIndependent > 0.0))
+        return before;
+    const double noisyPixels = pixels * Square(independent) / squaredIndependent;
+    return (noisyPixels * dualBuffer / independent + prior * before) / (noisyPixels + prior);
+}
+
+double RatioOfMean(double dualBufferRatio, double samples)
+{
+    double ratio = std::min(1.0, dualBufferRatio);
+    for (int i = 0; i < 4 && ratio > 0.0; i++)
+        ratio = std::min(1.0, dualBufferRatio / (std::exp2(1.0 - std::log(ratio) / std::log(samples)) - 1.0));
+    return ratio;
+}
+
+void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples)
+{
+    std::array<VarianceRatioTerms, 4> terms;
+    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+        if (estimate.pixels[i].active && estimate.pixels[i].statistics.Samples() > 1)
+            terms[estimate.QuadrantOf(i)].Add(estimate.pixels[i].statistics);
+    Quadrants ratio;
+    for (std::size_t q = 0; q < ratio.size(); q++)
+    {
+        double& dualBufferRatio = estimate.dualBufferRatio[q];
+        dualBufferRatio = std::min(1.0, terms[q].Ratio(dualBufferRatio, settings.quadrantRatioPrior, 1.0));
+        ratio[q] = RatioOfMean(dualBufferRatio, std::max(2u, samples));
+    }
+    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+        if (estimate.pixels[i].active)
+            estimate.pixels[i].varianceRatio = ratio[estimate.QuadrantOf(i)];
+}
+
+std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate)
+{
+    constexpr int radius = 2;
+    std::vector<VarianceRatioTerms> terms(estimate.pixels.size());
+    for (std::size_t i = 0; i < terms.size(); i++)
+        terms[i].Add(estimate.pixels[i].statistics);
+    terms = WindowMeans<radius>(terms, estimate.area.width);
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < terms.size(); i++)
+    {
+        const double ofQuadrant = estimate.dualBufferRatio[estimate.QuadrantOf(i)];
+        const double around = terms[i].Ratio(ofQuadrant, settings.localRatioPrior, Square(2 * radius + 1));
+        // the dual buffers overstate all ratios of a quadrant alike
+        ratios.push_back(ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, around) / ofQuadrant : 0.0);
+    }
+    return ratios;
+}
+
+} // namespace tilt_lens

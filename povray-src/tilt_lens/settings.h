@@ -1,0 +1,121 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file settings.h
+/// Every number that steers the sampler, the emitter sampling and the reconstruction, with its unit and its meaning.
+/// Sections are those of docs/sampling.md, whose table of the ablation is the evidence: what the error costs where one
+/// of them is taken out.
+
+#ifndef TILT_LENS_SETTINGS_H
+#define TILT_LENS_SETTINGS_H
+
+#include <cstdint>
+
+namespace tilt_lens
+{
+
+/// Side in pixels of the blocks that are sampled and reconstructed together, on a grid fixed to the whole picture. It sets
+/// the size of arrays, so that no other value is tried.
+constexpr std::uint32_t kBlockSide = 16;
+
+struct Settings
+{
+    /// @name Estimator of a pixel's variance (section 3)
+    /// @{
+    /// Samples after which a pixel's sample variance counts as much as that of the 3 by 3 pixels around.
+    double shrinkageSamples = 4.0;
+    /// Noisy pixels, all as noisy, that the variance ratio of the round before counts as: in a quadrant of a block, and in
+    /// the 5 by 5 pixels around one, where it is the quadrant's.
+    double quadrantRatioPrior = 2.0, localRatioPrior = 6.0;
+    /// @}
+
+    /// @name Undetected error (section 4)
+    /// @{
+    /// Distance, in blur radii of what a pixel has hit, up to which other pixels may see the same: a point covers all
+    /// pixels within its blur radius, so that two pixels that see it are at most twice that apart.
+    double blurReach = 2.0;
+    /// A converged pixel is reactivated for an undetected error of so many times its target: what its neighbours hit is
+    /// as uncertain as their samples are few.
+    double reactivationFactor = 4.0;
+    /// @}
+
+    /// @name Confidence factor (section 5)
+    /// @{
+    /// Pixels as many as whose samples all that is pooled (variance ratio, undetected error, forecast) adds to the degrees
+    /// of freedom.
+    double pooledPixels = 4.0;
+    /// @}
+
+    /// @name Variance target (section 6)
+    /// @{
+    /// Variance of one sample where a pixel's target is just `variance`: between those of texture and of blurred edges.
+    double typicalSampleVariance = 0.003;
+    /// Least target over `variance`: of pixels that are quiet beside others, and of those among their like.
+    double leastTarget = 0.25, leastTargetAmongLike = 0.75;
+    /// Greatest target over `variance`, for pixels whose relative deviation is rareDeviation; beyond, the factor grows with
+    /// the root of the deviation up to greatestRareTarget.
+    double greatestTarget = 1.9, rareDeviation = 3.0, greatestRareTarget = 3.0;
+    /// @}
+
+    /// @name Emitter sampling (section 7)
+    /// @{
+    /// Expected hits a sample from which on an emitter is found by chance.
+    double chanceHits = 2.0;
+    /// Second moment of what one sample gets of an emitter (square of white) below which it is not worth a sample.
+    double leastEmitterMoment = 0.05;
+    /// Square of what an emitter brings a pixel, over `variance`, below which it is not worth a sample; `variance` counts as
+    /// at least leastEmitterVariance.
+    double leastEmitterSquare = 0.25, leastEmitterVariance = 1e-6;
+    /// Blur, in pixels, from which on the lens point is chosen and not the film point.
+    double lensPointBlur = 1.5;
+    /// Expected emission in a pixel (1 is white) above which it sends a half of its samples at emitters, else a quarter.
+    double brightEmission = 0.1;
+    /// Emitters that one pixel's samples are sent at, at most: the brightest.
+    std::uint32_t emittersOfPixel = 16;
+    /// Emitter samples that must have missed before the emitter is believed hidden: an object fills only a part of the
+    /// sphere around it, and that may lie over two pixels.
+    std::uint32_t hiddenEmitterSamples = 16;
+    /// @}
+
+    /// @name Reconstruction (section 8)
+    /// @{
+    /// Square difference, over a pixel's squared radiance, that counts as little as its noise does.
+    float faintDifference = 0.003f;
+    /// Least risk of a filter over that of the unfiltered pixels: less is chance.
+    float leastRisk = 0.05f;
+    /// Risk over that of the unfiltered pixels from which on a filter has no weight.
+    float greatestRisk = 20.0f;
+    /// Limit of a pixel's risk over its noise, for pixels not beside it.
+    float riskLimit = 8.0f;
+    /// Risk over noise of the 3 by 3 pixels around one that may be chance.
+    float chanceRisk = 2.0f;
+    /// Share of a pixel's variance that remains whatever the filters leave of the noise: their bias.
+    float leastResidualRatio = 0.15f;
+    /// Noisy pixels of 25, all as noisy, from which on the residual variance ratio is known.
+    float leastNoisyPixels = 3.0f;
+    /// Mean variance of a row of a block, over `variance`, below which the row is not reconstructed.
+    double leastRowVariance = 1.0 / 32.0;
+    /// @}
+
+    /// @name Forecast of the reconstruction in the stop rule (section 9)
+    /// @{
+    /// Residual variance ratio from which on the forecast does not count: it is as uncertain as what it would save.
+    double greatestForecastRatio = 0.5;
+    /// Rays a pixel of a block that a forecast must save: about what it takes the time of.
+    double forecastCost = 2.0;
+    /// Variance of a pixel's mean over its squared radiance above which the forecast does not count: a few hits of
+    /// something bright say little of how often it is hit.
+    double greatestForecastNoise = 0.25;
+    /// Share of the first samples of a block and its neighbours, or of a quadrant, that must have hit anything for the
+    /// block to be reconstructed: what hits nothing is cheaper to sample.
+    double leastHitFraction = 1.0 / 6.0;
+    /// Samples a pixel that hit anything from which on it is reconstructed all the same.
+    double enoughHits = 32.0;
+    /// @}
+};
+
+constexpr Settings settings;
+
+} // namespace tilt_lens
+
+#endif
