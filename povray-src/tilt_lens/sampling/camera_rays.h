@@ -22,9 +22,9 @@ namespace tilt_lens
 struct CameraRay
 {
     CameraSample sample;  ///< film point, lens point and weight
-    LensRay ray;     ///< relative to the lens centre, world axes, scene units
-    double length;   ///< of the ray's direction
-    Vec3 direction;  ///< the ray's, normalised
+    LensRay ray;          ///< relative to the lens centre, world axes, scene units
+    double length;        ///< of the ray's direction
+    Vec3 direction;       ///< the ray's, normalised
 
     /// Completes a ray from its start.
     void FindRay(const Lens& lens)
