@@ -4,9 +4,9 @@
 
 usage: python3 -m benchmarks.batch_scaling [--repeat N] [--write]     without --write the text is only printed
 
-Times are medians. Where a table says processor, it is the time that the processor worked, which other
-programs on the machine disturb little; by the clock they disturb it much, so the load before the run is
-told as well. """
+Times are medians. Other programs on the machine change CPU times by little, and elapsed times by much; the load
+of the machine before the run is therefore part of the text.
+"""
 
 import argparse
 import os
@@ -33,8 +33,8 @@ NODES = 1000
 
 
 def measured(command, folder, env=None, code=0):
-    """Runs a command: seconds by the clock and of the processor, with all that it started, and the largest
-    memory of one process in MB."""
+    """Runs a command with its child processes: elapsed seconds, CPU seconds, and the largest memory of one process
+    in MB."""
     before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     done = subprocess.run(
         [str(word) for word in command],
@@ -168,8 +168,7 @@ def largest_memory(command, folder):
 
 
 def dispatch_rate(repeat):
-    """Tasks a second that the tests' cluster of three nodes starts and ends, of an array that does
-    nothing."""
+    """Tasks per second of an array job without work, on the private cluster of three nodes."""
     rates = []
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder) as cluster:
         for _ in range(repeat):
@@ -181,9 +180,8 @@ def dispatch_rate(repeat):
 
 
 def on_paper(hours, bands, costs):
-    """A film on NODES one-core workers: waves of units, hours by the clock, how many times faster than
-    one core. The last worker starts when the controller has come to it; who finishes a frame's last band
-    joins the frame."""
+    """A film on NODES one-core workers: waves of units, elapsed hours, speed-up over one core. The controller starts
+    one worker after the other; the worker that finishes the last band of a frame joins the frame."""
     units = FILM * bands
     edges = 2 * (bands - 1) * costs["margin"] / EIGHT_K[1]
     unit = hours * 3600 * (1 + edges) / bands + costs["unit"] + costs["check"]
@@ -200,7 +198,7 @@ def table(head, rows):
 
 
 def cost_rows(start, unit, large, rate):
-    """What things cost."""
+    """Time of each action."""
     return [
         ("a start of POV-Ray, tiny picture", f"{median(start, 0):.2f}", f"{median(start, 1):.2f}"),
         (
@@ -210,7 +208,7 @@ def cost_rows(start, unit, large, rate):
         ),
         ("checking one 8K OpenEXR band", "", f"{large['check']:.1f}"),
         ("joining an 8K OpenEXR picture of noise from two", "", f"{large['join']:.1f}"),
-        ("a task of Slurm, on the tests' cluster of three nodes", f"{1 / rate:.2f}", ""),
+        ("a task of Slurm, on the private cluster of three nodes", f"{1 / rate:.2f}", ""),
     ]
 
 
@@ -224,8 +222,8 @@ def speed_rows(runs):
 
 
 def margin(runs, unit):
-    """Rows beyond each edge of a band that the sampler needs to know as well, from what eight bands cost more than
-    the whole and their units do."""
+    """Rows beyond each edge of a band that the sampler must sample, too: from the time of eight bands beyond that of the
+    whole picture and of the units."""
     whole, bands, rows = (
         median(runs["povray +WT1"], 1),
         median(runs["batch, 1 worker"], 1),
@@ -237,7 +235,7 @@ def margin(runs, unit):
 
 
 def paper_rows(costs, here):
-    """The film on paper, for frames of several costs."""
+    """The calculated film, for frames of several costs."""
     rows = []
     for hours in (0.1, 1.0, 10.0, here):
         for bands in (1, 4, 16):
@@ -260,23 +258,23 @@ def text(repeat):
     lines = [
         f"Medians of {repeat}, on {os.cpu_count()} cores; load of the machine before the run: {load:.1f}.",
         "",
-        *table(("what", "s by the clock", "s of processor"), cost_rows(start, unit, large, rate)),
+        *table(("action", "elapsed s", "CPU s"), cost_rows(start, unit, large, rate)),
         "",
         f"The tutorial's `film.pov` with tilt -8, {size[0]} by {size[1]} pixels in 8 bands:",
         "",
-        *table(("how", "s by the clock", "s of processor", "speed-up"), speed_rows(runs)),
+        *table(("program", "elapsed s", "CPU s", "speed-up"), speed_rows(runs)),
         "",
-        f"Each edge between two bands costs as much as about {costs['margin']:.0f} rows: what is blurred is sampled together with",
-        "its surroundings, so bands overlap in what they must look at.",
+        f"Each edge between two bands costs as much as about {costs['margin']:.0f} rows: pixels are sampled together with their",
+        "neighbours, so that two bands both sample the rows beside their common edge.",
         "",
         f"One band of an 8K picture ({EIGHT_K[0]} by {EIGHT_K[1]}) takes {large['memory']:.0f} MB of memory, because POV-Ray",
         f"holds the whole frame, and {large['bytes'] / 1000:.0f} KB of disk.",
         "",
-        f"**On paper**: {FILM} frames of 8K on {NODES} nodes of one core each, from the costs above. The last rows' cost a",
-        "frame is that of the scene above.",
+        f"**Calculated from these costs**: {FILM} frames of 8K on {NODES} nodes of one core each. The last rows use the cost per",
+        "frame of the scene above.",
         "",
         *table(
-            ("core-hours a frame", "bands", "waves of units", "hours by the clock", "times one core"),
+            ("core-hours per frame", "bands", "waves of units", "elapsed hours", "speed-up over one core"),
             paper_rows(costs, here),
         ),
         "",

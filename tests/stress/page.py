@@ -24,25 +24,25 @@ SPDX-License-Identifier: AGPL-3.0-or-later
 -->
 # Numbers under stress
 
-What was tried to break the camera, and what came of it. This page is made by `python3 -m tests.stress.run`;
-`python3 -m tests.stress.run rays` measures one part again, and `--page` only writes the page from the results in
-`docs/numerics`. `./check -L "stress|fuzz"` runs a short form of the parts that it names below.
+This page shows how the camera behaves with extreme numbers, hostile input, faults and long runs. It is made by
+`python3 -m tests.stress.run`; `python3 -m tests.stress.run rays` measures one part again, and `--page` only writes the page
+from the results in `docs/numerics`. `./check -L "stress|fuzz"` runs a short form of the parts.
 """
 
 RAYS = """
 ## Solver and rays
 
-A lens is solved in 113 bits from the numbers as the scene gives them, and rounded once; rays are formed in doubles
-(`povray-src/tilt_lens/camera/optics.cpp`, `ray.h`). Each ray is compared with a plain construction in 50 digits
-(`tests/unit/reference_camera.h`, boost::multiprecision) that shares no formula with it.
+A lens is solved in 113 bits from the numbers of the scene, and rounded once; rays are computed in double precision
+(`povray-src/tilt_lens/camera/optics.cpp`, `ray.h`). Each ray is compared with a geometric construction in 50 digits
+(`tests/unit/reference_camera.h`, boost::multiprecision), which shares no formula with the camera.
 
-- *ulp*: length of the difference of the two directions over the direction's length, in units of 2^-52. Well-posed
-  is a camera whose ray is at least a quarter as long as the sum of what it is added up from.
-- *pixels*: in a picture 100,000 pixels wide, how far from the film point asked for the one lies that truly has
-  the computed direction; or the angle between the directions in pixels, where that is less.
-- *narrow*: angles of view so small (under about 0.0013 degrees in that picture) that a pixel's millionth is less than
-  the last place of a direction of length 1. A table of their own, below. *Reaches the film*: lenses whose rim passes
-  through the film, of which the program warns.
+- *ulp*: the length of the difference of the two directions over the direction's length, in units of 2^-52. A camera is
+  well-posed if its ray is at least a quarter as long as the sum of the vectors that it is added up from.
+- *pixels*: the error in a picture 100,000 pixels wide: the distance from the given film point to the one that exactly has
+  the computed direction, or the angle between the two directions in pixels, where that is less.
+- *narrow*: angles of view so small (below about 0.0013 degrees in that picture) that a millionth of a pixel is less than
+  the last place of a direction of length 1. They have a separate table below.
+- *reaches the film*: lenses whose rim passes through the film; the program warns of them.
 
 | cameras | accepted | refused | worst ulp, well-posed | worst ulp | worst pixels | reaches the film | no numbers |
 | --- | --: | --: | --: | --: | --: | --: | --: |
@@ -51,10 +51,10 @@ A lens is solved in 113 bits from the numbers as the scene gives them, and round
 NARROW = """
 ### Narrow pictures
 
-Here not every ray is within 1e-6 pixels, and no program that keeps a direction as three doubles can promise that: the
-true direction with its three numbers rounded to nearest is off as well. *Roundings*: the angle by which the camera's
-ray is off, over the most that such a rounding turns a direction of these numbers by (half a last place of each). It
-is {roundings:.1f} at most. In all other pictures the worst ray is {others:.1e} pixels off.
+In narrow pictures, not every ray is within 1e-6 pixels. No program that stores a direction as three doubles can achieve
+that: the exact direction, rounded to nearest, has such an error as well. *Roundings* is the angular error of the camera's
+ray over the largest angle by which that rounding can turn the direction (half a last place of each coordinate). It
+is {roundings:.1f} at most. In all other pictures, the largest error is {others:.1e} pixels.
 
 | cameras | narrow | worst pixels | of the true direction, rounded | worst roundings |
 | --- | --: | --: | --: | --: |
@@ -88,16 +88,16 @@ def rays_section(result):
                  f"{number(t['pixels']['worst'])} | "
                  f"{number(t['reach_pixels']['worst'])} | {t['broken']} |\n")
     text += narrow_table(result)
-    text += ("\n### Refusals\n\nEvery refusal has its message:\n\n| message begins | times |\n| --- | --: |\n")
+    text += ("\n### Refused cameras\n\nEach refused camera causes an error message:\n\n| message begins | times |\n| --- | --: |\n")
     refusals = {}
     for t in result.values():
         for words, count in t["refusals"].items():
             refusals[words] = refusals.get(words, 0) + count
     text += "".join(f"| {words} | {count:,} |\n" for words, count in sorted(refusals.items()))
     text += ("\n![Share of rays by error in units of the last place](numerics/ulps.svg)\n\n### The obvious formula\n\n"
-             "Find the point of sharp focus P on the chief ray by a division, then normalise P - l. One camera in eight was "
-             "given to it as well. *Reversed* are rays that point away from the scene, since P lies behind the lens; *no "
-             "numbers*: infinite or NaN, since P lies at infinity.\n\n| cameras | tried | reversed | no numbers | worst pixels "
+             "The obvious formula finds the point of sharp focus P on the chief ray by a division, and normalises P - l for "
+             "the lens point l. It was tried with one camera in eight. *Reversed* rays point away from the scene, because P "
+             "lies behind the lens; *no numbers* are infinite or NaN, because P lies at infinity.\n\n| cameras | tried | reversed | no numbers | worst pixels "
              "of the rest |\n| --- | --: | --: | --: | --: |\n")
     for name in ("random", *rays.SETS):
         o = result[name]["obvious_pixels"]
@@ -129,25 +129,26 @@ def plot(name, label, powers, spreads):
 
 def sampler_section(result):
     """Nets, discrepancy, neighbours."""
-    text = ("\n## Sampler\n\nThe least t for which the first 2^m samples are a (t, m, 2)-net in base 2, by projection; 0 is "
-            "perfect: one sample in each elementary interval. In the unit tests: each coordinate alone, all four together, "
-            "aligned blocks up to the last index, uniformity over discs, polygons and bokeh pictures by chi-square.\n\n")
+    text = ("\n## Sampler\n\nThe table has the least t for which the first 2^m samples are a (t, m, 2)-net in base 2, for each "
+            "projection; t = 0 means one sample in each elementary interval. Unit tests check each coordinate alone, all four "
+            "together, aligned blocks up to the last index, and uniformity over discs, polygons and bokeh pictures by "
+            "chi-square.\n\n")
     powers = sorted(result["projections"][0]["t"], key=int)
     text += "| pair | " + " | ".join(f"2^{m}" for m in powers) + " |\n| --- |" + " --: |" * len(powers) + "\n"
     for row in result["projections"]:
         text += f"| {row['pair']} | " + " | ".join(str(row["t"][m]) for m in powers) + " |\n"
-    text += (f"\nAmong 2^{result['log2_samples']} samples {sum(result['repeated'])} come twice in a coordinate; around index "
-             f"2^20, 2^31 and the last one {result['overflow_faults']} are out of range or equal to the next.\n\n"
-             "Star discrepancy of the lens pair, times the number of samples (exact, over some pixels). The bound is "
-             "Niederreiter's for a (0, m, 2)-net; Hammersley's points check the computation by Halton and Zaremba's "
-             "formula.\n\n| samples | mean | worst | bound | random points | Hammersley | known |\n"
+    text += (f"\nAmong 2^{result['log2_samples']} samples {sum(result['repeated'])} occur twice in a coordinate; around the "
+             f"indices 2^20, 2^31 and the last one, {result['overflow_faults']} are out of range or equal to the next.\n\n"
+             "The next table has the star discrepancy of the lens pair, times the number of samples (exact, for some "
+             "pixels). The bound is Niederreiter's for a (0, m, 2)-net. Hammersley's points check the computation against "
+             "Halton and Zaremba's formula.\n\n| samples | mean | worst | bound | random points | Hammersley | known |\n"
              "| --: | --: | --: | --: | --: | --: | --: |\n")
     for row in result["discrepancy"]:
         text += (f"| {2 ** row['m']} | {row['mean']:.2f} | {row['worst']:.2f} | {row['bound']:.1f} | {row['random']:.1f} | "
                  f"{row['hammersley']:.4f} | {row['hammersley_known']:.4f} |\n")
     worst = max(row[where] for row in result["correlation"] for where in ("right", "below", "diagonal"))
     return text + (f"\nErrors of neighbouring pixels (right, below, diagonal; 1, 8, 64 samples; three integrands): the largest "
-                   f"correlation is {worst:.1f} of its standard errors, of 27.\n")
+                   f"of 27 correlations is {worst:.1f} times its standard error.\n")
 
 
 def pictures_section(result):
@@ -181,7 +182,7 @@ def faults_section(result):
 
 def soak_section(result):
     """Memory over time."""
-    text = "\n## Memory over time\n\n| run | seconds | processor | peak | growth, second half |\n| --- | --: | --: | --: | --: |\n"
+    text = "\n## Memory over time\n\n| run | elapsed s | CPU | peak | growth in the second half |\n| --- | --: | --: | --: | --: |\n"
     for title, row in ((f"{result['animation']['frames']} frames of 16 by 12", result["animation"]),
                        (f"one picture of {result['large']['width']} by {result['large']['height']}"
                         f"{', ended there' if result['large']['exit'] else ''}",
@@ -189,16 +190,16 @@ def soak_section(result):
         text += (f"| {title} | {row['seconds']} | {row['processor_seconds']} s | {row['peak_kib'] / 1024:.1f} MiB | "
                  f"{soak.growth(row['course'])} KiB |\n")
     if "heap" in result:
-        text += (f"\nheaptrack: what is held at the end grows by {result['heap']['bytes_per_frame']} bytes for each frame more "
-                 f"({result['heap']['frames']} and twice as many).\n")
+        text += (f"\nheaptrack: the memory held at the end grows by {result['heap']['bytes_per_frame']} bytes for each additional frame "
+                 f"({result['heap']['frames']} frames, and twice as many).\n")
     return text
 
 
 def scale_section(result):
     """Time and memory against size."""
-    text = ("\n## Scale\n\nProcessor seconds and peak memory of the whole process; the power is that of time against size, 1 is"
-            " linear. A file\nhas the size of the whole picture, so that of few rows most of the time is its writing, which grows"
-            " with the picture and\nnot with the rows.\n\n")
+    text = ("\n## Scale\n\nThe tables have CPU seconds and peak memory of the whole process. The power is that of time against"
+            " size; 1 is linear. A\nfile has the size of the whole picture: with few rows, most of the time is spent on writing"
+            " it, which does not depend on the\nrows.\n\n")
     for key, title in (("rows", f"rows of a picture {result['width']} by {result['width']}"),
                        ("samples", "`blur_samples`, 64 by 48"), ("objects", "objects, 160 by 120")):
         text += f"| {title} | seconds | peak |\n| --: | --: | --: |\n"
@@ -210,10 +211,10 @@ def scale_section(result):
 def fuzz_section(result):
     """Blocks and libFuzzer."""
     grammar = result["grammar"]
-    text = (f"\n## Fuzzing\n\n{grammar['blocks']:,} blocks of a grammar (`tests/fuzz/grammar.py`) through POV-Ray's own parser, "
-            f"500 a process, {'built with ASan and UBSan' if grammar['sanitized'] else 'release build'}; each must end in a lens "
-            f"with finite rays or in one error. The program then renders what was accepted, {grammar['pictures']:,} blocks, as frames "
-            f"of 8 by 6 pixels, 250 a process; each must be a picture of finite numbers. {len(grammar['bad'])} went wrong.\n\n| made as: became | blocks |\n| --- | --: |\n")
+    text = (f"\n## Fuzzing\n\n{grammar['blocks']:,} blocks of a grammar (`tests/fuzz/grammar.py`) go through POV-Ray's own parser, "
+            f"500 in each process ({'built with ASan and UBSan' if grammar['sanitized'] else 'release build'}). Each must result in a lens "
+            f"with finite rays or in one error. The program then renders the {grammar['pictures']:,} accepted blocks as frames "
+            f"of 8 by 6 pixels, 250 in each process; each must be a picture of finite numbers. {len(grammar['bad'])} failed.\n\n| generated as: result | blocks |\n| --- | --: |\n")
     text += "".join(f"| {key} | {n:,} |\n" for key, n in sorted(grammar["counts"].items())) + "\n"
     for name, title in (("solver", "the solver"), ("parser", "the block's parser")):
         if name in result:
@@ -225,14 +226,14 @@ def fuzz_section(result):
 
 def sanitizers_section(result):
     """Programs under sanitizers, and what of upstream's is suppressed."""
-    text = ("\n## Sanitizers\n\nThe whole program. A finding is ours where a frame of its stack lies in one of our files.\n\n"
-            "What of upstream's is known by name is counted apart.\n\n"
-            "| what | tool | commands | failed | findings in our files | upstream's, known | upstream's, others |\n"
+    text = ("\n## Sanitizers\n\nThe whole program runs under sanitizers. A finding is ours if a frame of its stack lies in one of our "
+            "files. Findings in\nupstream's code that are known by name are counted separately.\n\n"
+            "| what | tool | commands | failed | findings in our files | in upstream's, known | in upstream's, others |\n"
             "| --- | --- | --: | --: | --: | --: | --: |\n")
     for row in result["rows"]:
         text += (f"| {row['what']} | {row['tool']} | {row['runs']} | {row['failed']} | {row['ours']} | "
                  f"{sum(row['known'].values()):,} | {row['others']} |\n")
-    text += "\nKnown by name, in `tests/stress/suppressions`:\n\n| tool | name | reason |\n| --- | --- | --- |\n"
+    text += "\nFindings known by name, from `tests/stress/suppressions`:\n\n| tool | name | reason |\n| --- | --- | --- |\n"
     for tool in ("ubsan", "tsan", "valgrind"):
         for name, reason in reports.suppressed(tool):
             text += f"| {tool} | `{name}` | {reason} |\n"
