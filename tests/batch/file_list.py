@@ -48,6 +48,7 @@ class FileList(BatchTest):
         self.assertTrue(
             any(e.startswith(b"+/") and e.endswith(b"include/timrom.ttf") for e in entries), entries
         )
+        self.assertEqual([e for e in entries if e.startswith(b"=")], [b"=out.png"])
         self.assertIn(b"-timrom.ttf", entries)
         self.assertIn(b"-maybe.inc", entries)
         self.assertEqual(len(entries), len(set(entries)), "each name once")

@@ -181,7 +181,7 @@ class Lists(unittest.TestCase):
     def test_any_name_in_the_list(self):
         with tempfile.TemporaryDirectory() as name:
             path = pathlib.Path(name) / "files"
-            path.write_bytes(b"+/a\nb\0-/c\0+/c\0-/d'\"\0+picture.pov-state\0")
+            path.write_bytes(b"+/a\nb\0-/c\0+/c\0-/d'\"\0+picture.pov-state\0=/e.png\0")
             self.assertEqual(key.listed_files(path, self.links), ({"/a\nb", "/c"}, {"/d'\""}))
             with self.assertRaisesRegex(store.BatchError, "does not list"):
                 key.listed_files(path.with_name("none"), self.links)

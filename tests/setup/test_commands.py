@@ -6,6 +6,7 @@ The commands run in a copy of the repository's scripts whose program is a stand-
 """
 
 import os
+import re
 import select
 import shutil
 import subprocess
@@ -14,10 +15,9 @@ import unittest
 
 from tests.setup.harness import REPOSITORY, SetupTest
 
-STAND_IN = """#!/bin/bash
-for argument in "$@"; do printf 'argument [%s]\\n' "$argument" >&2; done
-printf '  Output file..........%s, 24 bpp PNG\\n' 'a very long name that is broken
- over two lines.png' >&2
+STAND_IN = r"""#!/bin/bash
+for argument in "$@"; do printf 'argument [%q]\n' "$argument" >&2; done
+printf '%s\0' "=a picture.png" >> "$TILT_LENS_FILE_LIST"
 echo 'a picture on standard output'
 exit "${POVRAY_EXIT:-0}"
 """
@@ -80,7 +80,10 @@ class RenderCommand(CommandTest):
 
     @staticmethod
     def arguments(process):
-        return [line[len("argument ["):-1] for line in process.stderr.splitlines() if line.startswith("argument [")]
+        """What povray was given."""
+        quoted = re.findall(r"^argument \[(.*)\]$", process.stderr, re.MULTILINE)
+        words = subprocess.run(["bash", "-c", f"printf '%s\\0' {' '.join(quoted)}"], capture_output=True, text=True, check=True)
+        return words.stdout.split("\0")[:-1]
 
     def test_without_arguments_the_town_in_its_size(self):
         process = self.render()
@@ -101,13 +104,13 @@ class RenderCommand(CommandTest):
         self.assert_succeeds(process)
         arguments = self.arguments(process)
         self.assertIn(f'+I"{self.scene}"', arguments)
-        self.assertIn(f'+L"{self.folder}"', arguments)
+        self.assertIn(f'+L"{self.folder}/"', arguments)
         self.assertIn(f'+L"{self.copy}/scenes/include"', arguments)
         self.assertIn(f'+O"{self.folder}/"', arguments)
         self.assertNotIn("+W1280", arguments)
 
     def test_scene_named_by_an_option(self):
-        for option in (f"+I{self.scene}", f"Input_File_Name={self.scene}", "my.ini"):
+        for option in (f"+I{self.scene}", f"Input_File_Name={self.scene}", "my.ini", "my.ini[low]"):
             arguments = self.arguments(self.render(option, "+W64"))
             self.assertFalse(any(str(self.gallery) in argument for argument in arguments), option)
             self.assertNotIn("+W1280", arguments)
@@ -118,6 +121,32 @@ class RenderCommand(CommandTest):
         for expected in ('+O"my own.png"', '+O"other one.png"', "Declare=a=1", 'Output_File_Name="third one.png"',
                          "+K 0.5", "$(x) `y` *"):
             self.assertIn(expected, arguments)
+
+    def test_scene_behind_options_brings_its_folder(self):
+        other = self.folder / "sub" / "s.pov"
+        other.parent.mkdir()
+        other.write_text("", encoding="utf-8")
+        for word in ("sub/s.pov", "+Isub/s.pov", 'Input_File_Name="sub/s.pov"'):
+            process = self.render("+W64", word)
+            self.assert_succeeds(process)
+            folders = [argument for argument in self.arguments(process) if argument.endswith('sub/"') and argument.startswith("+L")]
+            self.assertEqual(len(folders), 1, f"{word}: {process.stderr}")
+            self.assertNotIn("+W1280", process.stderr)
+        self.assert_fails_saying(self.render("+W64", "sub/none.pov"), "no readable scene file sub/none.pov")
+
+    def test_any_name_reaches_povray(self):
+        name = "a \nb;#\u00e4'.pov"
+        (self.folder / name).write_text("", encoding="utf-8")
+        process = self.render(name)
+        self.assert_succeeds(process)
+        self.assertIn(f'+I"{self.folder}/{name}"', self.arguments(process))
+
+    def test_names_that_cannot_be(self):
+        (self.folder / "a\"b'.pov").write_text("", encoding="utf-8")
+        for word, said in (("", "the name of the scene is empty"), ("a\"b'.pov", "holds both \" and '")):
+            process = self.render(word)
+            self.assert_fails_saying(process, said)
+            self.assertEqual(len(process.stderr.splitlines()), 1)
 
     def test_no_such_scene(self):
         process = self.render("none.pov")
@@ -132,7 +161,14 @@ class RenderCommand(CommandTest):
     def test_says_where_the_picture_is(self):
         process = self.render(self.scene)
         self.assertEqual(process.stderr.splitlines()[-1],
-                         f"Picture: {self.folder}/a very long name that is broken over two lines.png")
+                         f"Picture: {self.folder}/a picture.png")
+
+    def test_pictures_with_the_users_own_list(self):
+        users = self.folder / "list"
+        users.write_bytes(b"=old.png\0")
+        process = self.render(self.scene, TILT_LENS_FILE_LIST=str(users))
+        self.assertEqual(process.stderr.splitlines()[-1], f"Picture: {self.folder}/a picture.png")
+        self.assertEqual(users.read_bytes(), b"=old.png\0=a picture.png\0")
 
     def test_standard_output_is_povrays_own(self):
         self.assertEqual(self.render(self.scene).stdout, "a picture on standard output\n")
@@ -177,6 +213,12 @@ class CheckCommand(CommandTest):
         self.assertRegex(first, "^arguments: .*-L unit$")
         self.assertEqual(rest, ["", "Total Test time (real) =   3.70 sec", "  2 - unit.two (Failed)", self.CLOSING])
         self.assertEqual(check.returncode, 8)
+
+    def test_help_builds_nothing(self):
+        self.tool("ninja", "echo built; exit 1")
+        process = self.command(self.copy / "check", "--help")
+        self.assert_succeeds(process)
+        self.assertTrue(process.stdout.startswith("usage: ./check"))
 
 
 class FastBuild(CommandTest):

@@ -54,7 +54,9 @@ def listed_files(path, links):
             "project's povray."
         ) from None
     read, missing = set(), set()
-    for entry in filter(None, entries):
+    for entry in entries:
+        if entry[:1] not in (b"+", b"-"):  # the last one is empty; "=" is a picture that was written
+            continue
         name = links.real(os.fsdecode(entry[1:]))
         if name is not None:
             (read if entry[:1] == b"+" else missing).add(name)

@@ -18,13 +18,16 @@
 namespace tilt_lens
 {
 
-void ListFile(const std::string &name, bool found)
+namespace
+{
+
+/// Appends an entry to the list, where there is one and it has none such yet.
+void List(const std::string &entry)
 {
     static const char *const list = std::getenv("TILT_LENS_FILE_LIST");
     if (list == nullptr || *list == '\0')
         return;
 
-    const std::string entry = (found ? '+' : '-') + name;
     static std::mutex mutex; // photons are loaded beside the parser
     static std::set<std::string> listed;
     const std::lock_guard<std::mutex> lock(mutex);
@@ -40,6 +43,18 @@ void ListFile(const std::string &name, bool found)
         std::fprintf(stderr, "povray: cannot write the list of files that TILT_LENS_FILE_LIST names: %s\n", list);
         std::_Exit(EXIT_FAILURE);
     }
+}
+
+}
+
+void ListFile(const std::string &name, bool found)
+{
+    List((found ? '+' : '-') + name);
+}
+
+void ListPicture(const std::string &name)
+{
+    List('=' + name);
 }
 
 }

@@ -6,8 +6,9 @@
 ///
 /// Where the environment variable `TILT_LENS_FILE_LIST` names a file, every file that the program opens for
 /// reading is appended to it, and every one that it looked for and did not find: had that one been there, the
-/// picture could be another. Each entry is `+` (read) or `-` (missing), the name as it was used (relative to
-/// the current folder), and a zero byte, so that any name is possible. Each name is listed once a run.
+/// picture could be another. So is every picture and every file of layers that was written whole. Each entry is
+/// `+` (read), `-` (missing) or `=` (written), the name as it was used (relative to the current folder), and a
+/// zero byte, so that any name is possible. Each name is listed once a run.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H
@@ -19,6 +20,9 @@ namespace tilt_lens
 
 /// Lists `name`. A list that cannot be written ends the render with an error: a list with gaps is worse than none.
 void ListFile(const std::string &name, bool found);
+
+/// Lists a picture that was written; fails in the same way.
+void ListPicture(const std::string &name);
 
 }
 

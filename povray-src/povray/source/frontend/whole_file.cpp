@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file_list.h"
 #include "base/pov_err.h"
 
 #include "base/povdebug.h"
@@ -91,6 +92,7 @@ void WholeFile::Finish(boost::scoped_ptr<OStream>& file)
     if (place != target && std::rename(place.c_str(), target.c_str()) != 0)
         throw POV_EXCEPTION(pov_base::kCannotOpenFileErr, "cannot be renamed from '" + place + "'");
     finished = true;
+    tilt_lens::ListPicture(target);
 }
 
 void WholeFile::Fail(const pov_base::Exception& cause) const
