@@ -92,6 +92,7 @@ void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsI
     if (!view->aroundLens.empty())
         EnterInteriors(ray);
 
+    trace.ForgetRays();
     // whatever draws random numbers on the way draws this sample's own
     SeedRandomNumbers(itsPixel.Hash(itsIndex));
     pixel = &itsPixel;
