@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The accumulation buffer: the mean of many pinhole pictures of the unpatched program, each from another
-point of the lens. It is the only way to a tilted focus that the unpatched program has."""
+point of the lens. The unpatched program has no other way to tilt the plane of sharp focus."""
 
 import concurrent.futures
 import dataclasses
@@ -16,8 +16,8 @@ PROCESSES = 16      # the program idles between frames
 
 # Frames are OpenEXR: a PNG would clip lights before they are averaged.
 def frames(lab, shot, first, last, count, folder):
-    """Renders frames first to last of an animation of `count`; CPU seconds of its rays alone, as the program
-    states them after each frame, and of the whole process."""
+    """Renders the frames from first to last of an animation of `count` frames. Returns the CPU seconds of the rays alone,
+    as the program reports them after each frame, and those of the whole process."""
     command = [lab.stock, *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/f.exr", "+FE",
                "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"]
     messages, cpu, _ = run_measured(command, folder)
@@ -28,7 +28,7 @@ def frames(lab, shot, first, last, count, folder):
 
 
 def cpu_of_frames(lab, shot, count, folder):
-    """All frames, in a few processes side by side."""
+    """All frames, in several processes at the same time."""
     step = math.ceil(count/PROCESSES)
     with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
         parts = [pool.submit(frames, lab, shot, first, min(count, first + step - 1), count, folder)

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What link-time and profile-guided optimisation bring: the program of cmake/build-fast against the usual one,
-at the same rays. The profile is trained with gallery, tutorial and paper, not with these scenes."""
+"""The effect of link-time and profile-guided optimisation: the program of cmake/build-fast against the usual one, with the
+same rays. The profile is made with scenes of gallery, tutorial and paper, not with those of the benchmark."""
 
 from benchmarks import suite
 from benchmarks.lab import TILT_LENS

@@ -6,7 +6,7 @@ import math
 
 
 def pareto(points):
-    """(seconds, error) pairs that no other beats in both, the fastest first."""
+    """The (seconds, error) pairs for which no other pair is better in both (Pareto front), the fastest first."""
     front = []
     for seconds, error in sorted(points):
         if not front or error < front[-1][1]:
@@ -15,8 +15,8 @@ def pareto(points):
 
 
 def seconds_for(points, error):
-    """CPU seconds for an error, between settings by straight lines of logarithms. Where even the fastest
-    setting is better, its time; where none is as good, None."""
+    """CPU seconds for an error, interpolated between settings on straight lines of logarithms. If the fastest setting is
+    already better than the error: its time. If no setting is as good: None."""
     front = pareto(points)
     if not front or front[-1][1] > error:
         return None
@@ -30,8 +30,8 @@ def seconds_for(points, error):
 
 
 def error_after(points, seconds):
-    """Error after so much CPU time, between settings as seconds_for has it. Where even the fastest setting takes longer,
-    None; where the slowest takes less, its error, which is then too large."""
+    """The error after some CPU time, interpolated as in seconds_for. If the fastest setting takes longer: None. If the
+    slowest setting takes less: its error, which is an upper bound."""
     front = pareto(points)
     if not front or front[0][0] > seconds:
         return None

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""How cost grows: with the picture, the blur, the scene, the threads. The variance asked for stays."""
+"""How cost grows: with the picture, the blur, the scene, the threads. The requested variance is constant."""
 
 import os
 

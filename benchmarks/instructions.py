@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the patches cost a scene without tilt_lens: instructions counted by callgrind, against the same source
-built without the patches. And the inner loops, by Google Benchmark."""
+"""The cost of the patches in scenes without tilt_lens: instructions counted by callgrind, against the same source built
+without the patches. Also the times of the inner loops, by Google Benchmark."""
 
 import json
 import re
@@ -20,8 +20,8 @@ CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
 
 
 def count(lab, binary, shot, times=1, within=None):
-    """Instructions of a whole run, or of a function and all that it calls. Threads that wait for each other make it
-    waver a little: least of several."""
+    """Instructions of a whole run, or of a function with all its callees. The count varies slightly where threads wait for
+    each other; the result is the least of several runs."""
     key = digest("callgrind", binary.read_bytes(), shot.arguments()[2:], shot.sources(), *filter(None, [within]))
     record = lab.runs.get((key, 0))
     if record is None:
@@ -52,7 +52,7 @@ def measure(lab, unpatched):
 
 
 def inner_loops(lab):
-    """Nanoseconds a call; what drawing the arguments takes is taken off."""
+    """Nanoseconds per call, without the time for drawing the arguments."""
     lab.say("inner loops")
     program = lab.tools / "inner_loops"
     seconds = 0.05 if lab.quick else 0.3

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What every part of the benchmark uses: programs, folders, measured runs that are kept, references."""
+"""Programs and folders of the benchmark, measured runs that are kept, and reference pictures."""
 
 import dataclasses
 import hashlib
@@ -20,7 +20,7 @@ PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # Form of scenes/camera.inc
 
 
 class Failed(Exception):
-    """A program of the benchmark did not do its work."""
+    """A program of the benchmark failed."""
 
 
 def digest(*parts):
@@ -32,7 +32,7 @@ def digest(*parts):
 
 
 def run_measured(command, cwd, low_priority=False):
-    """Runs a program to its end: its messages, CPU seconds (user and system), seconds by the clock."""
+    """Runs a program to its end: its messages, CPU seconds (user and system), elapsed seconds."""
     with tempfile.TemporaryFile() as messages:
         started = time.monotonic()
         process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
@@ -50,7 +50,7 @@ def run_measured(command, cwd, low_priority=False):
 
 @dataclasses.dataclass(frozen=True)
 class Shot:
-    """One render: what is on the command line."""
+    """One render: the values of its command line."""
 
     scene: str
     form: int
@@ -68,8 +68,8 @@ class Shot:
                 *self.options]
 
     def independent(self, number):
-        """The same picture through samples that have nothing in common with those of other numbers, 1 and more:
-        the inner part of a larger one."""
+        """The same picture with samples that are independent of those of other numbers (1 and more): the inner part of a
+        larger picture."""
         border, (width, height) = 8*number, self.size
         return dataclasses.replace(
             self, size=(width + 2*border, height + 2*border), declare=(*self.declare, ("Batch", border)),
@@ -77,7 +77,7 @@ class Shot:
                      f"+ER{border + height}"))
 
     def sources(self):
-        """The scene with all that it includes from here."""
+        """The texts of the scene and of the files that it includes from this folder."""
         found, wanted = {}, [f"{self.scene}.pov"]
         while wanted:
             name = wanted.pop()
@@ -123,7 +123,7 @@ class Lab:
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def render(self, program, shot, picture, low_priority=False):
-        """A linear 16-bit PNG, or OpenEXR if it is called so; messages, CPU seconds, seconds."""
+        """Renders a linear 16-bit PNG, or OpenEXR for a name ending in .exr; returns messages, CPU seconds, elapsed seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
         command = [program, *shot.arguments(), *self.gathered_light(shot), f"+O{picture}",
@@ -149,9 +149,9 @@ class Lab:
         return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]
 
     def reference(self, shot, batches, samples):
-        """The picture that a camera should give: the mean of independent pictures of tilt_lens with the
-        same number of samples at every pixel. Made once for the same scene and settings."""
-        if shot.form == PINHOLE:     # a lens without width: as sharp, and sampled as well
+        """The reference picture of a camera: the mean of independent pictures of tilt_lens with the same number of samples
+        in each pixel. Made once for a scene and its settings."""
+        if shot.form == PINHOLE:     # a lens of almost no diameter: as sharp as a pinhole, with many samples
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples//2 if self.quick else samples
         name = digest(shot.arguments()[2:], shot.sources(), batches, samples)
@@ -176,7 +176,7 @@ class Lab:
 
     def run(self, binary, shot, reference=None, repetition=0, limits=(), more_than=0, **about):
         """A measured render, taken from the journal if it was made before. `about` goes into the record. With
-        `more_than`, which needs a shot with +N, the pixels that took more samples are looked at apart."""
+        `more_than`, which needs a shot with +N, the pixels that took more samples are evaluated separately."""
         key = digest(self.hashes[binary], shot.arguments()[2:], shot.sources(),
                      str(reference.name if reference else ""), list(limits))
         record = self.runs.get((key, repetition))
@@ -215,11 +215,11 @@ class Lab:
 
     @staticmethod
     def one_pixel(shot):
-        """The second one: the program takes a 1 for 100 % of the picture."""
+        """The second pixel of the second row, because the program reads +EC1 as 100 % of the picture."""
         return dataclasses.replace(shot, options=(*shot.options, "+SC2", "+EC2", "+SR2", "+ER2"))
 
 
 def samples_spent(messages):
-    """What the summary of a tilt_lens render says of samples per pixel."""
+    """The samples per pixel from the summary of a tilt_lens render."""
     found = re.search(r"Samples per pixel\D+([\d.]+)\D+99\s?%\D*([\d.]+)\D+([\d.]+)", messages)
     return {} if not found else dict(zip(("samples", "samples_99", "samples_most"), map(float, found.groups())))

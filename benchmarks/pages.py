@@ -6,7 +6,7 @@ A page shows a part, such as the part `stock`, between the lines `<!-- benchmark
 `<!-- end of benchmark -->`. Any page of docs/ may have such places, each part has exactly one. Each part is kept with the
 program and the machine that measured it, so that parts may be measured on different days.
 
-To add a part: a measuring module and its call in benchmark.py, a section in report.py, a place in a page.
+To add a part, add a measuring module, its call in benchmark.py, a section in report.py, and a place in a page.
 """
 
 import json

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A picture that is sharp everywhere: what the lens costs where it blurs nothing, against the unpatched
-program's anti-aliasing (+A) of a pinhole, at equal error."""
+"""The cost of a picture without blur: a narrow lens against the unpatched program's anti-aliasing (+A) of a pinhole, at
+equal error."""
 
 import math
 
@@ -11,7 +11,7 @@ from benchmarks.lab import PINHOLE, TILT_LENS
 
 SCENES = ("checks", "foliage", "town")
 SHARP = (("Blur", 1e-3),)
-# The errors compared at are those of these; the first is what +A alone does.
+# The errors compared at are those of these settings; the first one is the default of +A.
 TARGETS = (("+A0.3", "+AM1", "+R3"), ("+A0.1", "+AM2", "+R3"), ("+A0.0", "+AM1", "+R3"), ("+A0.0", "+AM1", "+R6"))
 OTHERS = (("+A0.1", "+AM1", "+R3"), ("+A0.03", "+AM1", "+R4"), ("+A0.01", "+AM2", "+R4"), ("+A0.0", "+AM1", "+R2"),
           ("+A0.0", "+AM1", "+R4"), ("+A0.0", "+AM1", "+R9"), ("+A0.0", "+AM2", "+R3"), ("+A0.0", "+AM2", "+R4"))
@@ -19,7 +19,7 @@ MINIMA = (1, 2, 4, 8)
 
 
 def shots(lab, scene):
-    """(program, setting, binary, shot), stock and ours in turn."""
+    """(program, setting, binary, shot), alternately of stock and ours."""
     stock = [("+A", " ".join(options), lab.stock, scene.shot(PINHOLE, options=options))
              for options in (TARGETS[:3] if lab.quick else TARGETS + OTHERS)]
     ours = [("tilt_lens", f"{least} {variance:g}", lab.ours,
@@ -30,17 +30,17 @@ def shots(lab, scene):
 
 
 def measure(lab, scene):
-    lab.say(f"{scene.name}: a lens that blurs nothing and anti-aliasing")
+    lab.say(f"{scene.name}: a lens without blur, and anti-aliasing")
     reference = lab.reference(scene.shot(TILT_LENS, declare=SHARP), *scene.reference)
     chosen = shots(lab, scene)
-    short = lab.run(*chosen[0][2:], reference)["cpu"] < 0.2   # then a few are too few for a ratio
+    short = lab.run(*chosen[0][2:], reference)["cpu"] < 0.2   # very short runs need more repetitions
     runs = lab.interleaved([entry[2:] for entry in chosen], 2 if lab.quick else 25 if short else 5, reference)
     return [{**run, "program": program, "setting": setting, "scene": scene.name, "rmse": math.sqrt(run["mse"])}
             for (program, setting, _, _), run in zip(chosen, runs)]
 
 
 def compare(records):
-    """One line a target: what tilt_lens takes for the error, over what stock takes at its best."""
+    """One line for each target: the CPU time of tilt_lens for the error, over the least CPU time of stock."""
     fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
               for program in ("+A", "tilt_lens")}
     lines = []

@@ -48,7 +48,7 @@ def errors(path, title, records):
 
 
 def growth(path, name, rows):
-    """CPU seconds without start and parsing; for threads also the seconds by the clock."""
+    """CPU seconds without start and parsing; for threads also the elapsed seconds."""
     unit = rows[0]["unit"]
     script = HEAD.format(output=path, title=f"How cost grows with {name}", x=unit, y="seconds", key="top left")
     curves = []
@@ -60,5 +60,5 @@ def growth(path, name, rows):
             curves.append(f"$cpu{number} with linespoints pt {point} ps 0.6 lc rgb '{colour}' title '{title}, CPU'")
     if name == "threads":
         script += data("clock", [(row["x"], row["seconds"]) for row in rows])
-        curves.append("$clock with linespoints pt 6 lc rgb '#1f5fa8' dt 2 title 'tilt_lens, by the clock'")
+        curves.append("$clock with linespoints pt 6 lc rgb '#1f5fa8' dt 2 title 'tilt_lens, elapsed'")
     draw(script + "plot " + ", ".join(curves) + "\n")

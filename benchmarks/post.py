@@ -13,7 +13,7 @@ EDGES = {"rough": ("+A0.0", "+AM1", "+R2"), "fine": ("+A0.0", "+AM1", "+R5")}
 
 
 def lens_options(messages):
-    """What scenes/camera.inc says of the lens, as options of the tool."""
+    """The lens of scenes/camera.inc as options of the tool."""
     numbers = re.search(r"^Lens: (.+)$", messages, re.MULTILINE).group(1).split()
     names = ("--width", "--distance", "--lens", "--focus", "--focus-slope")
     return [option for pair in zip(names, numbers) for option in pair]

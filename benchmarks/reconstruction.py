@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the reconstruction (`denoise`) brings for the same work, and by how much it falsifies a picture. Work is
-instructions (callgrind), which are the same every time, and an error is that of several independent pictures: what is
-looked for may be a hundredth."""
+"""The errors with and without reconstruction (`denoise`) after the same work, and the bias of the reconstruction. Work is
+the number of instructions (callgrind), which does not vary, and an error is that of several independent pictures, so
+that differences of 1 % show."""
 
 import math
 
@@ -12,7 +12,7 @@ from benchmarks.lab import PINHOLE, TILT_LENS, digest
 
 SIZE = (100, 75)        # callgrind takes fifty times as long as the program
 VARIANCES = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
-PICTURES = 8            # independent ones, whose mean shows the bias
+PICTURES = 8            # independent pictures, whose mean shows the bias
 
 
 def setting(scene, variance, denoise):
@@ -20,14 +20,14 @@ def setting(scene, variance, denoise):
 
 
 def error_and_bias(lab, scene, shot):
-    """RMSE of one picture, and what independent pictures have in common besides the truth. With a squared bias b and a
-    variance v of each, the error of the mean of k pictures is b + v/k, that of one b + v."""
+    """RMSE of one picture, and the bias that all independent pictures share. With a squared bias b and a variance v of each
+    picture, the mean square error of the mean of k pictures is b + v/k, and that of one picture b + v."""
     reference = lab.reference(scene.shot(TILT_LENS, size=SIZE), *scene.reference)
     key = digest("bias beside the reference", lab.hashes[lab.ours], shot.arguments()[2:], shot.sources(), reference.name, PICTURES)
     record = lab.runs.get((key, 0))
     if record is None:
         pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]
-        for number, picture in enumerate(pictures, scene.reference[0] + 1):     # none of the reference's
+        for number, picture in enumerate(pictures, scene.reference[0] + 1):     # independent of the reference
             lab.render(lab.ours, shot.independent(number), picture)
         of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
         of_each = lab.tool("noise", "errors", reference, *pictures)
@@ -39,9 +39,10 @@ def error_and_bias(lab, scene, shot):
 
 
 def measure(lab, scene, count=instructions.count):
-    """A row for each variance, without and with. What start and parsing take is not counted: the pictures are small."""
+    """A row for each variance, without and with reconstruction. The work does not include start and parsing, because the
+    pictures are small."""
     lab.say(f"{scene.name}: with and without reconstruction")
-    # of a pinhole: one pixel of a lens takes the samples of those around it too, the more so with `denoise on`
+    # of a pinhole: with a lens, one pixel needs the samples of its neighbours, too, and more of them with `denoise on`
     start = count(lab, lab.ours, lab.one_pixel(scene.shot(PINHOLE, size=SIZE)))
     rows = []
     for variance in VARIANCES[:3] if lab.quick else VARIANCES:
@@ -55,8 +56,8 @@ def measure(lab, scene, count=instructions.count):
 
 
 def compare(rows):
-    """Variance: RMSE without over RMSE with after the same work, that which it takes without, as far as both have
-    settings that take less and such that take more."""
+    """For each variance: RMSE without over RMSE with reconstruction, after the work that is needed without, limited to the
+    range of work that both settings cover."""
     off, on = ([(row["instructions"], row["rmse"]) for row in rows if row["denoise"] == denoise] for denoise in (0, 1))
     least = max(pareto(points)[0][0] for points in (off, on))
     most = min(pareto(points)[-1][0] for points in (off, on))

@@ -31,9 +31,9 @@ SCENES = [
     Scene("landscape", "landscape", (2, 1024)),
 ]
 
-# The errors compared at are those of stock with so many samples for every pixel.
+# The errors compared at are those of stock with these numbers of samples in each pixel.
 TARGETS = (37, 100, 400, 1600)
-# Stock at its best: a minimum that cures most of the premature stops, and a variance to go with it.
+# Settings for the best of stock: a minimum that prevents most early stops, and a variance that fits it.
 STOCK_ADAPTIVE = [(16, 100, 1e-2), (16, 400, 1e-3), (24, 200, 5e-3), (32, 400, 3e-3), (64, 800, 1e-3),
                   (64, 1600, 1e-3), (128, 1600, 3e-4), (128, 1600, 1e-4)]
 STOCK_CONFIDENCE = [(32, 400, 1e-3, 0.99), (64, 1600, 3e-4, 0.99), (32, 400, 3e-3, 0.5)]
@@ -47,7 +47,7 @@ def limits(least, most, variance, confidence=0.9):
 
 
 def stock_shots(scene, quick):
-    """(name, shot) of stock focal blur, those that give the targets first."""
+    """(name, shot) of stock focal blur; first those that define the errors compared at."""
     settings = [(samples, samples, 0, 0.9) for samples in (TARGETS[:3] if quick else TARGETS)]
     settings += [(*setting, 0.9) for setting in STOCK_ADAPTIVE if not quick or setting[0] <= 64]
     settings += [] if quick else STOCK_CONFIDENCE

@@ -31,8 +31,8 @@ def measure(lab, scene, errors):
 
 
 def compare(records, errors):
-    """One line an error: seconds of both. Where even all frames of the accumulation buffer leave more than the
-    error, their time is given as the least that it would take."""
+    """One line for each error: seconds of both programs. Where the accumulation buffer does not reach the error with all
+    frames, their time is a lower bound."""
     fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
               for program in ("accumulation", "tilt_lens")}
     lines = []

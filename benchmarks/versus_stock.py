@@ -17,7 +17,7 @@ def repetitions(cpu, quick):
 
 
 def first_runs(lab, scene, reference):
-    """Every setting once, the two programs in turn. Ours goes on until it is better than all errors compared at."""
+    """Each setting once, alternately of the two programs. Ours continues until it is better than all errors compared at."""
     stock = collections.deque(suite.stock_shots(scene, lab.quick))
     chains = [collections.deque(chain) for chain in suite.ours_chains(scene, 0, lab.quick)]
     done, errors = [], {}
@@ -59,7 +59,7 @@ def measure(lab, scene):
 
 
 def compare(records):
-    """One line a target: samples of stock, its error, the seconds of both for it."""
+    """One line for each target: samples of stock, its error, and the seconds of both programs for this error."""
     fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
               for program in ("stock", "tilt_lens")}
     lines = []

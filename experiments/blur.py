@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What blur ought to be, measured in pictures: the spots of small discs, the plane of sharp focus
+"""The blur in pictures against its closed form: the spots of small discs, the plane of sharp focus
 from slanted rulers, the hinge line by refocusing, and the wedge of the depth of field."""
 
 import dataclasses
@@ -26,7 +26,7 @@ def cropped(view, width, height):
 
 
 def spot_grid(lens):
-    """Discs over the frame, with blurs from -8 to 8 pixels in turn; (point, blur) pairs."""
+    """Discs all over the frame, with blurs from -8 to 8 pixels; (point, blur) pairs."""
     blurs, found = (-8, -4, 0, 4, 8), []
     for j in range(lens.view.height // 60):
         for i in range(lens.view.width // 60):
@@ -46,7 +46,7 @@ def error_of(measured, wanted):
 
 
 def spots(lab):
-    """Discs before, on and behind tilted planes; second moments against the closed form."""
+    """Discs in front of, on and behind tilted planes; second moments against the closed form."""
     rows = []
     for tilt in (10.5,) if lab.quick else (0.0, 10.5, -6.0):
         lens = Lens.tilted(cropped(PLAIN, 180, 120) if lab.quick else PLAIN, tilt, THROUGH)
@@ -80,7 +80,7 @@ def parabola(xs, ys):
 
 @dataclasses.dataclass
 class Ruler:
-    """A straight ruler with marks at u from -1 to 1, and what a picture of it shows."""
+    """A straight ruler with marks at u from -1 to 1, and the blur of its marks in a picture."""
 
     middle: tuple
     half: tuple                     # from the middle to the end
@@ -91,7 +91,7 @@ class Ruler:
         return add(self.middle, times(u, self.half))
 
     def places(self, lens):
-        """Where the marks are: evenly spaced in the picture, so that their spots keep apart."""
+        """The places of the marks: evenly spaced in the picture, so that their spots do not overlap."""
         near, far = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         steps = [i / (self.count - 1) for i in range(self.count)]
         return [2 * t * near / (far * (1 - t) + near * t) - 1 for t in steps]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Figs. 5 to 8 and Table 1 of the seed paper: a box on a checker board, three states of focus,
 brightness along a line on its top, its side and the floor. The paper compares with photographs that
-nobody else has; here the other curve is the unpatched program's accumulation buffer."""
+are not published; here the second curve is the unpatched program's accumulation buffer."""
 
 import dataclasses
 import math
@@ -43,7 +43,7 @@ def state(letter, view=VIEW):
 
 
 def oracle_case(letter, lens):
-    """The state for the oracle, which is told the tilt of the lens rather than the plane."""
+    """The state for the oracle, which takes the tilt of the lens instead of the plane."""
     view = lens.view
     return {"picture": [view.width, view.height],
             "camera": {"location": view.location, "look_at": view.look_at,

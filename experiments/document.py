@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""docs/paper.md and docs/pictures/paper: pictures, curves and tables are copied from a run, and the
-tables within the text are written from the copies. No number is typed in by hand:
+"""Writes docs/paper.md and docs/pictures/paper: pictures, curves and tables are copied from a run, and the tables
+within the text are written from the copies, so that no number is typed by hand:
 
     <!-- table: spots/claims.csv -->
-    ...whatever stands here is replaced...
+    ...the program replaces this text...
     <!-- end of table -->
 """
 
@@ -38,13 +38,13 @@ def table(path):
 
 
 def written():
-    """The text as it ought to be."""
+    """The page's text with the tables of the stored results."""
     return TABLE.sub(lambda found: found[1] + table(PICTURES / found[2]) + found[3],
                      TEXT.read_text())
 
 
 def update(folders):
-    """Takes over the results of experiments, a folder each."""
+    """Stores the results of experiments, one folder for each."""
     for folder in folders:
         target = PICTURES / folder.name
         shutil.rmtree(target, ignore_errors=True)
@@ -57,7 +57,7 @@ def update(folders):
 
 
 def faults():
-    """What in the document does not agree with the stored results."""
+    """Differences between the page and the stored results."""
     found = [f"docs/{link} is missing" for link in LINK.findall(TEXT.read_text())
              if not (TEXT.parent / link).is_file()]
     found += [f"docs/pictures/paper/{name} is missing" for _, name, _ in TABLE.findall(

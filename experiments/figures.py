@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The paper's Figs. 4, 5, 6 and 9: pictures for the eye, and the blur of what they show measured in
-them, against a pinhole's picture of the same scene."""
+"""The paper's Figs. 4, 5, 6 and 9: the pictures, and the blur of objects in them, measured against a pinhole picture of
+the same scene."""
 
 import dataclasses
 
@@ -37,8 +37,8 @@ def around(number, low, high, name):
 
 
 def dragons(lab):
-    """Fig. 4: the normal lens shows the second dragon sharp, the tilted one all four. The closed form
-    is tested on the floor to their right, where nothing of another depth is in the way."""
+    """Fig. 4: with the normal lens the second dragon is sharp, with the tilted lens all four. The closed form is tested
+    on the floor to their right, where no object of another depth covers it."""
     view = View((0.2, 2.7, -9.5), (0.55, 0.9, 2.2), *((256, 144) if lab.quick else (640, 360)),
                 0, 0, 1000)
     floor = [around(i, (1.5, 0, -0.6), (2.9, 0, 0.6), f"floor beside dragon {i + 1}")
@@ -84,15 +84,15 @@ def side_line(count):
 
 
 def sharp_place(lab, sharp, blurred, lens, points, half):
-    """Where the straight line through some points, all on one side of the plane of sharp focus or
-    near it, meets that plane by the picture: blur times depth is in proportion to the distance from
-    the plane, so a line through the measured values is zero there. Also the measured diameters."""
+    """The place where the line through some points meets the plane of sharp focus, as measured in the picture; the points
+    lie on one side of the plane or near it. Blur times depth is proportional to the distance from the plane, so that
+    a straight line through the measured values is zero there. Also returns the measured diameters."""
     windows = []
     for point in points:
         x, y = (round(c) for c in lens.pixel(point))
         windows.append([x - half, y - half, 2 * half, 2 * half])
     found = measure(lab, sharp, blurred, windows, 40)
-    # Where the blur is wide the grid matters little.
+    # A large blur hardly depends on the pixel grid.
     pairs = [(i / (len(points) - 1), d * lens.view.local(p)[2])
              for i, (p, d) in enumerate(zip(points, found)) if d > WIDE]
     n, mean_x, mean_y = len(pairs), *(sum(column) / len(pairs) for column in zip(*pairs))
@@ -103,14 +103,14 @@ def sharp_place(lab, sharp, blurred, lens, points, half):
 
 
 def box(lab):
-    """Figs. 5 and 6: where the three states are sharp. There is no quick form: in a smaller picture
-    the board's squares are too small to measure blur by."""
+    """Figs. 5 and 6: the sharp places of the three states. There is no quick form: in a smaller picture, the board's
+    squares are too small for a measurement of blur."""
     view = dataclasses.replace(box_scene.VIEW, width=360, height=240)
     size = (view.width, view.height)
     rows = []
     for letter, line, half in (("a", floor_line(33), 22), ("b", side_line(12), 11),
                                ("c", floor_line(33), 22)):
-        # each state has a film distance of its own, so a pinhole's picture of its own
+        # each state has another film distance, and therefore needs another pinhole picture
         shown = pictures(lab, [f"box_{letter}"], size,
                          [("Stop", 1e6), ("Variance", 1e-4)], finer=3)
         lens = box_scene.state(letter, view)
@@ -138,7 +138,7 @@ LANDSCAPE = [
 
 
 def landscape(lab):
-    """Fig. 9: what is sharp in the four landscapes, and twice the blur with twice the aperture."""
+    """Fig. 9: the blur in the four landscapes, and twice the blur with twice the aperture."""
     view = View((-10, 56, -116), (4, 3.4, -4), *((240, 180) if lab.quick else (640, 480)), 0, 0,
                 1000)
     planes = {"a": (8, sub(view.look_at, view.location), GREEN), "b": (8, (0, 1, 0), (0, 0, 0)),

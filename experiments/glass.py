@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A lens of glass as a second photograph of the box scene, and why it differs from the thin lens: its
-properties are given to the thin lens one after the other, and the difference that is left is
-measured after each. How large it may be is worked out, not chosen: rays that meet the scene some
-pixels aside change a line's brightness by at most so many times the picture's steepness."""
+"""The picture of the box scene through a glass lens, and the reasons of its difference from the thin lens: the thin
+lens gets the properties of the glass lens one after the other, and the remaining difference is measured after each. The
+limit of each difference is computed: rays that are displaced by some pixels change a line's brightness by at most that
+number times the picture's steepness."""
 
 import dataclasses
 
@@ -20,7 +20,7 @@ PINHOLE = 1e6           # f-number of the sharp picture
 
 @dataclasses.dataclass
 class Tracer:
-    """The program of its own for one state of the box scene."""
+    """The separate ray tracer, for one state of the box scene."""
 
     lab: object
     letter: str
@@ -28,7 +28,7 @@ class Tracer:
     lines: list
 
     def picture(self, model, f_stop=F_STOP, measure=False, whole=False):
-        """The lines' surroundings, or the whole picture; and what was measured of the rays."""
+        """Renders the surroundings of the lines, or the whole picture; also returns the measurements of the rays."""
         view, kind = self.lens.view, "whole" if whole else "sharp" if f_stop > F_STOP else "lines"
         made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
         made.parent.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What every experiment uses: programs, folders, rendering, and claims that hold or do not."""
+"""Programs and folders of the experiments, rendering, and claims that are checked."""
 
 import csv
 import dataclasses
@@ -18,13 +18,13 @@ OWN_SCENES = ROOT / "experiments" / "scenes"
 
 
 class Failed(Exception):
-    """A program of an experiment did not do its work."""
+    """A program of an experiment failed."""
 
 
 @dataclasses.dataclass
 class Claim:
-    """One measured number and what it must keep: at most the limit, whatever its sign; or, with
-    `low`, between the two."""
+    """One measured number and its tolerance: the absolute value is at most `limit`, or, with `low`, the value is between
+    `low` and `limit`."""
 
     text: str
     value: float
@@ -85,14 +85,14 @@ class Laboratory:
                    f"+H{size[1]}", f"+L{scene.parent}", f"+L{SCENES}", "-D", "-V", "-GA", "-P",
                    "-A", f"+WT{self.threads}",
                    *[f"Declare={name}={value}" for name, value in declare], *options]
-        # A picture of the same program, scene and options is kept: a run that was interrupted goes on.
+        # A picture of the same program, scene and options is kept, so that an interrupted run continues.
         key = self.key(command, scene, [scene.parent, SCENES, picture.parent])
         note = picture.with_name(picture.name + ".key")
         if picture.is_file() and note.is_file() and note.read_text() == key:
             return picture
         for old in (note, picture, picture.with_name(picture.name + ".pov-state")):
             old.unlink(missing_ok=True)
-        # Includes of a scene are read, and files written, in the folder the program runs in.
+        # The program reads includes from its current folder, and writes files there.
         self.run(command, cwd=picture.parent)
         if not picture.is_file():
             raise Failed(f"{scene}: the program ended well but wrote no {picture}")
@@ -100,7 +100,7 @@ class Laboratory:
         return picture
 
     def key(self, command, scene, folders):
-        """Changes with the program, the command, the scene, and what of the folders it includes."""
+        """A hash of the program, the command, the scene, and the files that it includes from the folders."""
         if not self.program:
             self.program = hashlib.sha256(self.povray.read_bytes()).hexdigest()
         found = hashlib.sha256((self.program + json.dumps([str(x) for x in command])).encode())
@@ -117,8 +117,7 @@ class Laboratory:
         return found.hexdigest()
 
     def png(self, picture, *drawing):
-        """The same picture for people, among the results: 8-bit sRGB, with what oiiotool's options
-        draw on it."""
+        """The same picture among the results, for display: 8-bit sRGB, with the drawing that oiiotool's options make."""
         made = self.results / picture.with_suffix(".png").name
         made.parent.mkdir(parents=True, exist_ok=True)
         self.run(["oiiotool", picture, "--ch", "R,G,B", "--colorconvert", "linear", "sRGB",

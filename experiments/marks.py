@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures of small bright discs, and the second moments of what the lens makes of them."""
+"""Pictures of small bright discs, and the second moments of their images."""
 
 import math
 
@@ -84,7 +84,7 @@ def sharp_moments(x, y):
 
 
 def expected(lens, point):
-    """What they are in closed form: the lens's ellipse, the disc, and the pixel's square."""
+    """The moments in closed form: the sum of those of the lens's ellipse, of the disc, and of the pixel's square."""
     blur = lens.blur_moments(point)
     if blur[0] + blur[2] < 0.1:
         return sharp_moments(*lens.pixel(point))

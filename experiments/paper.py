@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The seed paper's experiments: renders, measures, fails where a number leaves its tolerance."""
+"""The paper's experiments: renders, measures, and fails if a number is out of its tolerance."""
 
 import argparse
 import pathlib
@@ -38,7 +38,7 @@ def run(lab, name, function):
             claims.append([claim.text, float(claim.value), claim.unit, claim.allowed()])
             if not claim.holds:
                 failures.append(f"{name}: {claim.line()}")
-    except Exception as trouble:  # whatever it is, the other experiments go on
+    except Exception as trouble:  # the other experiments are run in any case
         print(f"   FAIL {type(trouble).__name__}: {trouble}", flush=True)
         failures.append(f"{name}: {type(trouble).__name__}: {str(trouble).splitlines()[0]}")
     if not claims and not failures:

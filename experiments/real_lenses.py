@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The same degree of blur as a real lens: blur diameters in millimetres on the film against
+"""The amount of blur of a real lens: blur diameters in millimetres on the film against
 
     c = f^2 / N * |1/u - 1/u0| / (1 - f/u0)
 
@@ -22,7 +22,7 @@ LENSES = [
     (150, 5.6, 3.0, (1.5, 6.0, 100.0)),
     (300, 2.8, 10.0, (6.0, 20.0, 200.0)),
 ]
-BLUR_PIXELS = 16        # the widest of a lens's blurs in its picture: the film is cropped to suit
+BLUR_PIXELS = 16        # the largest blur of a lens in its picture: the film is cropped accordingly
 
 
 def blur_diameter(f, n, focus, subject):

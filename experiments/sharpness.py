@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""How blurred regions of a finished picture are, measured against a pinhole's picture of the same
-scene, and what the closed form says of them."""
+"""The blur of regions of a picture, measured against a pinhole picture of the same scene, and compared with the closed
+form."""
 
 import dataclasses
 import itertools
@@ -10,13 +10,13 @@ import math
 
 from experiments.laboratory import Claim
 
-# By how an edge falls on the grid, a pixel's own variance, 1/12, is counted or is not; a disc's
-# variance is d^2/16. So a measured d^2 is right to 16/12 square pixels.
+# Depending on the place of an edge on the pixel grid, the pixel's own variance, 1/12, is included or not. The variance of
+# a disc is d^2/16, so that a measured d^2 has an uncertainty of 16/12 square pixels.
 GRID = 16 / 12
 
 
 def beyond_grid(diameter):
-    """What is left of a measured diameter without the grid's part: of a sharp place, nothing."""
+    """A measured diameter without the contribution of the pixel grid; 0 for a sharp place."""
     return math.sqrt(max(0.0, diameter * diameter - GRID))
 
 

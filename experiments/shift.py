@@ -33,7 +33,7 @@ def convergence(lab, name, declare, rows=(FIRST, LAST)):
 
 
 def tower(lab):
-    """Verticals of a tower: shifted, shifted and tilted, and, as a counter-test, looked up at."""
+    """Vertical edges of a tower: with a shift, with a shift and a tilt, and, as a counter-test, with a camera turned up."""
     rows = []
     for text, declare in (("shift 10 mm", [("Rise", 10)]),
                           ("shift 10 mm, tilt 4, f/4", [("Rise", 10), ("Tilt", 4), ("F_Stop", 4)])):
@@ -43,14 +43,14 @@ def tower(lab):
                     "pixels")
     found = convergence(lab, "tower_up.exr", [("Pitch", 1)])
     rows.append(["looking up instead", found])
-    # The measurement itself must see what a shift avoids: 17 degrees up converge by several pixels.
+    # The measurement must detect converging lines: with a camera turned up by 17 degrees, they converge by several pixels.
     yield Claim("looking up instead: pixels of convergence, as 1/x", 1 / abs(found), 0.2)
     lab.table("verticals.csv", ["camera", "convergence in pixels"], rows)
 
 
 def tilt_with_shift(lab):
-    """Discs behind a lens that is tilted and shifted: they lie where the shift puts them, and their
-    blur is that of the tilted lens at the place of the film that is looked at."""
+    """Images of discs through a lens that is tilted and shifted: they lie where the shift puts them, and have the blur of
+    the tilted lens at that place of the film."""
     view = dataclasses.replace(cropped(PLAIN, 180, 120) if lab.quick else PLAIN, shift=(3.0, 8.0))
     lens = Lens.tilted(view, 10.5, THROUGH)
     grid = spot_grid(lens)

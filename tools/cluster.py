@@ -1,12 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A private Slurm cluster on loopback: munge, one controller, some nodes, all in one folder and all this
-user's.
+"""A private Slurm cluster on loopback: munge, one controller and some nodes, in one folder and owned by this user.
 
-Nothing of the machine's own set-up matters: the daemons listen where their host's name leads, so they see a
-name of their own that leads to loopback (libnss-wrapper), whatever /etc/hosts holds; control groups, which
-a container may lack, are not used. Only processes that it started are ended, each by its number and only
-while the number is still theirs.
+The cluster does not depend on the machine's configuration. The daemons listen on the address of their host's name; they
+see a name of their own with the loopback address (libnss-wrapper), independent of /etc/hosts. Control groups, which a
+container may lack, are not used. The cluster ends only processes that it started: by their number, and only while the
+number still belongs to them.
 """
 
 import contextlib
@@ -55,7 +54,7 @@ SelectTypeParameters=CR_CPU
 SlurmdParameters=config_overrides
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
-# Version 1's plugin touches no control group until asked to; Slurm's own choice does when it starts.
+# The plugin of version 1 uses no control group by default; Slurm's own choice does at its start.
 NO_CONTROL_GROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}/cgroup\n"
 
 
@@ -108,7 +107,7 @@ def free_ports(count):
 
 
 class Cluster:
-    """Use as a context: the cluster is up inside and gone behind."""
+    """A context manager: the cluster runs inside the context."""
 
     def __init__(self, folder, nodes=3):
         self.folder = pathlib.Path(folder)
@@ -156,7 +155,7 @@ class Cluster:
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
-        """Starts a daemon in the foreground of its own session; even where this process is killed, it ends."""
+        """Starts a daemon in the foreground of its own session. It ends with this process, even if this process is killed."""
         env = dict(
             self.env,
             LD_PRELOAD="libnss_wrapper.so",
@@ -217,7 +216,7 @@ class Cluster:
         )
 
     def until(self, what, condition, seconds=30):
-        """Waits for something to become so."""
+        """Waits until a condition holds."""
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:
@@ -246,7 +245,7 @@ class Cluster:
         return steps + jobs
 
     def kill_node(self, node):
-        """What a power failure of one node does: everything on it is gone at once. Returns what jobs lost."""
+        """Kills all processes of a node at once, as a power failure does. Returns the numbers of the jobs' processes."""
         process, _ = self.processes.pop(node)
         found = self.job_processes(node, process.pid)
         for pid in [process.pid, *found]:
@@ -256,7 +255,7 @@ class Cluster:
         return found
 
     def stop(self):
-        """Jobs first, so that none is left; then nodes, controller, munge."""
+        """Ends the jobs first, so that none is left; then nodes, controller, munge."""
         if "slurmctld" in self.processes:
             self.run("scancel", "--me")
             with contextlib.suppress(AssertionError):
@@ -275,7 +274,7 @@ class Cluster:
 
 
 def main():
-    """cluster.py NODES COMMAND...: runs a command with a cluster to use."""
+    """python3 -m tools.cluster NODES COMMAND...: runs a command with a private cluster."""
     if len(sys.argv) < 3 or not sys.argv[1].isdigit():
         sys.exit(
             "usage: python3 -m tools.cluster NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes"

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The items of the block are the same everywhere: parser, manual, manual page, editors. Completion completes; snippets
-render; Vim colours, where Vim with its syntax files is installed."""
+"""Parser, manual, manual page and editors have the same items of the block. Completion offers the right words, snippets
+render, and Vim colours the words (if Vim with its syntax files is installed)."""
 
 import argparse
 import json
@@ -40,7 +40,7 @@ def snippets():
 
 
 class SameWords(unittest.TestCase):
-    """Who adds an item to the parser is told here where else it belongs."""
+    """A new item of the parser must be added in all these places."""
 
     def check(self, place, found):
         self.assertEqual(sorted(found), items(), f"{place} does not have the items of {WORDS.name}")
@@ -107,7 +107,7 @@ class Code(unittest.TestCase):
 
 
 class Completion(unittest.TestCase):
-    """What Bash would offer."""
+    """The completions that Bash offers."""
 
     def offered(self, line, folder=ROOT):
         words = line.split(" ")

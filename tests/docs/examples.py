@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders every example of a page, small, and the scenes that its ./render commands name. pages.py has the convention."""
+"""Renders each example of a page at a small size, and the scenes of its ./render commands. tools/docs/pages.py describes
+the comments that belong to examples."""
 
 import argparse
 import pathlib
@@ -54,12 +55,12 @@ def run(povray, folder, options):
 
 
 def plain(text):
-    """Text without line breaks of the program's making."""
+    """The text without the line breaks that the program inserts."""
     return re.sub(r"\s+", " ", text)
 
 
 def wrong_with(example, code, said, picture):
-    """What is wrong with the outcome of an example."""
+    """The faults in the outcome of an example."""
     fails = bool(example.expected["fails"])
     if code is None:
         yield "it did not end within 110 s"
@@ -78,7 +79,7 @@ def wrong_with(example, code, said, picture):
 
 
 def check_example(povray, example, folder, index):
-    """Messages on what is wrong with one example."""
+    """The faults of one example, as messages."""
     name = example.name or f"example_{index}.pov"
     (folder / name).write_text(scene_of(example))
     (folder / "picture.png").unlink(missing_ok=True)
@@ -89,13 +90,13 @@ def check_example(povray, example, folder, index):
 
 
 def check_output(povray, block, folder):
-    """A block of output against what the program says: the same lines in the same order; '...' skips some."""
+    """Compares a block of output with the program's messages: the same lines in the same order; '...' skips lines."""
     words = shlex.split(block.marker[1])
     name, options = words[0], words[1:]
     if not (folder / name).exists() and not (ROOT / name).exists():
         return [f"{block.place()}: the output is of {name}, which is neither an example of the page nor a scene"]
     path = name if (folder / name).exists() else ROOT / name
-    # what is known before the render needs one pixel of it; what is known after it needs all
+    # one pixel is enough for messages before the render; those after the render need the whole picture
     part = [] if "Samples per pixel" in block.text else ["+SC1", "+EC1", "+SR1", "+ER1"]
     code, said = run(povray, folder, [f"+I{path}", *options, *part])
     if code != 0:

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The pictures of the manual and the drawings of the optics are those that tools/docs/figures.py makes: no picture
-without its scene, none that is not shown, and no drawing older than its script."""
+"""The pictures of the manual and the drawings of the optics agree with tools/docs/figures.py: each picture has its scene
+and is shown, and each drawing is the result of its script."""
 
 import pathlib
 import re

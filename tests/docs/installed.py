@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What "cmake --install" puts beside the program for people to read: the pages, with links that lead somewhere, and the
-manual pages, which are formatted without a complaint."""
+"""The documentation that "cmake --install" installs: pages without broken links, and manual pages that groff formats
+without a warning."""
 
 import argparse
 import pathlib

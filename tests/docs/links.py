@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Links of the pages lead somewhere, and the commands that they tell to run exist."""
+"""Links of the pages are not broken, and the programs in their commands exist."""
 
 import argparse
 import os
@@ -17,7 +17,7 @@ OWN = re.compile(r"(\./|(cmake|tests|experiments|benchmarks|scenes|tools|docs|ed
 
 
 def check_links(path, text):
-    """Relative links name a file of the repository, and a heading where they have a #."""
+    """Relative links name an existing file, and an existing heading after a #."""
     for target in pages.links_of(text):
         if re.match(r"[a-z]+:", target):
             continue
@@ -26,13 +26,13 @@ def check_links(path, text):
         if not other.exists():
             yield f"link to {target}: there is no such file"
         elif re.search(rb"/(tmp|home|root)/", other.read_bytes() if other.suffix in PICTURES else b""):
-            yield f"link to {target}: the file holds the path of a folder where it was made; leave its metadata out"
+            yield f"link to {target}: the file contains the path of the folder where it was made; write it without metadata"
         elif anchor and other.suffix == ".md" and anchor not in pages.anchors_of(other.read_text()):
             yield f"link to {target}: no heading has that name"
 
 
 def check_commands(text, name):
-    """A program of ours that a command runs is there and may be run."""
+    """Programs and modules of this repository that a command runs exist, and are executable."""
     for number, command in pages.commands_of(name, text):
         try:
             words = shlex.split(command)

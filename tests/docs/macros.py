@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The macros of tilt_lens.inc: what they make is read off the lens report and off pictures, not off the macros."""
+"""The macros of tilt_lens.inc, checked by the lens report and by pictures."""
 
 import math
 import os
@@ -55,7 +55,7 @@ class Lens:
 
 
 def report(camera, before="", size=(32, 18)):
-    """What the program says of a camera."""
+    """The program's messages for a camera."""
     scene = f"{INCLUDE}{before}\ncamera {{ {RIGHT}blur_samples 1 {camera} }}\n{WORLD}"
     library = rendering.SETTINGS.library
     rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
@@ -66,7 +66,7 @@ def report(camera, before="", size=(32, 18)):
 
 
 def refusal(camera, before=""):
-    """What the program says of a scene that it must refuse."""
+    """The program's messages for a scene that it must refuse."""
     scene = f"#version 3.7;\n{INCLUDE}{before}\ncamera {{ {camera} }}\n{WORLD}"
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
@@ -109,7 +109,7 @@ class Macros(rendering.RenderTest):
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
-        """Every lens of the manual's table is what the table says, and warns past each limit and not before."""
+        """Each lens has the values of the manual's table, and causes a warning beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
         self.assertEqual(len(rows), 9)
         for macro, _, focal, stop, tilt, shift in rows:
@@ -227,7 +227,7 @@ class Macros(rendering.RenderTest):
         return rows, middle
 
     def test_upright(self):
-        """Poles stand upright in the picture, and what was looked at is its middle, as if looked up at."""
+        """Poles are vertical in the picture, and the look_at point is in its middle."""
         eye, top = "<0, 1.7, -22>", "<0, 9, 0>"
         for camera in (f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 0)",
                        f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 8) blur_samples 64",

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The reader of pages itself: no example may slip through, no broken link pass."""
+"""Tests of the page reader: it misses no example and no broken link."""
 
 import pathlib
 import tempfile
@@ -97,7 +97,7 @@ class Links(unittest.TestCase):
 
 
 class Outcome(unittest.TestCase):
-    """What the program did against what the page says."""
+    """Comparison of the program's outcome with the page."""
 
     def wrong(self, above, code, said, picture):
         example, = read(fenced("tilt 3", above))

@@ -16,7 +16,7 @@ SCRIPTS = sorted((ROOT / "tests" / "fuzz").glob("*.py"))
 
 
 def drop_refused(corpus):
-    """Removes what parser_fuzz.cpp does not look at: libFuzzer before LLVM 15 keeps it all the same."""
+    """Removes inputs that parser_fuzz.cpp ignores: libFuzzer before LLVM 15 keeps them."""
     for path in corpus.iterdir():
         data = path.read_bytes()
         if set(data) & set(b'#"') or any(not 32 <= byte < 127 and byte not in b"\n\t" for byte in data):
@@ -24,8 +24,8 @@ def drop_refused(corpus):
 
 
 def libfuzzer(name, program, corpus, length, runs, seconds):
-    """Runs, time and coverage, from the kept corpus on; a finding ends in words. Without a number of runs for some time,
-    and then what was found new is kept."""
+    """Runs libFuzzer from the kept corpus; returns runs, time, coverage, and the finding as text. Without a number of
+    runs it runs for a fixed time, and keeps new inputs."""
     kept.unpack(name, corpus)
     words = corpus.parent / f"{name}.dict"
     words.write_text("".join(f'"{word}"\n' for word in (*grammar_of_blocks.WORDS, "rgb", "<", ">", "{", "}", ", ", "1e309")))
@@ -88,7 +88,7 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
 
 
 def faults(result):
-    """What was found, in words."""
+    """The findings as sentences."""
     found = [f"{bad['answer']}\n{bad['text']}" for bad in result["grammar"]["bad"]]
     found += [f"{name}: {result[name]['finding']}" for name in ("solver", "parser")
               if name in result and result[name]["exit"] != 0]

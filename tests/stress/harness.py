@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the parts of the stress run share: where things are, results on the disk, work in several processes."""
+"""Shared by the parts of the stress run: folders, results on disk, parallel work."""
 
 import concurrent.futures
 import dataclasses
@@ -37,7 +37,7 @@ class Setup:
         return self.build / "tests" / "stress" / name
 
     def work(self, part):
-        """Where a part keeps what it has done so far."""
+        """The folder for a part's unfinished work."""
         folder = self.build / "stress" / part
         folder.mkdir(parents=True, exist_ok=True)
         return folder
@@ -57,7 +57,7 @@ def load(part):
 
 
 def once(folder, name, made_with, make):
-    """make()'s result, taken from the disk where the same program and scripts have made it before."""
+    """The result of make(), or the stored one if the same program and scripts made it before."""
     digest = hashlib.sha256()
     for path in made_with:
         digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())

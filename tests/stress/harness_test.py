@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The stress run's own mistakes: a result of another program, a finding that nobody hears, time that was only waited."""
+"""Tests of the stress run itself: results of other programs, findings that must be reported, CPU time against waiting."""
 
 import pathlib
 import sys

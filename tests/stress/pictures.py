@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Properties that a right picture has, whatever the sampler: constant surroundings, mirrors, moved worlds, noise.
+"""Properties of correct pictures that do not depend on the sampler: constant surroundings, mirrors, moved worlds, noise.
 
 Independent pictures of one scene come as in tests/reference/scenes/batch.inc: the frame is made wider by whole
 pixels, so that the same film point falls into another pixel and gets other samples.
@@ -26,7 +26,7 @@ SKY = "background { rgb <0.3, 0.5, 0.8> }\n"
 
 
 def use(setup):
-    """Tells the renderer's helpers which programs to take."""
+    """Sets the programs for the helpers of the render tests."""
     rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
 
 
@@ -198,7 +198,7 @@ def measure(setup, cameras=FURNACES, few=12, pictures=6, samples=2048):
 
 
 def limit_of_scores(result):
-    """What the largest of so many |t| with few degrees of freedom stays below in 999 of 1000 runs (Sidak)."""
+    """The limit that the largest of `count` values |t| with few degrees of freedom exceeds once in 1000 runs (Sidak)."""
     mirror = result["mirror"]
     blocks = (WIDTH // 8) * math.ceil(HEIGHT / 8) * mirror["cameras"]
     share = 1 - (1 - 1e-3) ** (1 / blocks)

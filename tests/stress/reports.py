@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Reads what sanitizers report: which findings there are, whose they are, which of them are known.
+"""Reads the reports of sanitizers: the findings, whether they are ours or upstream's, and whether they are known.
 
-A finding is ours where a frame of its stacks lies in one of our files. ThreadSanitizer's own suppressions match any frame
-of a stack, so that the name of a thread's first function would hide all that the thread does. Names are therefore held
-here against the innermost function of each side of a race, and both sides must be known.
+A finding is ours if a frame of its stacks lies in one of our files. ThreadSanitizer's own suppressions match any frame
+of a stack, so that the name of a thread's first function would hide the whole thread. Here, a name must match the
+innermost function of a side of a race, and both sides must be known.
 """
 
 import collections

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Measures and writes docs/numerics.md: python3 -m tests.stress.run [PART...], all parts without one.
 
-Each part keeps its result in docs/numerics/PART.json, and the page is made from what is there; long parts go on
-where they were stopped. `--page` makes the page alone, `--quick` measures small sizes and keeps nothing.
+Each part keeps its result in docs/numerics/PART.json, and the page is written from all kept results. Interrupted parts
+continue. `--page` only writes the page; `--quick` measures small sizes and keeps nothing.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from tests.stress import harness, page
 from tools.repository import BUILD
 
 PARTS = ("rays", "sampler", "pictures", "sanitizers", "fuzz", "faults", "soak", "scale", "shortly")
-# what the long forms need beyond ./check, each a Debian package of that name
+# programs that the long forms need in addition to those of ./check; the Debian packages have the same names
 TOOLS = {"sanitizers": "valgrind", "soak": "heaptrack"}
 QUICK = {
     "rays": {"cameras": 20_000, "extreme": 1000, "shard": 10_000},
@@ -36,7 +36,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=BUILD, help="the release build with its tests")
     parser.add_argument("--jobs", type=int, default=2, help="programs at a time")
     parser.add_argument("--page", action="store_true", help="make the page from kept results")
-    parser.add_argument("--quick", action="store_true", help="small sizes; fails where a promise is broken; keeps nothing")
+    parser.add_argument("--quick", action="store_true", help="small sizes; fails if a limit is exceeded; keeps nothing")
     settings = parser.parse_args()
     unknown = sorted(set(settings.parts) - set(PARTS))
     if unknown:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The whole program under AddressSanitizer with UndefinedBehaviorSanitizer, ThreadSanitizer and valgrind.
 
-The presets fuzz (clang's sanitizers) and tsan (gcc's) are built first. What is upstream's is suppressed by name in tests/stress/suppressions,
-with a reason each.
+The presets fuzz (clang's sanitizers) and tsan (gcc's) are built first. Known findings in upstream's code are suppressed by
+name in tests/stress/suppressions, each with its reason.
 """
 
 import os
@@ -32,8 +32,8 @@ def environment(tool_suppressions=True):
 
 
 def listener(program, folder, options=""):
-    """A command in place of the program, which keeps what it writes to standard error: not every sanitizer of gcc heeds
-    log_path, and the render tests take standard error for themselves. Options come last, where they win."""
+    """A command that runs the program and keeps its standard error: not all of gcc's sanitizers support log_path, and the
+    render tests read standard error themselves. Options come last, so that they take precedence."""
     script = folder / "povray"
     script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
@@ -134,7 +134,7 @@ def measure(setup):
 
 
 def faults(result):
-    """Findings that nothing suppresses, runs that failed, and a sanitizer that nobody hears."""
+    """Findings that are not suppressed, failed runs, and sanitizers that report nothing at all."""
     found = []
     for row in result["rows"]:
         if row["what"].endswith("nothing suppressed"):

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A program that is slow at its start, slower than its parser, and whose threads are slow to tell of a finished tile: it
-starts all the same, nobody looks at the parser's list of lights meanwhile, and progress never falls and misses no pixel.
-slow_tasks.py PROGRAM."""
+"""A program that starts slowly, more slowly than its parser, and whose threads report finished tiles late. It must start,
+must not read the parser's list of lights meanwhile, and its progress must not fall or miss a pixel.
+python3 -m tests.stress.slow_tasks PROGRAM"""
 
 import os
 import pathlib

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Memory over time: an animation of many tiny frames, and one large picture, each in one process. What counts for the
-large one is the processor's time, since a waiting program allocates nothing."""
+"""Memory over time: an animation of many tiny frames, and one large picture, each in one process. For the
+large picture, CPU time counts, because a waiting program allocates nothing."""
 
 import re
 import statistics

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs a command and watches what it costs: resident memory over time, processor time, wall time."""
+"""Runs a command and measures resident memory over time, CPU time and elapsed time."""
 
 import dataclasses
 import os

@@ -7,7 +7,7 @@
     python3 -m tools.docs.figures drawings            needs gnuplot (Debian: gnuplot-nox)
     python3 -m tools.docs.figures quality             the table
 
-The scenes are taken from the manual itself, so that a picture shows what its code makes. Pictures are written with
+The scenes are taken from the manual itself, so that each picture belongs to the code shown. Pictures are written with
 oiiotool (Debian: openimageio-tools).
 """
 
@@ -61,7 +61,7 @@ MADE = {
     "facade_shifted": ("facade.pov", ["Declare=Shifted=1", "+A0.05"], WIDE),
     "photograph": ("photograph.pov", [], (450, 300)),
 }
-ANTIALIASED = {"shift.pov"}  # no aperture: nothing else smooths the edges
+ANTIALIASED = {"shift.pov"}  # no aperture, hence one ray per pixel
 
 
 def scenes(folder):
@@ -73,13 +73,13 @@ def scenes(folder):
 
 
 def layer_commands():
-    """What the manual types to see the layers of board.png: {name of the picture made: words}."""
+    """The manual's commands that show the layers of board.png: {name of the resulting picture: words}."""
     lines = re.findall(r"^    (oiiotool board\.layers\.exr .* -o (\w+)\.png)$", MANUAL.read_text(), re.MULTILINE)
     return {name: shlex.split(line) for line, name in lines}
 
 
 def render(povray, folder, scene, options, size, output):
-    """What the program says."""
+    """Renders a scene; returns the program's messages."""
     command = [povray, f"+I{scene}", f"+O{output}", f"+W{size[0]}", f"+H{size[1]}", "-D", "-P",
                f"+L{ROOT / 'scenes' / 'include'}", *options]
     done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -91,7 +91,7 @@ def render(povray, folder, scene, options, size, output):
 
 
 def make_pictures(povray, names):
-    """Renders the pictures of these names, all where there is none."""
+    """Renders the pictures of these names, or all pictures if no name is given."""
     unknown = set(names) - set(MADE)
     if unknown:
         sys.exit(f"no such picture: {', '.join(sorted(unknown))}. Known: {', '.join(MADE)}")
@@ -113,7 +113,7 @@ def make_pictures(povray, names):
 
 
 def quality_table(povray):
-    """The table of qualities, measured: samples, noise that the program reports, time of one thread."""
+    """Measures the table of qualities: samples, the noise that the program reports, CPU time of one thread."""
     rows = ["| `Declare=Step=` | samples per pixel: mean, 99%, most | `Standard error` | CPU time, relative |",
             "| --- | --- | --- | --- |"]
     first = 0.0
@@ -134,7 +134,7 @@ def quality_table(povray):
 
 
 def make_drawings(names, folder=DRAWINGS):
-    """Plots the drawings of these names, all where there is none; returns their names."""
+    """Plots the drawings of these names, or all drawings if no name is given; returns their names."""
     if shutil.which("gnuplot") is None:
         sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
     scripts = {script.stem: script for script in sorted(SCRIPTS.glob("*.gp")) if script.stem != "common"}

@@ -7,8 +7,8 @@
     python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time
 
 Size and options of a picture are those of the command in the scene's opening comment. The full pictures
-stay in the output folder. With --small a picture is rendered in the thumbnail's size at once, which leaves a little more
-grain; its line of the table says so by its size.
+stay in the output folder. With --small, a picture is rendered at the size of the thumbnail, with slightly more noise; its
+line of the table has this size.
 """
 
 import argparse
@@ -69,7 +69,7 @@ def number(pattern, text, what):
     """The first group of the pattern, as it was printed."""
     found = re.search(pattern, text)
     if not found:
-        sys.exit(f"povray did not tell {what}:\n{text[-1500:]}")
+        sys.exit(f"povray did not report {what}:\n{text[-1500:]}")
     return found.group(1)
 
 
@@ -86,7 +86,7 @@ def render(scene, arguments):
         sys.exit(f"{' '.join(map(str, command))}\nexit code {done.returncode}\n{done.stdout[-1500:]}")
     size = re.search(r"Image Resolution\D*(\d+) x (\d+)", done.stdout)
     if not size:
-        sys.exit(f"povray did not tell the picture's size:\n{done.stdout[-1500:]}")
+        sys.exit(f"povray did not report the picture's size:\n{done.stdout[-1500:]}")
     row = [scene.name, size.group(1), size.group(2), f"{spent:.0f}",
            number(r"Samples per pixel\.+mean ([\d.]+)", done.stdout, "the samples"),
            number(r"Standard error\.+([\d.e-]+)", done.stdout, "the standard error")]
@@ -101,7 +101,7 @@ def make_thumbnail(picture, scene):
                         "--nosoftwareattrib", "--compression", f"jpeg:{quality}", "-o", str(thumbnail)], check=True)
         if thumbnail.stat().st_size < LARGEST:
             return thumbnail
-    sys.exit(f"{thumbnail} does not get smaller than {LARGEST} bytes")
+    sys.exit(f"{thumbnail} is larger than {LARGEST} bytes at the lowest quality")
 
 
 def read_table():
@@ -113,7 +113,7 @@ def read_table():
 
 
 def write_table(rows):
-    """The rows, for programs and into the page."""
+    """Writes the rows into the CSV file and into the page."""
     with TABLE.open("w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
@@ -126,7 +126,7 @@ def write_table(rows):
     head, mark_begin, rest = page.partition("<!-- table -->\n")
     _, mark_end, tail = rest.partition("<!-- end of table -->\n")
     if not mark_begin or not mark_end:
-        sys.exit(f"{PAGE} has no place for the table: <!-- table -->, <!-- end of table -->")
+        sys.exit(f"{PAGE} has no place for the table: the lines <!-- table --> and <!-- end of table --> are missing")
     PAGE.write_text(head + mark_begin + "\n".join(lines) + "\n" + mark_end + tail)
 
 
@@ -145,7 +145,7 @@ def main():
     if unknown:
         sys.exit(f"no such scene: {', '.join(unknown)}. There are: {', '.join(scenes)}")
     if not os.access(arguments.povray, os.X_OK):
-        sys.exit(f"{arguments.povray} is no program: run ./render once, or name another with --povray")
+        sys.exit(f"{arguments.povray} is not a program: run ./render once to build it, or give another one with --povray")
     arguments.output.mkdir(parents=True, exist_ok=True)
     THUMBNAILS.mkdir(parents=True, exist_ok=True)
     for name in arguments.scene or scenes:

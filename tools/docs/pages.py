@@ -1,20 +1,20 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Reads what is in a Markdown page: code, commands, links, headings.
+"""Reads code, commands, links and headings of a Markdown page.
 
 Code in a fence ```povray is an example, and every example is rendered by a test:
 
 - With #version it is a whole scene. Its name is in its first line: // tilt.pov: a board and cones
-- Other code has a comment right above its fence that says what it is part of:
+- Other code has a comment right above its fence with the place where it belongs:
     <!-- example: camera items -->        is put into a camera that has a view
     <!-- example: tilt_lens items -->     is put into a tilt_lens block of such a camera
     <!-- example: scene -->               has a camera statement; gets #version and objects
     <!-- example: not rendered, REASON -->
-- Further parts of the comment, each behind a semicolon: "says: TEXT" and "warns: TEXT" must appear in what the
-  program says, "fails: TEXT" makes it an example of an error. Without "warns" there must be no warning.
+- Further parts of the comment, each behind a semicolon: the texts of "says: TEXT" and "warns: TEXT" must appear in the
+  program's messages; "fails: TEXT" makes the code an example of an error. Without "warns" there must be no warning.
 
-Output in a fence ```text may be held to what the program says: <!-- output of tilt.pov +W640 +H360 --> above it
-names an example of the page. A line "..." in it stands for any lines.
+Output in a fence ```text is compared with the program's messages if a comment above it names an example of the page:
+<!-- output of tilt.pov +W640 +H360 -->. A line "..." in the output stands for any lines.
 
 Commands are in a fence ```sh, ```bash or ```console, or indented by four blanks.
 """
@@ -29,7 +29,7 @@ MARKER = re.compile(r"^\s*<!--\s*(example|output of)\b:?\s*(.*?)\s*-->\s*$")
 
 
 class BadPage(Exception):
-    """The page breaks the convention; says where and what to do."""
+    """A page that breaks these rules; the message has the place and the remedy."""
 
 
 @dataclasses.dataclass
@@ -102,7 +102,7 @@ def example_of(block):
 
 
 def expectations(block, parts):
-    """The texts that the program must say."""
+    """The texts that the program must print."""
     expected = {"says": [], "warns": [], "fails": []}
     for part in parts:
         verb, colon, text = part.strip().partition(":")
