@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Figs. 5 to 8 and Table 1 of the seed paper: a box on a checker board, three states of focus,
+"""Figs. 5 to 8 and Table 1 of the paper by Nakane et al.: a box on a checker board, three states of focus,
 brightness along a line on its top, its side and the floor. The paper compares with photographs that
 are not published; here the second curve is the unpatched program's accumulation buffer."""
 

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The seed paper's equation (1) as a table:
+// Equation (1) of the paper by Nakane et al. as a table:
 //
 //     tan(theta_L) = f_p tan(theta_F) / (U + f_p)
 //
@@ -88,7 +88,7 @@ void WriteLine(std::ostream& out, const Row& row)
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Equation (1) of the seed paper against the solver, both ways.");
+    CLI::App app("Equation (1) of the paper by Nakane et al. against the solver, both ways.");
     std::string csv;
     double limit = 8.0;  // a dozen roundings, at angles up to 85 degrees
     app.add_option("--csv", csv, "table to write")->required();

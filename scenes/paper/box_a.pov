@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The seed paper's Figs. 5 and 6, state (a): the plane of sharp focus parallel to lens and film.
+// Nakane et al., Figs. 5 and 6, state (a): the plane of sharp focus parallel to lens and film.
 //
 //   ./render scenes/paper/box_a.pov +W720 +H480
 //

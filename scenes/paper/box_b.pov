@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The seed paper's Figs. 5 and 6, state (b): the plane of sharp focus parallel to the floor, through the top of the box.
+// Nakane et al., Figs. 5 and 6, state (b): the plane of sharp focus parallel to the floor, through the top of the box.
 //
 //   ./render scenes/paper/box_b.pov +W720 +H480
 //

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The seed paper's Figs. 5 and 6, state (c): reverse tilt; the plane of sharp focus is upright and passes through the
+// Nakane et al., Figs. 5 and 6, state (c): reverse tilt; the plane of sharp focus is upright and passes through the
 // box's perpendicular edge nearest to the camera.
 //
 //   ./render scenes/paper/box_c.pov +W720 +H480

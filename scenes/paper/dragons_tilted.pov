@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The seed paper's Fig. 4: a row of four dragons in depth, the lens turned so that the plane of sharp focus stands
+// Nakane et al., Fig. 4: a row of four dragons in depth, the lens turned so that the plane of sharp focus stands
 // upright along the row.
 //
 //   ./render scenes/paper/dragons_tilted.pov +W720 +H405

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The seed paper's Fig. 9(a): a landscape, the ordinary lens.
+// Nakane et al., Fig. 9(a): a landscape, the ordinary lens.
 //
 //   ./render scenes/paper/landscape_a.pov +W960 +H720
 //

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The seed paper's Fig. 9(c): a landscape, reverse tilt: the plane of sharp focus perpendicular to the ground.
+// Nakane et al., Fig. 9(c): a landscape, reverse tilt: the plane of sharp focus perpendicular to the ground.
 //
 //   ./render scenes/paper/landscape_c.pov +W960 +H720
 //

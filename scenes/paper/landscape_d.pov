@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The seed paper's Fig. 9(d): a landscape, as (c) with twice the aperture.
+// Nakane et al., Fig. 9(d): a landscape, as (c) with twice the aperture.
 //
 //   ./render scenes/paper/landscape_d.pov +W960 +H720
 //

@@ -288,7 +288,7 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
         });
 }
 
-/// The seed paper's equation (1), with its angles measured in the camera's vertical plane.
+/// Equation (1), with its angles measured in the camera's vertical plane.
 double PaperLensAngle(double filmDistance, double focusAngle, double distance)
 {
     return std::atan(filmDistance * std::tan(focusAngle) / (distance + filmDistance));

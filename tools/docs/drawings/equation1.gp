@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# Equation (1) of the seed paper: tan(theta_L) = f_p tan(theta_F) / (U + f_p).
+# Equation (1) of the paper by Nakane et al.: tan(theta_L) = f_p tan(theta_F) / (U + f_p).
 load "common.gp"
 set border 3; set tics nomirror; set grid lc rgb "#dddddd"
 set xlabel "turn of the plane of sharp focus, degrees"
