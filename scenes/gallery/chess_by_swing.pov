@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Before the first move. A 90 mm lens, wide open, would hold one piece sharp; turned about its
-// vertical axis by 4 degrees (swing) it holds the whole row of White, from the rook near at hand to the
-// rook behind, while Black melts away.
+// A chess set before the first move. With a 90 mm lens at a wide aperture, one piece would be sharp. Turned about its
+// vertical axis (swing), the lens keeps the whole row of white pieces sharp, from the near rook to the far one, while the
+// black pieces are blurred.
 //
 //   ./render scenes/gallery/chess_by_swing.pov +W1280 +H720
 //
-// Play: Declare=Turned_Lens=0 is the ordinary lens. f_stop 11 is what it would take to get near
-// without swing, and the background comes with it.
+// Try: Declare=Turned_Lens=0 for an ordinary lens. Without swing, a similar depth of field needs about f_stop 11, which also
+// makes the background sharper.
 //
 // One unit is a centimetre. The swing follows from the hinge rule: sin(swing) = focal length / J,
 // where J is how far beside the lens the plane of sharp focus passes it; here to the right, so the

@@ -1,15 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Blue hour on the bridge. A 50 mm lens at f/1.4 turns the lamps of the far bank into hexagons: the shape
-// of a diaphragm with six blades. Swing lays the plane of sharp focus along the railing, so that the
-// locks are sharp from the near one to the far one.
+// A bridge at dusk. A 50 mm lens at f/1.4 shows the lamps of the far bank as hexagons, the shape of its diaphragm with six
+// blades. Swing turns the plane of sharp focus along the railing, so that the locks are sharp from the near one to the far
+// one.
 //
 //   ./render scenes/gallery/city_lights.pov +W1280 +H720
 //
-// Play: Declare=Blades=5, or 0 for a round stop; Declare=Swung=0 for a lens that is not turned: one lock is
-// sharp. Small bright lights that are far out of focus are the hardest thing for any sampler: for a
-// picture without grain give Declare=Samples=2000.
+// Try: Declare=Blades=5, or 0 for a round diaphragm; Declare=Swung=0 for a lens without swing, with which one lock is sharp.
+// Small bright lights far out of focus need many samples: Declare=Samples=2000 gives a picture with little noise.
 //
 // One unit is a centimetre (scene_unit 10). The camera is level; the swing follows from the hinge rule.
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
 // A guildhall of brick, photographed from the street with a 4x5 inch camera. The camera is level
-// and looks at the door; a shift of 42 mm upward brings the gable into the frame. So the walls stay
-// upright, which they do not when a camera looks up.
+// and looks at the door; a shift of 42 mm upward brings the gable into the frame. The walls are therefore vertical in the
+// picture, which they are not if the camera looks up.
 //
 //   ./render scenes/gallery/facade_by_shift.pov +W1280 +H1024
 //
-// Play: Declare=Look_Up=1 aims the camera at the gable instead, without shift: see the towers lean.
-// shift <40, 42> shows more of the house on the right, as if the photographer had stepped aside.
+// Try: Declare=Look_Up=1 aims the camera at the gable, without shift: the towers lean. shift <40, 42> shows more of the
+// house on the right.
 //
 // One unit is a metre.
 

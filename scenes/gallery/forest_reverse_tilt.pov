@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// September, in the evening. The lens leans away from the scene (a negative tilt), so that the
-// plane of sharp focus does not lie along the ground but cuts through it: the toadstools are sharp,
-// and the birch that stands beside them is not, though it is just as far away; its foot is.
+// A forest on a September evening. The lens leans away from the scene (a negative tilt), so that the plane of sharp focus
+// cuts through the ground instead of lying along it: the toadstools are sharp, while the birch beside them, at the same
+// distance, is sharp only at its foot.
 //
 //   ./render scenes/gallery/forest_reverse_tilt.pov +W1280 +H720
 //
-// Play: Declare=Lean=0 is the ordinary lens: the birch is sharp to its top. Declare=Lean=4 is the other
-// way: sharp from the moss in front to the far trees.
+// Try: Declare=Lean=0 for an ordinary lens, with which the birch is sharp to its top. With Declare=Lean=4, the picture is
+// sharp from the moss in front to the far trees.
 //
 // One unit is a centimetre (scene_unit 10).
 

@@ -1,12 +1,12 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A fishing harbour on a summer evening, as a model on a table. Tilt_Lens_Miniature writes the
-// whole lens from one number, the strength: how near, for its aperture, the model seems to be.
+// A fishing harbour on a summer evening, as a model on a table. Tilt_Lens_Miniature writes the whole block from the
+// camera's place, the subject and one number, the strength of the blur.
 //
 //   ./render scenes/gallery/miniature_harbour.pov +W1280 +H720
 //
-// Play: Declare=Strength=0.4 is discreet, 2 a toy, 0.02 a photograph of a real harbour.
+// Try: Declare=Strength=0.4 for less blur, 2 for a toy, 0.02 for a photograph of a real harbour.
 //
 // One unit is a metre. The water lies at y = -3, the quays at y = 0.
 

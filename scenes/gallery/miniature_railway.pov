@@ -1,13 +1,13 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The express leaves. Three points name the plane of sharp focus: the engine's buffers, the last
-// coach, and a chimney's height above the track between them. So the plane stands upright along the
-// train, and the station on both sides of it turns into a model.
+// An express train leaves a station. Three points define the plane of sharp focus: the engine's buffers, the last coach,
+// and a point at the height of a chimney above the track between them. The plane stands upright along the train, and the
+// blur on both sides of it makes the station look like a model.
 //
 //   ./render scenes/gallery/miniature_railway.pov +W1280 +H720
 //
-// Play: move the points to the goods train (radius 138); Declare=Stop=4; or remove focal_points.
+// Try: points on the goods train (radius 138); Declare=Stop=4; no focal_points.
 //
 // One unit is a metre, scene_unit 1000/87 is the scale H0. All tracks are circles about the origin.
 

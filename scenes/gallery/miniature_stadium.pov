@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A penalty kick late on a Saturday, before twelve thousand on the stands. focal_plane sets the
-// plane of sharp focus upright along the line that the ball will take: striker, keeper, goal and
-// the supporters behind it are sharp, the rest of the ground is a model.
+// A penalty kick in a full stadium. focal_plane sets the plane of sharp focus upright along the line of the shot: striker,
+// keeper, goal and the supporters behind the goal are sharp. The blur of everything else makes the stadium look like a
+// model.
 //
 //   ./render scenes/gallery/miniature_stadium.pov +W1280 +H720
 //
-// Play: Declare=Stop=1.4 for a smaller model, 8 for a larger; focal_plane { y, 0 } for the whole
-// pitch sharp and only the stands blurred.
+// Try: Declare=Stop=1.4 for the blur of a smaller model, 8 for that of a larger one; focal_plane { y, 0 } for a sharp pitch
+// and blurred stands.
 //
 // One unit is a metre; scene_unit 1000/87 is the scale H0. The pitch lies at y = 0 along x; the
 // near stand is at -z.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
 // A town that looks like a model railway. The plane of sharp focus stands upright through the market
-// square instead of facing the camera (reverse tilt), so that the street in front and the hills behind
-// melt away as they do when a lens looks at something a hand's breadth wide.
+// square instead of facing the camera (reverse tilt). The street in front and the hills behind are as blurred as in a
+// photograph of a small object.
 //
 //   ./render scenes/gallery/miniature_town.pov +W1280 +H720
 //
@@ -11,8 +11,8 @@
 //
 // Try focus_tilt 0 (an ordinary lens), f_stop 8, or a focal_point elsewhere in the town.
 //
-// One unit is a metre of the town, and scene_unit says that it is a Z scale model (1:220): the
-// camera stands 1.2 m from the model, which is what makes the blur so large.
+// One unit is a metre of the town, and scene_unit makes it a model of Z scale (1:220). The camera is 1.2 m from the model,
+// and this short distance makes the blur large.
 
 #version 3.7;
 #ifndef (Samples) #declare Samples = 160; #end

@@ -1,15 +1,15 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A wristwatch for a catalogue. The lens is close and open, so an ordinary lens would hold a strip
-// of the dial sharp. Here the plane of sharp focus is the dial itself: every index from 6 to 12 is
-// sharp at f/1.8, and pen, notebook and cup are soft.
+// A wristwatch for a catalogue. The lens is near and its aperture wide, so that with an ordinary lens a strip of the dial
+// would be sharp. Here the plane of sharp focus is the dial itself: all indices from 6 to 12 are sharp at f/1.8, and pen,
+// notebook and cup are blurred.
 //
 //   ./render scenes/gallery/watch_on_table.pov +W1280 +H720
 //
-// Play: Declare=Turned_Lens=0 is the ordinary lens; see what is left of the dial.
-// The message stream says by how much the lens is turned for it: 13 degrees, more than most real ones can
-// do, since the lens is so near. A photographer would take a longer one from farther away.
+// Try: Declare=Turned_Lens=0 for an ordinary lens.
+// The program reports by how much the lens is turned: 13 degrees. Most real lenses reach less; a photographer would use
+// a longer lens from farther away.
 //
 // One unit is a millimetre (scene_unit 1). The watch lies with its dial level, at y = 9.
 

@@ -7,9 +7,9 @@
 //   ./render scenes/tutorial/aperture.pov +W640 +H360 Declare=Stop=5.6
 //   ./render scenes/tutorial/aperture.pov +W640 +H360 Declare=Blades=0
 //
-// Look for: each light behind the pawns is a picture of the diaphragm, a hexagon here, a disc with
-// Blades=0. Two stops more (Stop=5.6) make it half as wide. The pawn in front stays as it is.
-// The diaphragm is upright behind the plane of focus and upside down before it (five blades show it).
+// Look for: each light behind the pawns appears as an image of the diaphragm: a hexagon here, a disc with Blades=0.
+// With a larger f-number (Stop=5.6) the images are smaller. The pawn in front is sharp in all pictures.
+// The image is upright behind the plane of sharp focus, and upside down in front of it (Blades=5 shows this).
 
 #version 3.7;
 global_settings { assumed_gamma 1 }

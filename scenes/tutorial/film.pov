@@ -6,8 +6,8 @@
 //   ./batch film scenes/tutorial/film.pov --frames 24 +W320 +H180
 //   ./batch sweep scenes/tutorial/film.pov --set Tilt=-8:8:4 --set Stop=1.4,4 +W320 +H180
 //
-// Look for: in the film the sharp row of pawns runs from the first to the last. In the sweep, tilt 8 keeps
-// the table sharp at any stop; tilt -8 leaves a sliver of it.
+// Look for: in the film, the sharp row of pawns moves from the first to the last. In the sweep, the whole table is sharp
+// with tilt 8 at any f-number; with tilt -8, a narrow strip of it is.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }

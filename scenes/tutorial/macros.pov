@@ -1,15 +1,15 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// The set-ups of tilt_lens.inc: one scene, one line of camera.
+// The set-ups of tilt_lens.inc: one scene, with one macro in the camera.
 //
 //   ./render scenes/tutorial/macros.pov +W640 +H360                     the miniature look
 //   ./render scenes/tutorial/macros.pov +W640 +H360 Declare=Look=1      sharp all over the ground
 //   ./render scenes/tutorial/macros.pov +W640 +H360 Declare=Look=2      a real 24 mm lens, shifted up
 //   ./render scenes/tutorial/macros.pov +W640 +H360 Declare=Look=3      sharp from a bench to a far roof
 //
-// Look for: the same village green as a toy, as a table sharp from hedge to wood, from a lawn chair, and along a
-// plane that rises from the near bench to the roofs behind.
+// Look for: the same village green as a toy; sharp all over the ground, from hedge to wood; seen from a lawn chair through
+// a shifted lens; and sharp along a plane that rises from the near bench to the roofs behind.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }

@@ -1,18 +1,18 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// A physical lens: focal length, f-number and film as engraved on the real one.
+// A physical lens: focal length, f-number and film width as on a real camera.
 //
 //   ./render scenes/tutorial/physical_lens.pov +W640 +H360
 //   ./render scenes/tutorial/physical_lens.pov +W640 +H360 Declare=Stop=16
 //
-// Look for: with 90 mm at f/4 and dice of 16 mm some 40 cm away, the sharp zone is as thin as it is
-// in a photograph: one die, its neighbours no longer. The message stream names the limits of
-// sharpness: compare them with a depth-of-field table.
-// Try: Stop=16; tilt 8, which lays the plane of focus along the row.
+// Look for: with 90 mm at f/4, and dice of 16 mm about 40 cm away, the sharp zone is as thin as in a photograph:
+// one die is sharp, and its neighbours are not. The program prints the limits of sharpness, which can be compared with a
+// depth-of-field table.
+// Try: Stop=16; tilt 8, which turns the plane of sharp focus along the row.
 //
-// The scene is in millimetres, so scene_unit is 1. There is no `angle`: the focal length and the film's
-// width say how much is seen.
+// The scene is in millimetres, so scene_unit is 1. There is no `angle`: focal length and film width determine the angle of
+// view.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }

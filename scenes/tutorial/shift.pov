@@ -1,15 +1,15 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Shift: a tall house from across the street, its walls upright.
+// Shift: a tall house from across the street, with vertical walls.
 //
 //   ./render scenes/tutorial/shift.pov +W640 +H360 +A0.2
 //
-// Look for: the camera looks straight ahead at eye level and the walls stay parallel, yet the gables are
-// in the picture: the frame was moved up over the film plane instead of the camera turned up.
-// Try: shift <0, 0>, much street and no gables; shift <0, 0> with look_at <0, 9, 0>, where walls lean.
+// Look for: the camera looks straight ahead at eye level, so that the walls are parallel. The gables are in the picture
+// because the frame is moved up over the film plane, instead of turning the camera up.
+// Try: shift <0, 0>, which shows more street and no gables; shift <0, 0> with look_at <0, 9, 0>, with converging walls.
 //
-// No aperture, so this is a pinhole picture; a shift works on it all the same.
+// Without an aperture this is a pinhole picture; a shift needs no aperture.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }

@@ -5,12 +5,12 @@
 //
 //   ./render scenes/tutorial/swing.pov +W640 +H360
 //
-// Look for: every spine can be read, the nearest and the farthest, while the vase and the ball that
-// stand before the shelf are blurred: they lie outside the upright wedge of sharpness.
-// Try: swing 0, where a few books are sharp; swing -Swing, which is worse than none.
+// Look for: all spines can be read, from the nearest to the farthest. The vase and the ball in front of the shelf are
+// blurred, because they lie outside the upright wedge of sharpness.
+// Try: swing 0, with which a few books are sharp; swing -Swing, with which fewer are.
 //
-// What tilt does about the horizontal axis, swing does about the vertical one. The shelf is on the left,
-// so is the hinge line, and that is a positive swing.
+// Tilt turns the lens about the horizontal axis, and swing about the vertical one. The shelf is on the left of the
+// camera; a positive swing puts the hinge line to the left, too.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }

@@ -1,13 +1,13 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Three points: say which three things must be sharp, and the lens is turned to suit.
+// Three points: the program turns the lens so that three given points are in focus.
 //
 //   ./render scenes/tutorial/three_points.pov +W640 +H360
 //
-// Look for: the three red pins stand near, far and high, and all three heads are sharp. Of the others
-// only those are that happen to lie in the plane through the three.
-// Try: another pin for P_3; without focal_points, where the lens focuses on look_at.
+// Look for: the three red pins stand near, far and high, and all three heads are sharp. Other pins are sharp only near the
+// plane through these three points.
+// Try: another pin for P_3; no focal_points, with which the lens focuses on look_at.
 
 #version 3.7;
 global_settings { assumed_gamma 1 }

@@ -1,16 +1,16 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 //
-// Tilt: a table sharp from the nearest square to the last.
+// Tilt: a board that is sharp from the nearest square to the farthest.
 //
 //   ./render scenes/tutorial/tilt.pov +W640 +H360
 //
-// Look for: the squares are sharp all the way, though the lens is wide open. The zone of sharpness is a
-// wedge that lies on the table: heads of pawns that rise out of it blur, the near ones first.
-// Try: Tilt = 0, the ordinary lens, where only one row is sharp.
+// Look for: all squares are sharp, although the lens is wide open. The zone of sharpness is a wedge along the board:
+// heads of pawns that rise out of the wedge are blurred, the near ones most.
+// Try: Tilt = 0, an ordinary lens, with which only one row is sharp.
 //
 // The plane of sharp focus passes through the hinge line, which runs below the lens at the distance
-// J = focal length / sin(tilt). For a table H below a lens that looks down by Pitch: J = H / cos(Pitch).
+// J = focal length / sin(tilt). For a board at the height H below a lens that looks down by Pitch: J = H / cos(Pitch).
 
 #version 3.7;
 global_settings { assumed_gamma 1 }
