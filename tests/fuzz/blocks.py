@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Sends the grammar's blocks through POV-Ray's parser, many a process, and judges what becomes of each."""
+"""Sends the grammar's blocks through POV-Ray's parser, many in one process, and checks each outcome."""
 
 import collections
 import dataclasses
@@ -14,7 +14,7 @@ BATCH = 500
 
 @dataclasses.dataclass
 class Outcome:
-    """What became of one block."""
+    """The outcome of one block."""
 
     kind: str  # of the grammar
     text: str
@@ -22,7 +22,7 @@ class Outcome:
 
 
 def parse(parser, texts):
-    """The parser's answers; after a crash the next process goes on behind the block that did it."""
+    """The parser's answers; after a crash, a new process continues behind the block that caused it."""
     answers = []
     while len(answers) < len(texts):
         data = b"".join(text.encode() + b"\0" for text in texts[len(answers):])
@@ -46,7 +46,7 @@ def run(parser, seed, count):
 
 
 def tally(outcomes):
-    """Counts by kind and answer, and the blocks that went wrong."""
+    """Counts by kind and answer, and the failed blocks."""
     counts = collections.Counter((o.kind, o.answer.split()[0]) for o in outcomes)
     bad = [o for o in outcomes if o.answer.split()[0] in ("wrong", "crash")]
     return {"counts": {f"{kind}: {answer}": n for (kind, answer), n in sorted(counts.items())},

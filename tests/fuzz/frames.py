@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders blocks that the parser has accepted, as the frames of an animation, many a process: each must become a picture
-whose numbers are finite."""
+"""Renders accepted blocks as the frames of an animation, many in one process: each must become a picture with finite
+values."""
 
 import os
 import pathlib
@@ -23,7 +23,7 @@ CAMERA = ("camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aper
 
 
 def _animate(povray, folder, first, last):
-    """Renders frames until one fails; what was said, or "" if none did."""
+    """Renders frames until one fails; returns the messages, or "" if none failed."""
     # one frame more than there are blocks: a single one would be no animation
     command = [os.path.abspath(povray), "+Iscene.pov", "+Oframe.exr", "+FE", "+W8", "+H6", "-D", "-P", "-A", "+WT1", "+KFI1",
                f"+KFF{last + 1}", f"+SF{first}", f"+EF{last}", "-C"]
@@ -37,7 +37,7 @@ def _animate(povray, folder, first, last):
 
 
 def _not_finite(pictures):
-    """Those of some pictures with a number that is none or infinite."""
+    """The pictures with NaN or infinite values."""
     found = set()
     said = subprocess.run(["oiiotool", "--stats", *map(str, pictures)], capture_output=True, text=True, check=True).stdout
     counts = re.findall(r"(?:Nan|Inf)Count: ([\d ]+)", said)
@@ -50,7 +50,7 @@ def _not_finite(pictures):
 
 
 def _render_batch(povray, texts):
-    """What went wrong: a list of (text, words)."""
+    """The failures: a list of (text of the block, message)."""
     wrong = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
@@ -73,7 +73,7 @@ def _render_batch(povray, texts):
 
 
 def render(povray, texts):
-    """Renders blocks; those that went wrong, as blocks.tally() lists them."""
+    """Renders blocks; returns the failed ones in the form of blocks.tally()."""
     wrong = []
     for start in range(0, len(texts), BATCH):
         wrong += _render_batch(povray, texts[start:start + BATCH])

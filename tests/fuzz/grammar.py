@@ -22,7 +22,7 @@ class Grammar:
         self.random = random.Random(seed)
 
     def number(self, low, high):
-        """A number as people write it, now and then as an expression."""
+        """A number as users write it, sometimes as an expression."""
         r = self.random
         value = r.uniform(low, high)
         text = r.choice((f"{value:.3g}", f"{value:.6f}", f"{value:.17g}", f"{value:.2e}"))
@@ -41,7 +41,7 @@ class Grammar:
                          f"srgb {self.vector(3, 0, 1)}"))
 
     def value(self, word):
-        """What belongs behind a word, mostly in a range that makes a lens."""
+        """The value for an item, mostly in a range that makes a lens."""
         r = self.random
         if word in ("tilt", "swing"):
             return self.number(-20, 20)
@@ -79,12 +79,12 @@ class Grammar:
         return [(word, self.value(word)) for word in words]
 
     def text(self, items):
-        """A block's inside, in one of the ways people lay it out."""
+        """The text inside a block, in one of several layouts."""
         gap = self.random.choice((" ", "\n", "\n  ", "\t", " // a remark\n", " /* a remark */ "))
         return gap + gap.join(f"{word} {value}".strip() for word, value in items) + gap
 
     def broken(self, items):
-        """One of the ways to spoil a block."""
+        """Makes a block invalid in one of several ways."""
         r = self.random
         items = list(items) or [("tilt", "3")]
         at = r.randrange(len(items))

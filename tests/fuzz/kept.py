@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The kept inputs: corpus/ is what libFuzzer needs to reach all the code it has reached so far, regressions/ what once went
-wrong. Each has solver.json, bytes in base 64, and parser.json, the texts of blocks."""
+"""The kept inputs: corpus/ has the inputs with which libFuzzer reaches all code that it has reached so far, regressions/
+those that once failed. Each has solver.json, bytes in base 64, and parser.json, the texts of blocks."""
 
 import base64
 import json
@@ -28,7 +28,7 @@ def save(where, name, inputs):
 
 
 def unpack(name, folder):
-    """All kept inputs of a target as files, which is what libFuzzer reads."""
+    """Writes all kept inputs of a target as files for libFuzzer."""
     folder.mkdir(parents=True, exist_ok=True)
     for where in ("corpus", "regressions"):
         for number, data in enumerate(load(where, name)):
@@ -36,7 +36,7 @@ def unpack(name, folder):
 
 
 def minimise(name, program, found):
-    """Makes the kept corpus of all inputs found: the fewest that reach the same code."""
+    """Reduces all inputs to the kept corpus: the fewest that reach the same code."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
         subprocess.run([str(program), "-set_cover_merge=1", folder, str(found)], capture_output=True, check=True,
                        env={"ASAN_OPTIONS": "detect_leaks=0", **os.environ})

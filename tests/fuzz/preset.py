@@ -11,7 +11,7 @@ WANTED = ("backend/shape/discs.cpp.o", "parser/tilt_lens_words.cpp.o", "fuzz/CMa
 
 
 def run(*command):
-    """Runs a command; ends the test with its words if it fails."""
+    """Runs a command; ends the test with its messages if it fails."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"{' '.join(command)}\n{done.stdout[-4000:]}")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Plain cameras as the bytes that solver_fuzz reads: where libFuzzer starts from.
+"""Plain cameras as the bytes that solver_fuzz reads, as libFuzzer's first inputs.
 
 The order of the fields is that of StatementFrom() in solver_fuzz.cpp.
 """

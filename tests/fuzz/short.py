@@ -19,7 +19,7 @@ BAD = ("tilt",
 
 
 def run_solver(program, *arguments):
-    """Runs libFuzzer; ends the test with its words if it finds something."""
+    """Runs libFuzzer; ends the test with its messages if it finds a fault."""
     done = subprocess.run([str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           check=False)
     print("\n".join(done.stdout.splitlines()[-3:]))
@@ -28,7 +28,7 @@ def run_solver(program, *arguments):
 
 
 def solver(settings):
-    """Some thousand inputs that grow from plain cameras."""
+    """Some thousand inputs, derived from plain cameras."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         seeds.write(folder / "corpus")
@@ -43,7 +43,7 @@ def known_words():
 
 
 def grammar_blocks(settings):
-    """Blocks of the grammar through the parser: each is a lens or one clear error, and there are many of both."""
+    """Blocks of the grammar through the parser: each results in a lens or in one error, and both occur often."""
     missing = known_words() ^ set(grammar.WORDS)
     if missing:
         sys.exit(f"the grammar and the parser know different words: {sorted(missing)}")
@@ -57,7 +57,7 @@ def grammar_blocks(settings):
 
 
 def grammar_frames(settings):
-    """Some accepted blocks as pictures; bad ones among them are found, and do not keep the others from being rendered."""
+    """Renders some accepted blocks; bad ones among them are detected, and the others are rendered nevertheless."""
     accepted = [o.text for o in blocks.run(settings.parser, 2, 3 * FRAMES) if o.answer == "lens"][:FRAMES]
     if len(accepted) < FRAMES:
         sys.exit(f"only {len(accepted)} of {3 * FRAMES} blocks accepted")
@@ -72,7 +72,7 @@ def grammar_frames(settings):
 
 
 def regressions(settings):
-    """What once went wrong, and the kept corpus."""
+    """Inputs that once failed, and the kept corpus."""
     cameras, texts = (kept.load("corpus", name) + kept.load("regressions", name) for name in ("solver", "parser"))
     if not cameras or not texts:
         sys.exit("no kept cameras or blocks")

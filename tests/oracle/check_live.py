@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The oracle program itself, live: a few frames agree with the stored oracle, and with the wrong
-sign of the tilt they do not. So the stored pictures can still be made by this program and this
-machine's unpatched POV-Ray."""
+"""Runs the oracle program: a few frames agree with the stored oracle, and with the wrong sign of the tilt they do not. This
+shows that this program and this machine's unpatched POV-Ray can still make the stored pictures."""
 
 import argparse
 import json

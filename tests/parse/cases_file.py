@@ -37,7 +37,7 @@ class BadCase(Exception):
 
 @dataclasses.dataclass
 class Expected:
-    """A message: which kind, and what it says."""
+    """A message: its kind and its text."""
 
     kind: str  # "error", "warning" or "says"
     parts: list
@@ -45,7 +45,7 @@ class Expected:
 
 @dataclasses.dataclass
 class Case:
-    """A scene and what POV-Ray must say of it."""
+    """A scene, and the messages that POV-Ray must print."""
 
     name: str
     files: dict  # name -> text; the scene is SCENE
@@ -99,7 +99,7 @@ def parse_case(name, lines):
         texts[SCENE] = HEAD + texts[SCENE]
     case = Case(name, texts, options, expected, place_of_mark(name, texts))
     if not expected and not ok:
-        raise BadCase(f"{name}: says neither what is expected nor ok")
+        raise BadCase(f"{name}: has neither an expected message nor ok")
     has_place = any(e.kind != "says" for e in expected)
     if len(case.parts("error")) > 1 or has_place != (case.place is not None):
         raise BadCase(f"{name}: needs at most one error, and a mark where an error or warning is expected")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs POV-Ray on each case of a file and compares what it says with what the case expects.
+"""Runs POV-Ray on each case of a file, and compares its messages with the expected ones.
 
 An expected error must be the only one, name file and line, contain the expected parts in their order,
 end the program with an exit code that is not zero, and leave no picture. Where no error is expected the
@@ -40,7 +40,7 @@ def messages_of(text):
 
 
 def has_parts(text, parts):
-    """Whether the parts stand in the text in this order."""
+    """Whether the text contains the parts in this order."""
     at = 0
     for part in parts:
         at = text.find(part, at)
@@ -67,7 +67,7 @@ def run(povray, case, folder, library):
 
 
 def compare_messages(case, found, kind):
-    """What is wrong with the messages of one kind."""
+    """The faults in the messages of one kind."""
     wanted = case.parts(kind)
     given = [message for message in found if message[0] == kind]
     if len(wanted) != len(given):
@@ -82,7 +82,7 @@ def compare_messages(case, found, kind):
 
 
 def check(povray, case, library):
-    """What is wrong, and the report for people; an empty list where all is well."""
+    """The faults, and a readable report; an empty list if there is none."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         command, code, output = run(povray, case, folder, library)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The runner itself: it must be able to fail."""
+"""Tests of the runner itself: it must detect faults."""
 
 import pathlib
 import tempfile
@@ -50,7 +50,7 @@ class Messages(unittest.TestCase):
 
 
 class Verdicts(unittest.TestCase):
-    """A program that says and does what the test wants."""
+    """A stand-in for the program with the test's messages and files."""
 
     def verdict(self, message, code, picture, text):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Checks a folder of patches against the habits that docs/patching.md states.
+"""Checks a folder of patches against the rules of docs/patching.md.
 
 usage: check_patches.py list|headers|size|style FOLDER
 
-Prints each fault on its line; the exit code tells whether there was one.
+Prints each fault on a line; the exit code is not 0 if there is a fault.
 """
 
 import datetime
@@ -86,7 +86,7 @@ def check_list(folder):
 
 
 def check_headers(folder):
-    """DEP-3 and our two fields are there and say something; dates are dates."""
+    """The fields of DEP-3 and our two fields exist and are not empty; dates are valid."""
     for name, text in listed_patches(folder):
         fields = header_fields(text)
         for field in REQUIRED_FIELDS:
@@ -102,7 +102,7 @@ def check_headers(folder):
 
 
 def check_size(folder):
-    """A hook stays a hook."""
+    """Patches are small."""
     for name, text in listed_patches(folder):
         added = sum(1 for _ in changed_lines(text, "+"))
         reason = header_fields(text).get("Size-Reason", "")
@@ -115,7 +115,7 @@ def check_size(folder):
 
 
 def check_style(folder):
-    """No noise: no white space at line ends, no change of white space alone, no binary."""
+    """No white space at line ends, no change of white space alone, no binary file."""
     for name, text in listed_patches(folder):
         added = list(changed_lines(text, "+"))
         removed = list(changed_lines(text, "-"))

@@ -52,7 +52,7 @@ class AreaLight(rendering.RenderTest):
         self.assertLess(shadow_rays(told["grid"]), 1.2 * shadow_rays(told["point"]), told["grid"])
 
     def test_pinhole_keeps_the_grid(self):
-        """Without an aperture nothing averages over many rays."""
+        """Without an aperture there are no rays to average over."""
         world = light("x*3, z*3, 3, 3 adaptive 10") + FLOOR + THINGS
         lens = rendering.render(scenes.camera("", 0) + world, **SIZE)
         pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world, **SIZE)

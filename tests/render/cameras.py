@@ -58,7 +58,7 @@ class Declared(rendering.RenderTest):
                     self.assert_same(behind, inside, f"{name}, {kind}")
 
     def test_identifier_is_not_changed(self):
-        """Using a camera moved leaves the declared one where it was."""
+        """A transformation behind an identifier does not change the declared camera."""
         both = (f"#declare Cam = {camera_of('points')}#declare Other = camera {{ Cam translate 5*x scale 3 }}\n"
                 f"camera {{ Cam }}\n")
         self.assert_same(rendering.render(both + scenes.WORLD), rendering.render(camera_of("points") + scenes.WORLD))
@@ -70,7 +70,7 @@ class Together(rendering.RenderTest):
     stills = {}
 
     def still(self, name):
-        """The picture that nothing has moved, rendered once."""
+        """The picture without transformations, rendered once."""
         if name not in self.stills:
             self.stills[name] = rendering.render(camera_of(name) + moved_world(""), "+WT2", **SIZE)
         return self.stills[name]
@@ -99,7 +99,7 @@ class Together(rendering.RenderTest):
         self.check("scale <-1, 1, 1>", names=("lens turned", "focus turned", "plane", "points"))
 
     def test_camera_written_out(self):
-        """The numbers of the moved camera by hand, not by a transformation."""
+        """The moved camera with its numbers written out, without a transformation."""
         tail = "translate <1, 2, 3>"
         out = ("camera { location <1.4, 3.5, -1> look_at <1, 2.5, 3.5> angle 45 aperture 0.3 " + SAMPLES +
                "tilt_lens { focal_points <1, 2, 3>, <2, 2.2, 3>, <1, 2.5, 6> } }\n")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small lamps far brighter than white are found and as good as the variance asks for, sharp or far out of focus."""
+"""Small lamps far brighter than white are found, and keep the requested variance, sharp or far out of focus."""
 
 from tests.render import rendering, scenes
 
@@ -11,7 +11,7 @@ SIZE = {"width": 40, "height": 30}
 
 
 def lamps(glow):
-    """Rows of lamps from before the plane of focus to far behind it, each kind of object, one of them hidden."""
+    """Rows of lamps from in front of the plane of focus to far behind it, each kind of object, one of them hidden."""
     return f"""
 #for (I, 0, 5)
   #for (J, -3, 3)

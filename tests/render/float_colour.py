@@ -42,7 +42,7 @@ class FloatColour(rendering.RenderTest):
             self.assertNotAlmostEqual(seen.pixel(0, 0)[0], VALUES[0], delta=1.0)
 
     def test_same_picture_as_half(self):
-        """The same colours, alpha and gamma as with 16 bits, but for the digits."""
+        """The same colours, alpha and gamma as with 16 bits, except for the precision."""
         for options in ((), ("+UA",), ("File_Gamma=2.2",)):
             scene = scenes.TILTED.replace("background { rgb <0.3, 0.5, 0.8> }", "")
             many, few = picture(scene, "+FE32", *options)[0], picture(scene, *options)[0]
@@ -51,7 +51,7 @@ class FloatColour(rendering.RenderTest):
                 self.assertAlmostEqual(a, b, delta=1e-7 + 6e-4 * abs(a))
 
     def test_other_formats_stay_as_they_are(self):
-        """Upstream takes 32 as 16 there; command lines that were right must stay so, but are told."""
+        """Upstream treats 32 as 16 there; existing command lines must still work, with a warning."""
         wanted = rendering.render(SQUARES, "+FN16", **SIZE)
         self.assertEqual(rendering.render(SQUARES, "+FN32", **SIZE).values, wanted.values)
         for option in ("+FN32", "+FT32", "+FP32", "+FB32", "+FJ32", "+FH32"):

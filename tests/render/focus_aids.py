@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""focus_peaking, focus_map and show_planes: what they draw, where, and what they cost."""
+"""focus_peaking, focus_map and show_planes: their pixels and their cost."""
 
 import functools
 import math
@@ -37,7 +37,7 @@ def wall(distance, aid, width=64, height=48):
 
 
 def brightness(pixel):
-    """Of a display, roughly."""
+    """Approximate luminance on a display."""
     return 0.2 * pixel[0] + 0.7 * pixel[1] + 0.1 * pixel[2]
 
 
@@ -84,7 +84,7 @@ class Peaking(rendering.RenderTest):
         self.assertTrue(300 < tinted < 9000, f"{tinted} pixels are tinted\n{sharp.told}")
 
     def test_an_area_light_lights_with_all_its_points(self):
-        """One ray for a pixel has to do with what many rays share."""
+        """With one ray per pixel, that ray must use all points of an area light."""
         tinted = self.count_tinted(picture(PEAKING, world=AREA_LIT), pinhole(world=AREA_LIT))
         self.assertGreater(tinted, 300)
 
@@ -105,7 +105,7 @@ class Peaking(rendering.RenderTest):
 
 class Map(rendering.RenderTest):
     def test_hue_is_the_side_and_darkness_the_amount(self):
-        """Over the whole range, against blurs worked out by hand."""
+        """Over the whole range, against blurs calculated in the test."""
         before = None
         for distance in (10.0, 9.0, 7.0, 5.0, 3.0, 1.5, 0.8, 0.4):
             seen, blur = wall(distance, "focus_map")
@@ -159,7 +159,7 @@ class Map(rendering.RenderTest):
 
 class Planes(rendering.RenderTest):
     def test_hidden_behind_what_is_nearer(self):
-        """Where the scene is nearer than all three surfaces the picture is the pinhole's; elsewhere not."""
+        """Where the scene is nearer than all three surfaces, the picture is that of a pinhole; elsewhere it differs."""
         lens = "tilt 0 "
         near = "sphere { <0.4, 1.5, -4> + 0.6*(<0, 0.5, 0.5> - <0.4, 1.5, -4>), 0.3 pigment { rgb 0.6 } }\n"
         seen, plain = (picture("show_planes", lens=lens, world=scenes.WORLD + near), pinhole(scenes.WORLD + near, lens))

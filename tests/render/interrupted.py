@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A render that is killed or interrupted and then continued with +C ends in the same pixels."""
+"""A render that is killed or interrupted, and then continued with +C, has the same pixels."""
 
 import pathlib
 import re
@@ -20,7 +20,7 @@ class Interrupted(rendering.RenderTest):
         cls.whole = rendering.render(SLOW, "+WT2", **SIZE)
 
     def interrupt(self, folder, stop):
-        """Stops a render when part of it is on the disk."""
+        """Stops a render when a part of it is on the disk."""
         process = rendering.Job(SLOW, ("+WT1", "+BS8"), **SIZE).start(folder)
         try:
             end = time.monotonic() + 60

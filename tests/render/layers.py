@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Output_Layers: the OpenEXR file beside the picture, its numbers, and that it is never lost or torn."""
+"""Output_Layers: the values of the OpenEXR file beside the picture, and its safety against loss and damage."""
 
 import math
 import os
@@ -57,7 +57,7 @@ class Rendered:
 
 
 def header(path):
-    """What exrheader says of a file."""
+    """The output of exrheader for a file."""
     return subprocess.run(["exrheader", str(path)], capture_output=True, check=True, text=True).stdout
 
 
@@ -80,7 +80,7 @@ class Numbers(rendering.RenderTest):
         self.assertIn("tiltLens:tilt: 4", said)
 
     def test_commands_of_the_manual(self):
-        """What the manual types to see the layers makes pictures in which there is something to be seen."""
+        """The manual's commands for the layers make pictures that are not empty."""
         manual = ROOT / "docs" / "manual.md"
         commands = [shlex.split(line) for line in re.findall(r"^    (oiiotool board\.layers\.exr .*)$", manual.read_text(), re.MULTILINE)]
         self.assertGreaterEqual(len(commands), 4)
@@ -268,7 +268,7 @@ class Files(rendering.RenderTest):
         self.assertEqual([float(t) for t in tilts], [0.0, 2.0, 4.0])
 
     def refused(self, *options, prepare=None):
-        """What the program says when it refuses; no layers, no picture."""
+        """The program's messages when it refuses; there are no layers and no picture."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "out").mkdir()
@@ -315,7 +315,7 @@ class Files(rendering.RenderTest):
             self.assertEqual(list(folder.glob("*.pov-state")), [])
 
     def test_links_lead_nowhere(self):
-        """A link of the file's name is replaced, not followed, as that of a picture is."""
+        """A symbolic link of the file's name is replaced, not followed, as for the picture."""
         for exists in (True, False):
             with self.subTest(exists=exists), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 folder = pathlib.Path(name)

@@ -36,7 +36,7 @@ class Furnace(rendering.RenderTest):
 
 
 class Renders(rendering.RenderTest):
-    """Pictures near those of a pinhole, since the lens is small: nothing is lost on the way."""
+    """With a small lens, pictures are close to those of a pinhole: no light is lost."""
 
     WORLDS = {
         "radiosity": "global_settings { radiosity { count 30 pretrace_start 0.1 pretrace_end 0.05 } }\n",
@@ -63,7 +63,7 @@ class Renders(rendering.RenderTest):
                 self.assert_near(lens, pinhole, limit, name)
 
     def test_camera_normal(self):
-        """Waves in the camera's normal distort as they do in stock."""
+        """Waves in the camera's normal distort as in stock POV-Ray."""
         tail = "normal { waves 0.05 scale 0.3 }"
         lens = rendering.render(scenes.camera("tilt 3", 0.002, tail=tail) + scenes.WORLD, **SIZE)
         stock = rendering.render(f"camera {{ {scenes.VIEW}{tail} }}\n" + scenes.WORLD, "+A0.0", "+R4", **SIZE)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The numbers of a lens in the message streams: where they stand, and that they can be silenced."""
+"""The numbers of the lens in the message streams: their order, and how to switch them off."""
 
 import pathlib
 import re
@@ -27,7 +27,7 @@ class Report(rendering.RenderTest):
             self.assertEqual(said.count(word), 1, f"'{word}' {said.count(word)} times\n{said}")
 
     def test_silenced(self):
-        """Without streams on the console nothing of it is said."""
+        """With the streams switched off, nothing is printed."""
         said = rendering.render_and_listen(scenes.TILTED, "-GA")[1]
         self.assertNotIn("Tilt Lens", said)
 
@@ -59,7 +59,7 @@ class Report(rendering.RenderTest):
         self.assertNotRegex(said, re.compile("tilt[ _]lens", re.IGNORECASE))
 
     def test_samples_and_error(self):
-        """The samples are within the limits asked for, the error near the one asked for."""
+        """The samples are within their limits, and the error is near the requested one."""
         said = rendering.render_and_listen(scenes.camera(samples="blur_samples 16, 4096 variance 1/2000 ") + scenes.WORLD)[1]
         samples = re.search(r"Samples per pixel\.+mean ([\d.]+), 99% (\d+), most (\d+)", said)
         error = re.search(r"Standard error\.+([\d.e-]+) of white", said)

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What draws random numbers gives the same pixels with one thread as with many.
+"""Features that use random numbers give the same pixels with one thread and with many.
 
-Radiosity is the exception that the contract makes; it is rendered in light.py.
+Radiosity is the documented exception; light.py renders it.
 """
 
 from tests.render import rendering, scenes

@@ -26,7 +26,7 @@ def shown(said):
 
 class Progress(rendering.RenderTest):
     def test_counts_the_work(self):
-        """Sky first: half of the pixels are a small part of the work, and the display says so."""
+        """Sky first: half of the pixels are a small part of the work, and the percentage is accordingly small."""
         said = rendering.render_and_listen(HALVES, "+WT1", "+BS16", "+V", **SIZE)[1]
         messages = shown(said)
         self.assertGreater(len(messages), 20, said)
@@ -63,7 +63,7 @@ class Progress(rendering.RenderTest):
         self.assertEqual(shown(rendering.render_and_listen(HALVES, "-V", **SIZE)[1]), [])
 
     def test_focus_aids_and_radiosity(self):
-        """Pixels are work there: focus aids take one ray each; and trying pixels would change radiosity."""
+        """There, pixels count: focus aids take one ray for each pixel, and test rays would change radiosity."""
         radiosity = "global_settings { radiosity { count 8 pretrace_start 0.2 pretrace_end 0.1 } }\n"
         for scene in (scenes.camera("focus_map") + scenes.WORLD, radiosity + HALVES):
             messages = shown(rendering.render_and_listen(scene, "+V", "+BS16", "+WT1", **SIZE)[1])
@@ -71,7 +71,7 @@ class Progress(rendering.RenderTest):
             self.assertEqual([percent for _, percent in messages], [100 * i // 48 for i in range(1, 49)])
 
     def test_continued(self):
-        """A continued render begins where the first one ended."""
+        """The progress of a continued render starts where the first one ended."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             scene = HALVES.replace("sky -y", "").replace("8, 256 variance 1/20000", "600 variance 0")
@@ -113,7 +113,7 @@ class Summary(rendering.RenderTest):
         self.assertRegex(said, r"of white \(estimated\), all samples asked for")
 
     def test_what_was_left_out(self):
-        """Pixels at MAX, which the statistics of all samples bound; nothing where there is nothing to tell."""
+        """Pixels at MAX, compared with the statistics of all samples; no line if there are none."""
         said = rendering.render_and_listen(HALVES.replace("8, 256", "8, 32"), **SIZE)[1]
         stopped = re.search(r"Stopped by MAX\.+(\d+) pixels \(([\d.]+)%\), at 32 samples", said)
         self.assertIsNotNone(stopped, said)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small renders for tests: run POV-Ray on a text, decode the picture, tell of it when a test fails."""
+"""Small renders for tests: runs POV-Ray on a scene, decodes the picture, and describes it when a test fails."""
 
 import argparse
 import array
@@ -77,7 +77,7 @@ class Job:
                 *self.options]
 
     def told(self):
-        """For people: what to type, and the scene."""
+        """The command and the scene, for messages."""
         return f"{' '.join(self.command())}\n{HEAD}{self.scene.strip()}\n"
 
     def start(self, folder):
@@ -88,7 +88,7 @@ class Job:
                                 stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(folder / "none.ini")})
 
     def run(self, folder):
-        """Renders in the folder; returns what POV-Ray said. Fails a test if there is no picture."""
+        """Renders in the folder; returns POV-Ray's messages. Fails a test if there is no picture."""
         process = self.start(folder)
         try:
             said = process.communicate(timeout=120)[0].decode(errors="replace")
@@ -111,7 +111,7 @@ def render(scene, *options, **how):
 
 
 def render_and_listen(scene, *options, **how):
-    """The picture of a scene, and what POV-Ray said."""
+    """The picture of a scene, and POV-Ray's messages."""
     job = Job(scene, options, **how)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         said = job.run(pathlib.Path(name))
@@ -135,7 +135,7 @@ class RenderTest(unittest.TestCase):
     longMessage = False
 
     def assert_same(self, a, b, what=""):
-        """Every channel of every pixel is equal, and there is something to be seen."""
+        """All channels of all pixels are equal, and the picture is not empty."""
         rms, largest = difference(a, b)
         if largest != 0.0:
             off = [i // len(a.names) for i, (u, v) in enumerate(zip(a.values, b.values)) if u != v]

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What a scene does not need is not done, and the summary counts it."""
+"""Work that a scene does not need is skipped, and the summary counts it."""
 
 import re
 

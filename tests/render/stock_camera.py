@@ -43,7 +43,7 @@ class Pinhole(rendering.RenderTest):
         self.assert_near(rendering.render(own, **SIZE), rendering.render(sheared, **SIZE), 1e-4, "shear")
 
     def test_shift_by_whole_pixels(self):
-        """36 mm are 72 pixels, so 3.5 mm are 7 and 2 mm are 4: up and right show more of what lies there."""
+        """36 mm are 72 pixels, so that 3.5 mm are 7 pixels and 2 mm are 4; a shift up and right shows more above and right."""
         still = rendering.render(pinhole(""), **SIZE)
         moved = rendering.render(pinhole("shift <3.5, 2>"), **SIZE)
         self.assert_near(moved.crop(0, 4, 65, 54), still.crop(7, 0, 72, 50), 1e-3, "shift")
@@ -94,7 +94,7 @@ class BlurSize(rendering.RenderTest):
         self.assertLess(abs(light / stock_light - 1), 0.15, told)
 
     def test_blur_scales_with_aperture(self):
-        """The same test must see a lens of another size."""
+        """The same test must fail for a lens of another size."""
         half = self.CAMERA.replace("aperture 2", "aperture 1")
         self.assertLess(self.spread(f"camera {{ {half}tilt_lens {{}} }}\n{self.SCENE}")[0],
                         0.75 * self.spread(f"camera {{ {self.CAMERA}tilt_lens {{}} }}\n{self.SCENE}")[0])

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the set-up tests share: folders of this build, and a way to run things in a folder of their own."""
+"""Shared by the set-up tests: folders of this build, and commands in a scratch folder."""
 
 import os
 import pathlib

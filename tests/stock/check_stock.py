@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders one scene without tilt_lens with the unpatched program and with the fork: same pixels?
+"""Renders one scene without tilt_lens with the unpatched program and with the fork, and compares the pixels.
 
-Compared are the decoded pixels, 16 bits a channel: the files themselves hold dates and versions.
+The decoded pixels are compared, with 16 bits in each channel, because the files contain dates and versions.
 Both run with one thread (radiosity and area lights depend on the number of threads), the same
 library path, and no settings but those given here.
 """

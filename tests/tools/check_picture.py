@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Renders one picture with the fork and compares it with its reference.
 
-The exit code is one of pictures.OUTCOMES. What is wrong goes to the standard error and, with
-the pictures side by side, to a local page.
+The exit code is one of pictures.OUTCOMES. Faults are printed on standard error, and shown on a local page with the
+pictures side by side.
 """
 
 import argparse
@@ -21,12 +21,12 @@ def arguments():
     parser.add_argument("name", help="for example oracle/tilt or renders/table")
     parser.add_argument("--povray", required=True, help="the fork")
     parser.add_argument("--compare", required=True, help="the comparison program")
-    parser.add_argument("--work", required=True, type=pathlib.Path, help="folder for what is made")
+    parser.add_argument("--work", required=True, type=pathlib.Path, help="folder for the results")
     parser.add_argument("--references", type=pathlib.Path, default=manifest.FOLDER)
     parser.add_argument("--declare", action="append", default=[], metavar="NAME=VALUE",
                         help="changes the scene, to show that the comparison notices")
     parser.add_argument("--expect", choices=pictures.OUTCOMES, default="same",
-                        help="the outcome that is right; anything else fails")
+                        help="the expected outcome; any other one fails")
     return parser.parse_args()
 
 
@@ -48,7 +48,7 @@ def check(entry, args, folder):
 
 
 def report(entry, args, folder, trouble):
-    """Says what is wrong, on the standard error and as a page."""
+    """Reports a fault on standard error and as a page."""
     folder.mkdir(parents=True, exist_ok=True)
     job = entry.job(args.povray, args.declare)
     rerun = f"cd {shlex.quote(str(folder))} && {shlex.join(pictures.command_of(job, entry.output))}"
@@ -80,7 +80,7 @@ def main():
         if outcome != args.expect:
             report(entry, args, folder.absolute(), trouble)
         else:
-            print(f"{entry.name} {' '.join(args.declare)}: {outcome}, as it should be: {trouble}")
+            print(f"{entry.name} {' '.join(args.declare)}: {outcome}, as expected: {trouble}")
     if outcome == args.expect:
         return 0
     if outcome == "same":

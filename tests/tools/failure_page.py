@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A local page about one picture that did not pass: what is wrong, where, and what to type."""
+"""A local page about one picture that failed: the fault, its place, and the commands to render again and to accept."""
 
 import html
 import json

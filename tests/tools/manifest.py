@@ -4,7 +4,7 @@
 
 Every case tests/oracle/cases/NAME.json makes the reference oracle/NAME.exr, rendered by the
 unpatched program. Every scene named in tests/reference/pictures.json makes renders/NAME.exr,
-rendered by the fork itself. update_references.py writes files and manifest, nothing else does.
+rendered by the fork itself. Only update_references.py writes these files and the manifest.
 """
 
 import dataclasses
@@ -60,7 +60,7 @@ class Entry:
 
     def sources_sha256(self):
         """Hash of each file that the reference depends on, by its path in the repository. For the
-        oracle that is its case and the objects, not the fork's scene, which is what is on trial."""
+        oracle these are its case and the objects, but not the fork's scene, which is the object of the test."""
         files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] \
             if self.case else pictures.sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
@@ -96,7 +96,7 @@ def save(manifest, folder=FOLDER):
 
 
 def complaints(manifest, folder, names, compare):
-    """What is wrong with manifest and folder, given the names of the pictures there should be."""
+    """Faults of manifest and folder, given the names of the pictures there should be."""
     found = []
     for name in sorted(set(names) - set(manifest)):
         found.append(f"{name}: has no entry in MANIFEST.json; make it with tests.tools.update_references")
