@@ -36,7 +36,7 @@ class Goal:
 
     def sentence(self):
         """For below a table."""
-        return f"Goal: {self.figure} {self.wanted}. Measured: {self.measured}; {self.verdict}."
+        return f"Goal: {self.figure}: {self.wanted}. Measured: {self.measured} ({self.verdict})."
 
 
 def write_csv(path, rows):

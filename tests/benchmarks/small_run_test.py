@@ -88,12 +88,12 @@ class SmallRun(unittest.TestCase):
         self.assertTrue(all(0.5 < ratio < 3.0 for ratio in reconstruction.compare(rows).values()), rows)
         for row in rows:
             self.assertLess(row["bias"], (0.7 if row["denoise"] else 0.3)*row["rmse"], row)
-        self.assertIn("in each scene at each setting at least 1", report.section("denoise", rows))
+        self.assertIn("in each scene at each setting: at least 1", report.section("denoise", rows))
 
     def test_share_of_camera_and_sampler(self):
         rows = camera_share.measure(self.lab, lambda *_, within: 1000 if within == camera_share.ALL else 750)
         self.assertEqual([row["share"] for row in rows], [0.25])
-        self.assertIn("25.0 % at the most; missed", report.section("camera", rows))
+        self.assertIn("25.0 % at the most (missed)", report.section("camera", rows))
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
@@ -114,7 +114,7 @@ class SmallRun(unittest.TestCase):
                    "pan": pan_focus.compare(pan_focus.measure(self.lab, SCENE)),
                    "contract": contract.measure(self.lab, dataclasses.replace(SCENE, reference=(2, 128)), 0)}
         text = report.text(results) + report.overview(results) + report.goals(results)
-        for words in ("error of stock with 100 samples", "geometric mean at least 8", "at most 1.3. Measured", "MSE/V",
+        for words in ("error of stock with 100 samples", "geometric mean: at least 8", "at most 1.3. Measured", "MSE/V",
                       "| all |", "| figure | goal |"):
             self.assertIn(words, text)
         plots.errors(self.lab.work / "plot.svg", "checks", self.records)
