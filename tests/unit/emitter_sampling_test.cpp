@@ -52,7 +52,7 @@ struct World
             const Vec3 to = sphere.centre - ray.origin;
             const double along = Dot(to, way);
             if (along > 0.0 && Length(to - along * way) < sphere.radius)
-                return sphere.light;
+                return sphere.radiance;
         }
         return kBackground;
     }

@@ -29,7 +29,9 @@ std::uint32_t Overlap(const Area& a, const Area& b)
 Area BlocksOf(const Area& pixels)
 {
     const std::uint32_t left = pixels.left / kBlockSide, top = pixels.top / kBlockSide;
-    return {left, top, (pixels.Right() + kBlockSide - 1) / kBlockSide - left, (pixels.Bottom() + kBlockSide - 1) / kBlockSide - top};
+    const std::uint32_t right = (pixels.Right() + kBlockSide - 1) / kBlockSide;
+    const std::uint32_t bottom = (pixels.Bottom() + kBlockSide - 1) / kBlockSide;
+    return {left, top, right - left, bottom - top};
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/settings.h"
 
 namespace tilt_lens
 {
@@ -15,9 +16,11 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr std::uint32_t kBlockOfFour = 4;
-constexpr std::size_t kMostOfBlock = 1024;  // of the brightest emitters: bounds time and memory
-constexpr double kLeastVariance = 1e-6;     // smaller ones are not asked for
+
+/// Samples that share one decision about their lens coordinate: the sequence has one of each aligned block of four in each
+/// quarter of it.
+constexpr std::uint32_t kStratum = 4;
+constexpr std::size_t kMostOfBin = 1024;  // of the brightest emitters: bounds time and memory
 
 /// Film point of a direction, as MakeRay takes it; `up` may lean against `right`.
 void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
@@ -30,20 +33,20 @@ void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
 } // namespace
 
 EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
-                   std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all) :
+                               std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all) :
     lens(itsLens), aperture(itsAperture), width(itsWidth), height(itsHeight),
-    usable(limits.max / kBlockOfFour * kBlockOfFour)
+    usable(limits.max / kStratum * kStratum)
 {
-    if (limits.FirstRound() < kBlockOfFour)
+    if (limits.FirstRound() < kStratum)
         return;
     for (const Emitter& emitter : all)
         Keep(emitter, limits.variance);
     Distribute();
 }
 
-/// Where the ray through a point of the lens and `through` starts on the film; false where there is none
+/// Where on the film, in pixels, the ray through a point of the lens and `through` begins; false where there is none
 /// in front. On the ray P = l + s (D - w l) with w = k.D; so Y = s D solves Y = P - l + (k.Y) l.
-bool EmitterSampler::FilmPointOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
+bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
 {
     const Vec3 l = point.a * lens.lensX + point.b * lens.lensY;
     const double divisor = 1.0 - Dot(lens.focus, l);
@@ -59,7 +62,7 @@ bool EmitterSampler::FilmPointOf(const Vec3& through, const AperturePoint& point
 }
 
 /// The box around a point's disc of confusion, from points of the rim; a little more, since they are few.
-EmitterSampler::Box EmitterSampler::ReachOf(const Vec3& centre, bool& whole) const
+EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
     constexpr int points = 16;
     const double rim = aperture.Rim() / std::cos(pi / points);
@@ -69,7 +72,7 @@ EmitterSampler::Box EmitterSampler::ReachOf(const Vec3& centre, bool& whole) con
     {
         double x, y;
         const double turn = 2.0 * pi * i / points;
-        whole = whole && FilmPointOf(centre, {rim * std::cos(turn), rim * std::sin(turn)}, x, y);
+        whole = whole && PixelPositionOf(centre, {rim * std::cos(turn), rim * std::sin(turn)}, x, y);
         if (!whole)
             break;
         box = {std::min(box.left, x), std::max(box.right, x), std::min(box.top, y), std::max(box.bottom, y)};
@@ -77,54 +80,57 @@ EmitterSampler::Box EmitterSampler::ReachOf(const Vec3& centre, bool& whole) con
     return box;
 }
 
-/// Takes an emitter into the list if it is worth it.
+/// Takes an emitter into the list if it is worth samples of its own.
 bool EmitterSampler::Keep(const Emitter& emitter, double variance)
 {
     const double ahead = Dot(emitter.centre, lens.axis);
     const double distance = Length(emitter.centre);
-    if (!(ahead > 0.0 && distance > lens.diameter + 2.0 * emitter.radius && emitter.light > 0.0))
+    if (!(ahead > 0.0 && distance > lens.diameter + 2.0 * emitter.radius && emitter.radiance > 0.0))
         return false;
     bool whole;
-    Box covers = ReachOf(emitter.centre, whole);
+    Box covers = BlurBoxOf(emitter.centre, whole);
     if (!whole)
         return false;
 
     // a sphere's image is longer than wide, the more so the farther from the middle
     const double pixels = std::max(width / Length(lens.right), height / Length(lens.up));
-    const double reach = emitter.radius * pixels * Dot(lens.direction, lens.axis) * distance / (ahead * ahead);
+    const double imageRadius = emitter.radius * pixels * Dot(lens.direction, lens.axis) * distance / (ahead * ahead);
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
-    const double chance = pi * reach * reach / std::max(1.0, pi / 4.0 * across * along);  // that a ray meets it
-    const double light = chance * emitter.light;
-    const bool findable = chance > 2.0, dim = chance * emitter.light * emitter.light < 0.05 || light * light < 0.25 * std::max(variance, kLeastVariance);
-    if (findable || dim)
+    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected, a sample
+    const double emission = hits * emitter.radiance;
+    const double least = settings.leastEmitterSquare * std::max(variance, settings.leastEmitterVariance);
+    const bool foundByChance = hits > settings.chanceHits;
+    const bool dim = hits * emitter.radiance * emitter.radiance < settings.leastEmitterMoment || emission * emission < least;
+    if (foundByChance || dim)
         return false;
-    covers = {covers.left - reach, covers.right + reach, covers.top - reach, covers.bottom + reach};
-    kept.push_back({emitter.centre, emitter.radius, reach, light, std::min(across, along) > 1.5, covers});
+    covers = {covers.left - imageRadius, covers.right + imageRadius, covers.top - imageRadius, covers.bottom + imageRadius};
+    const bool chooseLensPoint = std::min(across, along) > settings.lensPointBlur;
+    kept.push_back({emitter.centre, emitter.radius, imageRadius, emission, chooseLensPoint, covers});
     return true;
 }
 
-/// Notes in blocks of pixels who may be seen there, so that a pixel asks few.
+/// Notes for bins of pixels which emitters may be seen there, so that a pixel asks few.
 void EmitterSampler::Distribute()
 {
-    constexpr double most = 64.0;  // blocks in a row or column: bounds the memory
-    block = std::max<std::uint32_t>(8, std::uint32_t(std::ceil(std::max(width, height) / most)));
-    columns = std::uint32_t(std::ceil(width / block));
-    const std::uint32_t rows = std::uint32_t(std::ceil(height / block));
-    blocks.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
-    // in the order of their light: who comes first is kept first
-    std::stable_sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.light > b.light; });
+    constexpr double most = 64.0;  // bins in a row or column: bounds the memory
+    binSide = std::max<std::uint32_t>(8, std::uint32_t(std::ceil(std::max(width, height) / most)));
+    columns = std::uint32_t(std::ceil(width / binSide));
+    const std::uint32_t rows = std::uint32_t(std::ceil(height / binSide));
+    bins.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
+    // brightest first: what comes first is kept first
+    std::stable_sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.emission > b.emission; });
     for (std::uint32_t i = 0; i < kept.size(); i++)
     {
         const Box& box = kept[i].covers;
         if (!(box.right > 0.0 && box.bottom > 0.0 && box.left < width && box.top < height))
             continue;
-        const std::uint32_t left = std::uint32_t(std::max(0.0, box.left)) / block;
-        const std::uint32_t right = std::uint32_t(std::min(width - 1.0, box.right)) / block;
-        const std::uint32_t top = std::uint32_t(std::max(0.0, box.top)) / block;
-        const std::uint32_t bottom = std::uint32_t(std::min(height - 1.0, box.bottom)) / block;
+        const std::uint32_t left = std::uint32_t(std::max(0.0, box.left)) / binSide;
+        const std::uint32_t right = std::uint32_t(std::min(width - 1.0, box.right)) / binSide;
+        const std::uint32_t top = std::uint32_t(std::max(0.0, box.top)) / binSide;
+        const std::uint32_t bottom = std::uint32_t(std::min(height - 1.0, box.bottom)) / binSide;
         for (std::uint32_t row = top; row <= bottom; row++)
             for (std::uint32_t column = left; column <= right; column++)
-                if (auto& list = blocks[std::size_t(row) * columns + column]; list.size() < kMostOfBlock)
+                if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < kMostOfBin)
                     list.push_back(i);
     }
 }
@@ -135,11 +141,12 @@ bool EmitterSampler::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t
     const Box& box = emitter.covers;
     if (x + 1.0 < box.left || x > box.right || y + 1.0 < box.top || y > box.bottom)
         return false;
-    if (!emitter.throughLens)
+    if (!emitter.chooseLensPoint)
         return true;
     // the part of the lens moves by the whole lens while the film point crosses the disc of confusion
-    const Disc part = PartOfLens(emitter, (x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height);
-    const double blur = std::min(box.right - box.left, box.bottom - box.top) - 2.0 * emitter.reach;
+    const FilmPoint film = FilmPointAt(x + 0.5, y + 0.5, width, height);
+    const Disc part = PartOfLens(emitter, film.x, film.y);
+    const double blur = std::min(box.right - box.left, box.bottom - box.top) - 2.0 * emitter.imageRadius;
     const double halfPixel = 2.0 * aperture.Rim() * std::sqrt(0.5) / blur;
     return std::hypot(part.centre.a, part.centre.b) < aperture.Rim() + part.radius + halfPixel;
 }
@@ -149,47 +156,48 @@ EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t
     Targets result;
     if (kept.empty())
         return result;
-    double& light = result.light;
-    for (const std::uint32_t i : blocks[std::size_t(y / block) * columns + x / block])
+    double& emission = result.emission;
+    for (const std::uint32_t i : bins[std::size_t(y / binSide) * columns + x / binSide])
     {
         if (!Reaches(kept[i], x, y))
             continue;
-        result.targets.push_back({i, kept[i].light});
-        light += kept[i].light;
-        if (result.targets.size() == kMost)
+        result.targets.push_back({i, kept[i].emission});
+        emission += kept[i].emission;
+        if (result.targets.size() == settings.emittersOfPixel)
             break;
     }
     if (result.targets.empty())
         return result;
-    // the more of its light they bring, the less the rest matters
-    result.share = light > 0.1 ? 0.5 : 0.25;
+    // the more of the pixel's light they bring, the less the rest matters
+    result.share = emission > settings.brightEmission ? 0.5 : 0.25;
     for (Targets::Target& target : result.targets)
-        target.share *= result.share / light;
+        target.share *= result.share / emission;
     return result;
 }
 
-void EmitterSampler::AimAtOneOf(const Targets& targets, const SampleId& id, const Sample& sample, CameraSample& start) const
+void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, const Sample& point,
+                                    CameraSample& sample) const
 {
-    if (sample.lensU >= targets.share)
-        start.point = aperture((sample.lensU - targets.share) / (1.0 - targets.share), sample.lensV);
+    if (point.lensU >= targets.share)
+        sample.point = aperture((point.lensU - targets.share) / (1.0 - targets.share), point.lensV);
     else
     {
-        start.expectedEmission = targets.light;
-        double u = sample.lensU;
+        sample.expectedEmission = targets.emission;
+        double u = point.lensU;
         std::size_t i = 0;
         while (i + 1 < targets.targets.size() && u >= targets.targets[i].share)
             u -= targets.targets[i++].share;
         u = std::min(u / targets.targets[i].share, std::nextafter(1.0, 0.0));
-        if (!AimAt(kept[targets.targets[i].emitter], u, sample.lensV, id, sample, start))
+        if (!SampleOne(kept[targets.targets[i].emitter], u, point.lensV, id, point, sample))
         {
-            start.weight = 0.0;
+            sample.weight = 0.0;
             return;
         }
     }
     double density = 1.0 - targets.share;  // of such samples, plain ones being 1
     for (const Targets::Target& target : targets.targets)
-        density += target.share * Density(kept[target.emitter], start);
-    start.weight = 1.0 / density;
+        density += target.share * Density(kept[target.emitter], sample);
+    sample.weight = 1.0 / density;
 }
 
 /// The lens points from which a film point sees an emitter, or a little more. On the ray
@@ -206,45 +214,46 @@ EmitterSampler::Disc EmitterSampler::PartOfLens(const Kept& emitter, double x, d
             emitter.radius * Length(chief) / std::fabs(along * divisor * lensRadius)};
 }
 
-/// Aims a sample with the coordinates u, v in [0, 1); false if it goes past the lens or the pixel.
-bool EmitterSampler::AimAt(const Kept& emitter, double u, double v, const SampleId& id, const Sample& sample,
-                     CameraSample& start) const
+/// Sends a sample with the coordinates u, v in [0, 1) at an emitter; false if it goes past the lens or the pixel.
+bool EmitterSampler::SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const Sample& point,
+                               CameraSample& sample) const
 {
-    if (emitter.throughLens)
+    if (emitter.chooseLensPoint)
     {
-        const Disc part = PartOfLens(emitter, start.x, start.y);
+        const Disc part = PartOfLens(emitter, sample.x, sample.y);
         const AperturePoint inDisc = Aperture::Disc()(u, v);
-        start.point = {part.centre.a + part.radius * inDisc.a, part.centre.b + part.radius * inDisc.b};
-        return aperture.Density(start.point) > 0.0;
+        sample.point = {part.centre.a + part.radius * inDisc.a, part.centre.b + part.radius * inDisc.b};
+        return aperture.Density(sample.point) > 0.0;
     }
-    start.point = aperture(u, v);
+    sample.point = aperture(u, v);
     double x, y;
-    if (!FilmPointOf(emitter.centre, start.point, x, y))
+    if (!PixelPositionOf(emitter.centre, sample.point, x, y))
         return false;
-    const AperturePoint inDisc = Aperture::Disc()(sample.pixelX, sample.pixelY);
-    x += emitter.reach * inDisc.a;
-    y += emitter.reach * inDisc.b;
-    start.x = x / width - 0.5;
-    start.y = 0.5 - y / height;
+    const AperturePoint inDisc = Aperture::Disc()(point.pixelX, point.pixelY);
+    x += emitter.imageRadius * inDisc.a;
+    y += emitter.imageRadius * inDisc.b;
+    const FilmPoint film = FilmPointAt(x, y, width, height);
+    sample.x = film.x;
+    sample.y = film.y;
     return x >= id.x && x < id.x + 1.0 && y >= id.y && y < id.y + 1.0;
 }
 
-/// How much more often aiming at an emitter starts a ray so than plain sampling does.
-double EmitterSampler::Density(const Kept& emitter, const CameraSample& start) const
+/// Density of samples sent at an emitter over that of plain samples.
+double EmitterSampler::Density(const Kept& emitter, const CameraSample& sample) const
 {
-    if (emitter.throughLens)
+    if (emitter.chooseLensPoint)
     {
-        const Disc part = PartOfLens(emitter, start.x, start.y);
-        if (!(std::hypot(start.point.a - part.centre.a, start.point.b - part.centre.b) <= part.radius))
+        const Disc part = PartOfLens(emitter, sample.x, sample.y);
+        if (!(std::hypot(sample.point.a - part.centre.a, sample.point.b - part.centre.b) <= part.radius))
             return 0.0;
-        const double plain = aperture.Density(start.point);
+        const double plain = aperture.Density(sample.point);
         return plain > 0.0 ? 1.0 / (pi * part.radius * part.radius * plain) : 0.0;
     }
     double x, y;
-    if (!FilmPointOf(emitter.centre, start.point, x, y))
+    if (!PixelPositionOf(emitter.centre, sample.point, x, y))
         return 0.0;
-    const double off = std::hypot((start.x + 0.5) * width - x, (0.5 - start.y) * height - y);
-    return off <= emitter.reach ? 1.0 / (pi * emitter.reach * emitter.reach) : 0.0;
+    const double off = std::hypot((sample.x + 0.5) * width - x, (0.5 - sample.y) * height - y);
+    return off <= emitter.imageRadius ? 1.0 / (pi * emitter.imageRadius * emitter.imageRadius) : 0.0;
 }
 
 } // namespace tilt_lens

@@ -36,7 +36,7 @@ std::uint32_t SamplesBesideNoise(double variance)
 
 // What leaves the mean by 1/2 and fills a share p is missed by n samples with an expected square error of at most
 // (2 / n / e)^2 / 4, so that n = 0.37 / sqrt(V) suffice: the round after that is the last, and the first is not.
-TEST(TileSamplerUnseen, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)
+TEST(TileSamplerUndetectedError, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)
 {
     for (const double variance : {1e-4, 1e-5, 1e-6})
     {
@@ -73,7 +73,7 @@ std::uint32_t MissedBy(bool denoise)
 }
 
 // The reconstruction averages noise that a pixel has; what it has not met is still to be looked for.
-TEST(TileSamplerUnseen, IsNotLeftToTheReconstruction)
+TEST(TileSamplerUndetectedError, IsNotLeftToTheReconstruction)
 {
     EXPECT_EQ(MissedBy(true), MissedBy(false));
 }
@@ -85,7 +85,7 @@ void LineAlongRow(const SampleId& id, SampleResult& light)
 }
 
 // Of three pixels side by side all may have missed it with eight samples; what is seen around them is then all alike.
-TEST(TileSamplerUnseen, WhatAllBesideAPixelHaveMissedIsLookedForWhereLittleNoiseIsAllowed)
+TEST(TileSamplerUndetectedError, WhatAllBesideAPixelHaveMissedIsLookedForWhereLittleNoiseIsAllowed)
 {
     const std::uint32_t width = 32 * kBlockSide;
     const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, kBlockSide}, width, kBlockSide, LineAlongRow);
@@ -113,7 +113,7 @@ std::uint32_t SamplesForHiddenLamp(double light, double variance)
     return most;
 }
 
-TEST(TileSamplerUnseen, AHiddenLampIsSoughtAsLongAsItsLightIsWorth)
+TEST(TileSamplerUndetectedError, AHiddenLampIsSoughtAsLongAsItsLightIsWorth)
 {
     EXPECT_EQ(SamplesForHiddenLamp(0.02, 1e-3), 8u);
     EXPECT_GT(SamplesForHiddenLamp(0.2, 1e-3), 8u);

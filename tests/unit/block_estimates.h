@@ -1,0 +1,58 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file block_estimates.h
+/// Blocks whose pixels have taken one round of samples, for the tests of what is estimated and decided from these.
+
+#ifndef TILT_LENS_TESTS_BLOCK_ESTIMATES_H
+#define TILT_LENS_TESTS_BLOCK_ESTIMATES_H
+
+#include <cstdint>
+
+#include "tile_results.h"
+#include "tilt_lens/sampling/block_estimate.h"
+
+namespace tilt_lens
+{
+
+/// Samples up to number `until` of every active pixel, in one round.
+inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
+{
+    const Area& area = estimate.area;
+    for (std::uint32_t y = area.top; y < area.Bottom(); y++)
+        for (std::uint32_t x = area.left; x < area.Right(); x++)
+        {
+            PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
+            if (!pixel.active)
+                continue;
+            pixel.statistics.BeginRound(until);
+            while (pixel.statistics.Samples() < until)
+            {
+                SampleResult result;
+                trace({x, y, pixel.statistics.Samples()}, result);
+                pixel.statistics.Add(result);
+            }
+            pixel.statistics.EndRound();
+        }
+}
+
+inline BlockEstimate FirstEstimate(const Area& area, std::uint32_t samples, const Tracer& trace)
+{
+    BlockEstimate estimate(area);
+    TakeRound(estimate, samples, trace);
+    return estimate;
+}
+
+/// A block alone in the picture, without neighbours.
+inline FirstRounds Alone(const FirstRound& round)
+{
+    FirstRounds rounds{};
+    rounds[4] = &round;
+    return rounds;
+}
+
+constexpr Area kMiddle{kBlockSide, kBlockSide, kBlockSide, kBlockSide};
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,128 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// What the samples of one pixel tell: mean, variance of one sample, the two buffers, samples sent at emitters.
+
+#include "tilt_lens/sampling/pixel_statistics.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace tilt_lens
+{
+namespace
+{
+
+SampleResult Result(double value)
+{
+    SampleResult result;
+    result = Radiance{value, 2.0 * value, 0.0, 0.0, 1.0};
+    return result;
+}
+
+/// After rounds of 4, 8, 16, ... samples.
+PixelStatistics StatisticsOf(const std::vector<double>& values)
+{
+    PixelStatistics pixel;
+    for (std::size_t until = 4; pixel.Samples() < values.size(); until *= 2)
+    {
+        pixel.BeginRound(until);
+        while (pixel.Samples() < until)
+            pixel.Add(Result(values[pixel.Samples()]));
+        pixel.EndRound();
+    }
+    return pixel;
+}
+
+TEST(PixelStatistics, MeanVarianceAndDeviationAreThoseOfTheSamples)
+{
+    const std::vector<double> values = {0.1, 0.9, 0.4, 0.2, 0.3, 0.3, 0.8, 0.2};
+    const PixelStatistics pixel = StatisticsOf(values);
+    double mean = 0.0, variance = 0.0;
+    for (const double value : values)
+        mean += value / 8.0;
+    for (const double value : values)
+        variance += Square(value - mean) / 7.0;
+    EXPECT_EQ(pixel.Samples(), 8u);
+    EXPECT_NEAR(pixel.Mean()[0], mean, 1e-15);
+    EXPECT_NEAR(pixel.Mean()[1], 2.0 * mean, 1e-15);
+    EXPECT_NEAR(pixel.Variation().variance[0], variance, 1e-15);
+    EXPECT_NEAR(pixel.Variation().variance[1], 4.0 * variance, 1e-15);
+    EXPECT_EQ(pixel.Variation().variance[4], 0.0);
+    EXPECT_NEAR(pixel.Variation().maxSquaredDeviation[0], Square(0.9 - mean), 1e-15);
+}
+
+TEST(PixelStatistics, BuffersAreTheHalvesOfTheFirstRoundAndTheRoundsBeforeTheLast)
+{
+    const PixelStatistics first = StatisticsOf({0.0, 1.0, 2.0, 4.0});
+    EXPECT_EQ(first.FirstBufferSamples(), 2u);
+    EXPECT_NEAR(first.DualBufferDifference()[0], 0.5 - 3.0, 1e-15);
+    const PixelStatistics third = StatisticsOf({1, 1, 1, 1, 2, 2, 2, 2, 5, 5, 5, 5, 5, 5, 5, 5});
+    EXPECT_EQ(third.FirstBufferSamples(), 8u);
+    EXPECT_NEAR(third.DualBufferDifference()[0], 1.5 - 5.0, 1e-15);
+}
+
+TEST(PixelStatistics, ASampleThatIsNotFiniteCountsAsBlackAndIsCounted)
+{
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL})
+    {
+        const PixelStatistics pixel = StatisticsOf({1.0, bad, 1.0, 1.0}), black = StatisticsOf({1.0, 0.0, 1.0, 1.0});
+        EXPECT_EQ(pixel.NotFinite(), 1u);
+        EXPECT_EQ(black.NotFinite(), 0u);
+        EXPECT_NEAR(pixel.Mean()[0], 0.75, 1e-15);
+        EXPECT_EQ(pixel.Variation().variance[0], black.Variation().variance[0]);
+    }
+}
+
+TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)
+{
+    PixelStatistics pixel;
+    pixel.BeginRound(8);
+    for (int i = 0; i < 8; i++)
+    {
+        SampleResult result = Result(i % 2 ? 0.25 : 3.0);
+        result.expectedEmission = i % 2 ? 0.0 : 0.5;
+        pixel.Add(result);
+    }
+    pixel.EndRound();
+    EXPECT_EQ(pixel.EmitterSamples(), 4u);
+    EXPECT_EQ(pixel.ExpectedEmission(), 0.5);
+    EXPECT_NEAR(pixel.Variation().variance[0], 0.0, 1e-15);
+    EXPECT_NEAR(pixel.Mean()[0], 1.625, 1e-15);
+}
+
+TEST(PixelStatistics, HitsAreCountedAndTheBlurIsTheLargestOfTheFirstRound)
+{
+    PixelStatistics pixel;
+    for (const std::uint32_t until : {4u, 8u})
+    {
+        pixel.BeginRound(until);
+        while (pixel.Samples() < until)
+        {
+            SampleResult result = Result(0.5);
+            result.blurRadius = pixel.Samples() == 2 ? 3.0 : pixel.Samples() < 4 ? 1.0 : 100.0;
+            result.hit = pixel.Samples() % 4 == 0;
+            pixel.Add(result);
+        }
+        pixel.EndRound();
+    }
+    EXPECT_EQ(pixel.BlurRadius(), 3.0);
+    EXPECT_EQ(pixel.Hits(), 2u);
+}
+
+TEST(SampleVariation, MergesBySumAndByTheGreater)
+{
+    SampleVariation a, b;
+    a.variance[0] = 1.0, a.maxSquaredDeviation[0] = 5.0;
+    b.variance[0] = 2.0, b.maxSquaredDeviation[0] = 4.0, b.maxSquaredDeviation[1] = 7.0;
+    a.Merge(b);
+    EXPECT_EQ(a.variance[0], 3.0);
+    EXPECT_EQ(a.maxSquaredDeviation[0], 5.0);
+    EXPECT_EQ(a.maxSquaredDeviation[1], 7.0);
+}
+
+} // namespace
+} // namespace tilt_lens

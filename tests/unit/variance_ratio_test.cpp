@@ -1,0 +1,131 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// How much smaller than that of independent samples the variance of a mean is, as the two buffers tell it.
+
+#include "tilt_lens/sampling/variance_ratio.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "block_estimates.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+/// Smooth light, which stratified samples are good at.
+void Ramp(const SampleId& id, SampleResult& result)
+{
+    result = Grey(SampleOf(id).lensU);
+}
+
+Quadrants RatiosOf(const Tracer& trace, std::uint32_t rounds)
+{
+    BlockEstimate estimate = FirstEstimate(kMiddle, 8, trace);
+    for (std::uint32_t round = 0, samples = 8; round < rounds; round++, samples *= 2)
+    {
+        if (round > 0)
+            TakeRound(estimate, samples, trace);
+        UpdateVarianceRatios(estimate, samples);
+    }
+    return {estimate.pixels[0].varianceRatio, estimate.pixels[kBlockSide - 1].varianceRatio,
+            estimate.pixels[kBlockSide * (kBlockSide - 1)].varianceRatio, estimate.pixels.back().varianceRatio};
+}
+
+TEST(VarianceRatio, OfIndependentSamplesIsAboutOne)
+{
+    double sum = 0.0;
+    constexpr std::uint32_t blocks = 25;
+    for (std::uint32_t block = 0; block < blocks; block++)
+    {
+        const auto noise = [block](const SampleId& id, SampleResult& result) { result = Grey(Noise(id, 100 + block)); };
+        for (const double ratio : RatiosOf(noise, 4))
+        {
+            EXPECT_LE(ratio, 1.0);
+            sum += ratio / (4 * blocks);
+        }
+    }
+    EXPECT_GT(sum, 0.85);  // ratios above 1 are taken for 1, so that the mean lies below
+}
+
+// The variance of a ramp's mean falls by eight with each doubling of stratified samples.
+TEST(VarianceRatio, OfStratifiedSamplesFallsWithTheirNumber)
+{
+    double before = 1.0;
+    for (std::uint32_t rounds = 1; rounds < 5; rounds++)
+    {
+        double greatest = 0.0;
+        for (const double ratio : RatiosOf(Ramp, rounds))
+            greatest = std::max(greatest, ratio);
+        EXPECT_LT(greatest, 0.5 * before) << rounds;
+        before = greatest;
+    }
+    EXPECT_LT(before, 1.0 / 32.0);
+}
+
+TEST(VarianceRatio, IsOfEachQuadrantAlone)
+{
+    const Quadrants ratios = RatiosOf([](const SampleId& id, SampleResult& result)
+        { (id.x < kMiddle.left + kBlockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
+    EXPECT_LT(ratios[0], 0.2);
+    EXPECT_GT(ratios[1], 0.6);
+    EXPECT_LT(ratios[2], 0.2);
+    EXPECT_GT(ratios[3], 0.6);
+}
+
+TEST(VarianceRatio, OfConvergedPixelsStaysAndTheyTellNothing)
+{
+    BlockEstimate estimate = FirstEstimate(kMiddle, 8, Ramp);
+    for (PixelEstimate& pixel : estimate.pixels)
+        pixel.active = false;
+    UpdateVarianceRatios(estimate, 8);
+    for (const PixelEstimate& pixel : estimate.pixels)
+        EXPECT_EQ(pixel.varianceRatio, 1.0);
+    EXPECT_EQ(estimate.dualBufferRatio, (Quadrants{1.0, 1.0, 1.0, 1.0}));
+}
+
+TEST(VarianceRatio, OfFewNoisyPixelsLeansTowardsTheOneBefore)
+{
+    VarianceRatioTerms one;
+    one.dualBuffer = 0.0, one.independent = 1.0, one.squaredIndependent = 1.0;
+    EXPECT_NEAR(one.Ratio(0.9, 2.0, 1.0), 0.9 * 2.0 / 3.0, 1e-15);
+    VarianceRatioTerms many = one;  // means over 25 pixels
+    EXPECT_NEAR(many.Ratio(0.9, 2.0, 25.0), 0.9 * 2.0 / 27.0, 1e-15);
+    EXPECT_EQ(VarianceRatioTerms().Ratio(0.9, 2.0, 1.0), 0.9) << "no noise at all";
+}
+
+// Four steps of an iteration: a few per cent where samples are few.
+TEST(VarianceRatio, OfTheMeanSolvesBothEquations)
+{
+    for (const double n : {8.0, 64.0, 4096.0})
+        for (const double slope : {1.0, 1.25, 1.5})
+        {
+            const double ratio = std::pow(n, 1.0 - slope);
+            EXPECT_NEAR(RatioOfMean(ratio * (std::exp2(slope) - 1.0), n), ratio, 0.06 * ratio) << n << ", " << slope;
+        }
+}
+
+TEST(LocalVarianceRatios, TellSmoothPixelsFromNoisyOnesBesideThem)
+{
+    const auto half = [](const SampleId& id, SampleResult& result)
+    { (id.y < kMiddle.top + kBlockSide / 2 ? Ramp : WhiteNoise)(id, result); };
+    BlockEstimate estimate = FirstEstimate(kMiddle, 8, half);
+    UpdateVarianceRatios(estimate, 8);
+    TakeRound(estimate, 16, half);
+    UpdateVarianceRatios(estimate, 16);
+    const std::vector<double> ratios = LocalVarianceRatios(estimate);
+    double smooth = 0.0, noisy = 0.0;
+    for (std::size_t x = 0; x < kBlockSide; x++)
+    {
+        smooth += ratios[2 * kBlockSide + x] / kBlockSide;
+        noisy += ratios[(kBlockSide - 3) * kBlockSide + x] / kBlockSide;
+    }
+    EXPECT_LT(smooth, 0.25);
+    EXPECT_GT(noisy, 0.5);
+}
+
+} // namespace
+} // namespace tilt_lens
