@@ -3,8 +3,7 @@
 
 /// @file settings.h
 /// Every number that steers the sampler, the emitter sampling and the reconstruction, with its unit and its meaning.
-/// Sections are those of docs/sampling.md, whose table of the ablation is the evidence: what the error costs where one
-/// of them is taken out.
+/// Sections are those of docs/sampling.md.
 
 #ifndef TILT_LENS_SETTINGS_H
 #define TILT_LENS_SETTINGS_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block.h
-/// The rounds of samples of a square of pixels, on a grid fixed to the whole picture: docs/sampling.md, section 2.
+/// The rounds of samples of a square of pixels, on a grid fixed to the whole picture: docs/sampling.md, section 1.
 ///
 /// A block is sampled in two steps: the first round, which its neighbours look at, and all further rounds. What a block sees
 /// depends on places in the picture alone, so that neither threads nor tiles nor sub-images change a value (section 10).

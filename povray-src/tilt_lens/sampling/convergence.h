@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file convergence.h
-/// Whether a pixel needs more samples: docs/sampling.md, section 2. Functions of statistics alone; they trace nothing and
+/// Whether a pixel needs more samples: docs/sampling.md, section 1. Functions of statistics alone; they trace nothing and
 /// know of no threads.
 ///
 /// A pixel has converged once

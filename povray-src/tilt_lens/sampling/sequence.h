@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sequence.h
-/// Where the rays of a pixel start: points of [0, 1)^4, two coordinates for the lens and two for
+/// Where the rays of a pixel start (docs/sampling.md, section 2): points of [0, 1)^4, two coordinates for the lens and two for
 /// the pixel's square. Each pair is Sobol's sequence in two dimensions, the pixel pair in another order,
 /// Owen-scrambled by hashing.
 ///
