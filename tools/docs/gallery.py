@@ -118,7 +118,7 @@ def write_table(rows):
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows[name] for name in sorted(rows))
-    lines = ["| picture | size | CPU s | samples a pixel | standard error |", "| --- | --- | --- | --- | --- |"]
+    lines = ["| picture | size | CPU s | samples per pixel | standard error |", "| --- | --- | --- | --- | --- |"]
     lines += [f"| [{row['scene']}](../scenes/gallery/{row['scene']}.pov) | {row['width']} x {row['height']} | "
               f"{row['cpu_seconds']} | {row['samples_per_pixel']} | {row['standard_error']} |"
               for _, row in sorted(rows.items())]
