@@ -57,6 +57,13 @@ class Modules(SetupTest):
                 self.assertNotIn("sys." + "path.", text)
                 self.assertEqual([found for found in imports.findall(text) if found.split()[1] not in PACKAGES], [])
 
+    def test_packages_do_not_depend_on_each_other_in_circles(self):
+        allowed = {"tools": (), "benchmarks": ("tools",), "experiments": ("tools",), "tests": PACKAGES}
+        for name, path in modules().items():
+            package = name.split(".")[0]
+            used = set(re.findall(rf"^\s*(?:from|import) ({'|'.join(PACKAGES)})\b", path.read_text(), re.MULTILINE))
+            self.assertEqual(used - {package, *allowed[package]}, set(), name)
+
 
 if __name__ == "__main__":
     unittest.main()
