@@ -65,18 +65,24 @@ class Sweep(BatchTest):
 class Refused(BatchTest):
     def test_one_message_for_each_mistake(self):
         scene = self.scene(LENS)
+        (self.folder / "a.exr").mkdir()
         (self.folder / "cmd.ini").write_text("Post_Scene_Command=echo\n")
         for words, code, said in (
-            (("still", "none.pov"), 1, "no readable scene file"),
-            (("still", scene, "+SR1"), 1, "a batch sets '+SR1' itself"),
-            (("still", scene, "--output", "a.jpg"), 1, "a .png or an .exr"),
-            (("still", scene, "+FE", "--output", "a.png"), 1, "not of the kind"),
-            (("still", scene, "other.pov"), 1, "renders one scene"),
-            (("still", scene, "cmd.ini"), 1, "Post_Scene_Command"),
+            (("still", "none.pov"), 2, "no readable scene file"),
+            (("still", scene, "+SR1"), 2, "a batch sets '+SR1' itself"),
+            (("still", scene, "--output", "a.jpg"), 2, "a .png or an .exr"),
+            (("still", scene, "+FE", "--output", "a.png"), 2, "not of the kind"),
+            (("still", scene, "other.pov"), 2, "renders one scene"),
+            (("still", scene, "cmd.ini"), 2, "Post_Scene_Command"),
             (("still", scene, "--bands", "0"), 2, "1 or more"),
             (("still", scene, "--frames", "3"), 2, "unknown option --frames"),
             (("film", scene), 2, "--frames"),
-            (("sweep", scene, "--set", "Tilt"), 1, "NAME=VALUES"),
+            (("sweep", scene, "--set", "Tilt"), 2, "NAME=VALUES"),
+            (("sweep", scene, "--set", "A=0:1:0.00001"), 2, "has 100001 values; 100000 at most"),
+            (("still", scene, "+FJ"), 2, "PNG (+FN, +FN16) or OpenEXR"),
+            (("film", scene, "--frames", "2", "--output", "/"), 2, "is the root of all folders"),
+            (("still", scene, "--output", "a.exr"), 2, "is a folder; a still is a file"),
+            (("still", scene, "--limit", "1d"), 2, "seconds, or a number with m or h"),
             (("still", self.scene('#error "my own words"', "bad.pov")), 1, "my own words"),
         ):
             told = self.batch(*words, code=code)

@@ -83,6 +83,24 @@ class Names(BatchTest):
         del self.env["POVINC"]
         self.assertIn("environment variable POVINC: was", self.batch(*words, code=1))
 
+    def test_ini_files_and_options_in_povrays_order(self):
+        (self.folder / "small.ini").write_text("Width=32\nHeight=24\n")
+        scene = self.scene(LENS)
+        for words, size in ((("small.ini", "+W48", "+H40"), (48, 40)), (("+W48", "+H40", "small.ini"), (32, 24))):
+            self.batch("still", scene, "--bands", 1, *words, "--anew")
+            self.assertEqual(harness.picture(self.folder / "scene.png")[:2], size, words)
+
+    def test_another_first_ini_file(self):
+        for name in ("low", "high"):
+            (self.folder / f"{name}.ini").write_text("Quality=9\n")
+        words = ("still", self.scene(LENS), "--bands", 1, "+W48", "+H40")
+        self.env["POVINI"] = str(self.folder / "low.ini")
+        self.batch(*words)
+        self.env["POVINI"] = str(self.folder / "high.ini")
+        self.assertIn("POVINI", self.batch(*words, code=1))
+        del self.env["POVINI"]
+        self.assertIn("POVINI", self.batch(*words, code=1))
+
     def test_the_current_folder_comes_first_as_for_render(self):
         (self.folder / "colors.inc").write_text("#declare Ball = rgb <0, 1, 0>;\n")
         scene = self.scene('#include "colors.inc"\n' + LENS.replace("rgb <0.9, 0.4, 0.1>", "Ball"))

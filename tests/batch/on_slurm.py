@@ -99,6 +99,23 @@ class OnSlurm(BatchTest):
             self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
         )
 
+    def test_cancelled_jobs_are_not_submitted_again(self):
+        self.scene(LENS)
+        words = ("still", "scene.pov", "--bands", 4, "--on", "slurm", *SLOW, "Declare=Samples=4000")
+        self.batch(*words, "--detach")
+        process = self.start(*words)
+        self.until("the second call", lambda: "still at work: waiting" in self.said())
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=30), 130)
+        jobs = harness.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())
+        self.assertIn(f"To end them: scancel {' '.join(jobs)}", self.said())
+        process = self.start(*words)
+        self.until("the third call", lambda: "still at work: waiting" in self.said())
+        self.cluster.run("scancel", *jobs)
+        self.assertEqual(process.wait(timeout=60), 1, self.said())
+        self.assertIn("were cancelled", self.said())
+        self.assertEqual(self.cluster.run("squeue", "--noheader").stdout, "")
+
     def test_faults(self):
         self.scene(LENS)
         process = self.start("still", "scene.pov", "--bands", 5, "--on", "slurm", *SLOWER)

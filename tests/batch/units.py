@@ -11,11 +11,12 @@ import shlex
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 import unittest.mock
 
 from tests.batch import harness
-from tools.batch import batch, key, plan, pov_options, povray, progress, slurm, store
+from tools.batch import batch, key, plan, pov_options, povray, progress, slurm, store, task
 from tools.repository import ROOT
 
 
@@ -122,7 +123,7 @@ class Options(unittest.TestCase):
             ['+L"my files"', "Library_Path=b", "+WT2", "+FN16", "quick.ini[draft]"]
         )
         self.assertEqual(list(options.named_files("/x")), ["/x/my files", "/x/b", "/x/quick.ini"])
-        self.assertEqual((options.threads, options.kind, options.words), (2, "png", ["+FN16"]))
+        self.assertEqual((options.threads, options.kind, options.words), (2, "png", ["+FN16", "../../inputs/options0.ini[draft]"]))
 
 
 def message(contents):
@@ -186,6 +187,25 @@ class Lists(unittest.TestCase):
             with self.assertRaisesRegex(store.BatchError, "does not list"):
                 key.listed_files(path.with_name("none"), self.links)
 
+    def test_a_file_that_was_written_while_a_unit_read_it(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            path = folder / "own.inc"
+            path.write_text("#declare Own = 1;")
+            (folder / "files").write_bytes(b"+" + os.fsencode(path) + b"\0")
+            files, stamps = key.hashes([str(path)]), {str(path): key.file_stamp(path)}
+            description = {"key": {"files": files, "missing": []}, "stamps": stamps, "links": {}}
+            time.sleep(0.1)
+            begun = time.time()
+            self.assertEqual(task.check_inputs(description, folder, begun), ({}, []))
+            # changed and put back, with the old time: only its entry tells
+            times = path.stat()
+            path.write_text("#declare Own = 2;")
+            path.write_text("#declare Own = 1;")
+            os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+            with self.assertRaisesRegex(store.BatchError, "written while it was being read"):
+                task.check_inputs(description, folder, begun)
+
     def test_array_ranges(self):
         self.assertEqual(slurm.ranges([0, 1, 2, 5, 7, 8]), "0-2,5,7-8")
 
@@ -232,7 +252,7 @@ class Terminal(io.StringIO):
 
 
 class ProgressLine(unittest.TestCase):
-    description = {"key": {"bands": [[1, 9]], "pictures": [{}] * 5}}
+    description = {"key": {"bands": [[1, 9]], "pictures": [{"label": f"frame {n}"} for n in range(1, 6)]}}
 
     def told(self, columns, stream):
         """What is shown with one picture done, one running, one failed, after ten seconds."""
@@ -241,7 +261,9 @@ class ProgressLine(unittest.TestCase):
             work.make()
             line = progress.Progress(work, self.description)
             for number, state in enumerate(("done", "running", "failed")):
-                store.write_json(work.record(state, plan.unit_name(number, 1)), {})
+                record = {"since": time.time() - 5.2, "log": str(work.log(0)), "begins": 9}
+                store.write_json(work.record(state, plan.unit_name(number, 1)), record)
+            work.log(0).write_text("old (99%)Rendered 1 of 3 pixels (33% of the work)\r")
             line.begun -= 10
             size = os.terminal_size((columns, 24))
             with unittest.mock.patch.object(os, "get_terminal_size", lambda _: size):
@@ -251,12 +273,17 @@ class ProgressLine(unittest.TestCase):
         return stream.getvalue()
 
     def test_one_line_that_is_overwritten(self):
-        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left"
+        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 s, 33%)"
         self.assertEqual(self.told(80, Terminal()), f"\r\033[K{text}\r\033[K{text}\n")
         self.assertEqual(self.told(20, Terminal()), f"\r\033[K{text[:19]}\r\033[K{text[:19]}\n")
 
     def test_a_line_now_and_then_in_a_file(self):
-        self.assertEqual(self.told(80, io.StringIO()), "1 of 5 pictures done, 1 running, 1 failed, 40 s left\n")
+        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 s, 33%)\n"
+        self.assertEqual(self.told(80, io.StringIO()), text)
+
+    def test_a_hint_where_one_unit_takes_very_long(self):
+        with unittest.mock.patch.object(progress, "LONG", 5):
+            self.assertIn("frame 2 has been running for 5 s; log: ", self.told(80, io.StringIO()))
 
 
 class Records(unittest.TestCase):

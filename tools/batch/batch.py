@@ -4,12 +4,13 @@
 
 import argparse
 import os
+import re
 import signal
 import sys
 import time
 
 from tools.batch import describe, local, merge, plan, povray, progress, sheet, slurm, task
-from tools.batch.store import BatchError, Work, locked, read_json, write_json, write_text
+from tools.batch.store import BatchError, UsageError, Work, little_room, locked, read_json, write_json, write_text
 
 ENGINES = {"local": local, "slurm": slurm}
 HELP = """Options of POV-Ray may follow, as for ./render: +W1920 +H1080 Declare=Tilt=4
@@ -28,6 +29,14 @@ def whole(text):
     if not text.isdigit():
         raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number, 0 or more")
     return int(text)
+
+
+def seconds(text):
+    """A length of time: 90, 30m, 2h."""
+    found = re.fullmatch(r"(\d+)([smh]?)", text)
+    if not found or int(found.group(1)) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected seconds, or a number with m or h, as in 30m")
+    return int(found.group(1)) * {"": 1, "s": 1, "m": 60, "h": 3600}[found.group(2)]
 
 
 def common_options(kind):
@@ -56,6 +65,12 @@ def common_options(kind):
     )
     kind.add_argument(
         "--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)"
+    )
+    kind.add_argument(
+        "--limit",
+        type=seconds,
+        metavar="TIME",
+        help="end what takes longer for one picture or band: seconds, or 30m, 2h (default: no limit)",
     )
     kind.add_argument(
         "--anew", action="store_true", help="throw away what an earlier call has left, and begin again"
@@ -203,7 +218,7 @@ def report(work, description, complaints, elapsed):
     ]
     complete = state.merged == state.pictures and not complaints
     if not complete:
-        lines += progress.little_room(work)
+        lines += little_room(work.folder)
         lines.append(f"NOT complete. The same command again goes on; logs: {str(work.logs)!r}")
     elif state.pictures == 1:
         lines.append(
@@ -219,12 +234,12 @@ def report(work, description, complaints, elapsed):
 def batch(settings, words):
     """One call of the command."""
     if not settings.povray:
-        raise BatchError("no program: give --povray PROGRAM, or call ./batch of the repository.")
+        raise UsageError("no program: give --povray PROGRAM, or call ./batch of the repository.")
     begun = time.monotonic()
     engine = ENGINES[settings.on]
+    request = describe.understood(settings, words)
     povray.needed_programs()
     engine.check()
-    request = describe.Request(settings, words)
     work = Work(request.work)
     describe.refuse_foreign(work)
     work.folder.mkdir(parents=True, exist_ok=True)
@@ -239,13 +254,14 @@ def batch(settings, words):
         if jobs:
             watch(work, jobs, settings)
         try:
-            description = describe.open_batch(work, request, engine)
-            complaints = work_through(work, description, settings, engine)
+            with describe.output_alone(work, request):
+                description = describe.open_batch(work, request, engine)
+                complaints = work_through(work, description, settings, engine)
             if complaints is None:
                 return 0
             return report(work, description, complaints, time.monotonic() - begun)
         except (BatchError, OSError):
-            for line in progress.little_room(work):
+            for line in little_room(work.folder):
                 print(line, file=sys.stderr)
             raise
 
@@ -277,6 +293,9 @@ def main(words):
         signal.signal(number, lambda signum, _: sys.exit(128 + signum))
     try:
         return batch(settings, rest)
+    except UsageError as error:
+        print(f"batch: {error}", file=sys.stderr)
+        return 2
     except BatchError as error:
         print(f"batch: {error}", file=sys.stderr)
     except OSError as error:

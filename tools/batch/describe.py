@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Makes the description of a new batch, or takes up that of an earlier call where nothing has changed."""
 
+import contextlib
 import math
 import os
 import pathlib
@@ -9,7 +10,7 @@ import sys
 
 from tools.batch import key as keys, merge, plan, povray, progress
 from tools.batch.probe import Probe
-from tools.batch.store import BatchError, read_json, sha256, write_json
+from tools.batch.store import BatchError, UsageError, output_lock, read_json, sha256, write_json
 from tools.repository import ROOT
 
 MESSAGE_LINES = 12
@@ -64,6 +65,10 @@ class Request:
             self.output = os.path.dirname(output)
         else:
             self.output = output
+        if output == os.path.dirname(output):
+            raise BatchError(f"--output {self.settings.output!r} is the root of all folders; give a name.")
+        if self.kind == "still" and os.path.isdir(output):
+            raise BatchError(f"--output {self.settings.output!r} is a folder; a still is a file.")
         self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
@@ -76,6 +81,7 @@ class Request:
             "options": self.inputs.words,
             "libraries": self.inputs.libraries,
             "POVINC": self.inputs.povinc,
+            "ini": self.inputs.ini,
             "extension": self.extension,
             "version": povray.version(self.program),
             "program": sha256(self.program),
@@ -87,6 +93,7 @@ class Request:
         return {
             "threads": self.threads,
             "retries": self.settings.retries,
+            "limit": self.settings.limit,
             "program": self.program,
             "output": self.output,
             "tasks": [],
@@ -106,6 +113,14 @@ class Request:
             "sheet": f"{self.stem}_sheet.png",
             **self.changeable(),
         }
+
+
+def understood(settings, words):
+    """The request; whatever is wrong with it is a mistake in the command line."""
+    try:
+        return Request(settings, words)
+    except BatchError as error:
+        raise UsageError(str(error)) from None
 
 
 def take_up(work, request, stored):
@@ -156,7 +171,6 @@ def begin(work, request, engine):
     description = request.description()
     key = description["key"]
     work.make()
-    output_can_be_written(request.output)
     request.inputs.write(work)
     probe = Probe(work, description, key["pictures"][0])
     key["size"] = probe.picture_size()
@@ -179,6 +193,20 @@ def output_can_be_written(folder):
         raise BatchError(f"the output folder {folder!r} cannot be made: {error.strerror}.") from None
     if not os.access(folder, os.W_OK | os.X_OK):
         raise BatchError(f"the output folder {folder!r} cannot be written; give another with --output.")
+
+
+@contextlib.contextmanager
+def output_alone(work, request):
+    """Refuses a second batch that would write the same pictures at the same time."""
+    output_can_be_written(request.output)
+    name = f".{request.stem}.{request.extension}.lock" if request.kind == "still" else ".batch.lock"
+    with output_lock(pathlib.Path(request.output) / name, work.folder) as other:
+        if other is not None:
+            raise BatchError(
+                f"another batch writes to {request.output!r} at this time, with the work folder {other!r}. Wait for it, or "
+                "give another --output."
+            )
+        yield
 
 
 def choose_bands(request, probe, size, engine):

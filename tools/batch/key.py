@@ -69,6 +69,14 @@ def file_stamp(path):
     return [state.st_size, state.st_mtime_ns, state.st_ino]
 
 
+def written_since(path, moment):
+    """Whether a file's contents or name may have changed since (seconds of the epoch): also where somebody put back the old
+    contents and times, since nobody can put back the time of the last change of its entry. The clock of a file system
+    may be some milliseconds behind."""
+    state = os.stat(path)
+    return max(state.st_mtime_ns, state.st_ctime_ns) > (moment - 0.02) * 1e9
+
+
 def hashes(paths):
     """Path -> SHA-256."""
     return {path: sha256(path) for path in sorted(paths)}
@@ -106,6 +114,7 @@ TEXTS = {
     "extension": "kind of picture",
     "libraries": "folders of include files",
     "POVINC": "environment variable POVINC",
+    "ini": "first ini file (environment variable POVINI, or the first that is found)",
 }
 
 

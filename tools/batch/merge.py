@@ -3,14 +3,16 @@
 """Puts the bands of a picture together and the picture where the user wants it."""
 
 import contextlib
+import functools
 import os
 import pathlib
 import shutil
 import subprocess
 
 from tools.batch import povray
+from tools.batch.key import file_stamp
 from tools.batch.plan import unit_name
-from tools.batch.store import BatchError, read_json, sha256, sync_file, sync_folder, write_json
+from tools.batch.store import BatchError, little_room, read_json, sha256, sync_file, sync_folder, write_json
 
 
 def oiiotool(folder, arguments):
@@ -19,8 +21,11 @@ def oiiotool(folder, arguments):
         ["oiiotool", *arguments], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False
     )
     if done.returncode != 0:
-        said = (done.stderr + done.stdout).decode(errors="replace").strip()
-        raise BatchError(f"oiiotool failed in {str(folder)!r}: {said[-300:]}")
+        said = (done.stderr + done.stdout).decode(errors="replace").strip().splitlines() or [
+            f"nothing, exit code {done.returncode}"
+        ]
+        room = "".join(f"\n{line}" for line in little_room(folder))
+        raise BatchError(f"oiiotool failed in {str(folder)!r}. It said:\n  " + "\n  ".join(said[:6]) + room)
 
 
 def band_records(work, key, picture):
@@ -137,6 +142,12 @@ def free_space(work, key, picture):
             path.unlink()
 
 
+@functools.lru_cache(maxsize=None)
+def hash_now(path, *_):
+    """Hash of a file, taken once in this process while its stamp stays."""
+    return sha256(path)
+
+
 def is_merged(work, description, picture):
     """Whether the picture is in its place, as it was put there."""
     told = read_json(work.record("merged", f"{picture:05d}"))
@@ -147,6 +158,7 @@ def is_merged(work, description, picture):
             if (
                 os.path.dirname(entry["file"]) != description["output"]
                 or os.stat(entry["file"]).st_size != entry["bytes"]
+                or hash_now(entry["file"], *file_stamp(entry["file"])) != entry["sha256"]
             ):
                 return False
         except OSError:

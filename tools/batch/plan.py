@@ -18,6 +18,7 @@ from tools.batch.store import BatchError, sha256
 BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on where they begin
 TALL = 256  # rows of a band, where there is a choice: each edge costs some 15 to 20 rows in a blurred picture
 POVINC = "povinc"  # link to the folder that the variable POVINC names; POV-Ray looks there before those of +L
+MOST_VALUES = 100000  # of a range in --set; each is a picture
 SECONDS_A_TASK = 5.0  # what a task should be worth at least, ten times what starting POV-Ray costs
 DEFAULT_INI = (
     "./povray.ini",
@@ -53,10 +54,12 @@ def values(text):
             )
         first, last, step = numbers
         count = int((last - first) / step) + 1 if (last - first) / step >= 0 else 0
-        if not 0 < count <= 100000:
+        if count == 0:
             raise BatchError(
-                f"--set: {part!r} has {count} values; with this step, TO must lie on the other side of FROM."
+                f"--set: {part!r} has 0 values; with this step, TO must lie on the other side of FROM."
             )
+        if count > MOST_VALUES:
+            raise BatchError(f"--set: {part!r} has {count} values; {MOST_VALUES} at most. Take a larger step.")
         found += [first + step * i for i in range(count)]
     if len(set(found)) != len(found):
         raise BatchError(f"--set: {text!r} has a value twice.")
@@ -186,13 +189,11 @@ class Inputs:
         self.links = Links(targets)
 
     def add_ini(self, i, ini, targets):
-        """An ini file among the options, with its section."""
+        """An ini file among the options."""
         if not os.path.isfile(ini):
             raise BatchError(f"there is no ini file {ini!r}.")
         read_ini(ini)
         targets[f"options{i}.ini"] = ini
-        section = re.search(r"(\[[^\]]*\])?$", self.options.inis[i]).group(0)
-        self.words.append(f"{Links.UP}options{i}.ini{section}")
 
     def write(self, work):
         """Makes links, and the ini file that POV-Ray reads first: the user's, after the user's current

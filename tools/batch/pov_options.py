@@ -6,6 +6,7 @@ names of files are made independent of the current folder, and the kind of pictu
 import os
 import re
 
+from tools.batch.key import Links
 from tools.batch.store import BatchError
 
 # What the batch sets itself, with what to do instead.
@@ -56,7 +57,8 @@ def unquoted(text):
 
 
 class PovOptions:
-    """The options, sorted. `words` go to POV-Ray as they are; `libraries` and `inis` name files."""
+    """The options, sorted. `words` go to POV-Ray in this order, which decides where two of them set the same; `libraries`
+    and `inis` name files. An ini file is among the words under the name of its link, options0.ini and so on."""
 
     def __init__(self, words):
         self.words, self.libraries, self.inis = [], [], []
@@ -72,6 +74,8 @@ class PovOptions:
         elif named:
             self.add_named(word, named.group(1).lower(), named.group(2).strip())
         elif re.search(r"\.ini(\[[^\]]*\])?$", word, re.IGNORECASE):
+            section = re.search(r"(\[[^\]]*\])?$", word).group(0)
+            self.words.append(f"{Links.UP}options{len(self.inis)}.ini{section}")
             self.inis.append(word)
         else:
             raise BatchError(

@@ -5,6 +5,7 @@
 import os
 import re
 import shutil
+import signal
 import struct
 import subprocess
 
@@ -12,6 +13,7 @@ from tools.batch.plan import POVINC
 from tools.batch.store import BatchError, boot, read_json, write_json
 
 PICTURE = "picture"  # stem of what POV-Ray writes in a unit's folder
+KILLED = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU)  # by others, not by a fault of its own
 PAGE = 4096
 STATE_HEADER = 512
 
@@ -102,18 +104,18 @@ def whole_messages(data, trusted):
 
 
 def prepare_state(folder):
-    """Cuts the state file to what can be relied on; returns whether there is something to continue from."""
+    """Cuts the state file to what can be relied on; returns its length in bytes, 0 where there is nothing to continue from."""
     path = state_file(folder)
     if path is None:
-        return False
+        return 0
     data = path.read_bytes()
     whole = whole_messages(data, read_json(folder / "boot.json") == boot())
     if whole <= STATE_HEADER:
         path.unlink()
-        return False
+        return 0
     if whole < len(data):
         os.truncate(path, whole)
-    return True
+    return whole
 
 
 def clear_output(folder, also_state=False):

@@ -6,7 +6,10 @@ will it take, and do its pixels depend on the rows that are rendered with them?
 Only the last question needs more than one small render. Radiosity and stock's jittered area lights do
 depend on them; the samples of a tilt_lens picture never do. """
 
+import itertools
 import re
+import subprocess
+import sys
 import time
 
 from tools.batch import key as keys, merge, povray
@@ -37,7 +40,7 @@ class Probe:
         if size is None:
             words += ["+SC1", "+EC2"]
         process = povray.start(self.description, folder, [*words, "-C"], log)
-        status = process.wait()
+        status = self.wait(process, log)
         seconds = time.monotonic() - begun
         text = log.read_text(encoding="utf-8", errors="replace")
         if status < 0:
@@ -52,6 +55,24 @@ class Probe:
         self.read |= read
         self.missing |= missing
         return folder, text, seconds
+
+    def wait(self, process, log):
+        """Waits for a small render, and says so where it takes long; ends it at the limit for units."""
+        begun, limit = time.monotonic(), self.description["limit"]
+        for pause in itertools.chain((5, 25, 90), itertools.repeat(600)):
+            spent = time.monotonic() - begun
+            try:
+                return process.wait(timeout=pause if limit is None else max(0.01, min(pause, limit - spent)))
+            except subprocess.TimeoutExpired:
+                spent = time.monotonic() - begun
+            if limit is not None and spent >= limit:
+                process.kill()
+                process.wait()
+                raise BatchError(
+                    f"the first look at the scene was ended after {limit} s, as --limit says; log: {log}"
+                )
+            hint = "" if spent < 100 or limit else " If it hangs: Ctrl-C, and again with --limit TIME."
+            print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
     def picture_size(self):
         """Size of the whole picture, from two pixels of it; its parse reads the files that the key

@@ -3,12 +3,16 @@
 """What is done, running, failed; the line that tells it; the summary."""
 
 import os
-import shutil
+import re
 import sys
 import time
 
 from tools.batch.plan import unit_name
 from tools.batch.store import read_json
+
+
+LOOKED_AT, SHOWN = 64, 3  # running units whose records are read, and that the line of progress names
+LONG = 600  # seconds after which a unit that still runs is worth a hint
 
 
 def span(seconds):
@@ -40,6 +44,32 @@ class State:
         return [n for n, name in enumerate(self.units) if name not in self.done and name not in self.failed]
 
 
+class Running:
+    """A unit that is at work, from its record and its log."""
+
+    def __init__(self, work, name, description):
+        bands = description["key"]["bands"]
+        record = read_json(work.record("running", name)) or {}
+        picture, band = (int(part) for part in name.split("."))
+        self.label = description["key"]["pictures"][picture].get("label", name)
+        if len(bands) > 1:
+            self.label += f" band {band + 1}"
+        self.since, self.host = record.get("since", time.time()), record.get("host")
+        self.log, self.begins = record.get("log"), record.get("begins", 0)
+        self.seconds = max(0.0, time.time() - self.since)
+
+    def percent(self):
+        """How far POV-Ray says it is, or None."""
+        lines = log_end(self.log, 1, self.begins) if self.log else [""]
+        found = re.findall(r"\((\d+)%", lines[0] if lines else "")
+        return int(found[-1]) if found else None
+
+    def text(self):
+        """For the line of progress."""
+        percent = self.percent()
+        return f"{self.label} ({span(self.seconds)}" + (")" if percent is None else f", {percent}%)")
+
+
 class Progress:
     """One line about the whole batch: overwritten on a terminal, a new one now and then elsewhere."""
 
@@ -49,6 +79,7 @@ class Progress:
         self.at_begin = len(State(work, description).done)
         self.terminal = sys.stderr.isatty()
         self.last_text, self.last_time = "", 0.0
+        self.hinted = False
 
     def time_left(self, state):
         """From the pace of this run; before the first unit is done, nothing."""
@@ -65,8 +96,21 @@ class Progress:
         left = self.time_left(state) if len(state.done) < len(state.units) else ""
         return (
             f"{len(state.done)} of {len(state.units)} {what} done, {len(state.running)} running, "
-            f"{len(state.failed)} failed{left}"
+            f"{len(state.failed)} failed{left}{self.at_work(state)}"
         )
+
+    def at_work(self, state):
+        """The units that have run longest, by name; once a hint where one takes very long."""
+        units = [Running(self.work, name, self.description) for name in sorted(state.running)[:LOOKED_AT]]
+        units.sort(key=lambda unit: -unit.seconds)
+        if units and units[0].seconds > LONG and not self.hinted and not self.description.get("limit"):
+            self.hinted = True
+            sys.stderr.write(
+                f"{units[0].label} has been running for {span(units[0].seconds)}; log: {units[0].log}. If it hangs: "
+                "Ctrl-C, and again with --limit TIME.\n"
+            )
+        shown = "; ".join(unit.text() for unit in units[:SHOWN])
+        return f": {shown}" + ("; ..." if len(state.running) > SHOWN else "") if shown else ""
 
     def show(self, final=False):
         """Tells where the batch stands."""
@@ -85,12 +129,14 @@ class Progress:
         self.last_text = text
 
 
-def log_end(path, lines=6):
-    """The last lines of a log."""
+def log_end(path, lines=6, begins=0, ends=None):
+    """The last lines of a log, or of its bytes from `begins` to `ends`."""
     try:
+        ends = os.path.getsize(path) if ends is None else ends
         with open(path, "rb") as stream:
-            stream.seek(max(0, os.path.getsize(path) - 20000))
-            text = stream.read().decode(errors="replace")
+            begins = max(begins, ends - 20000)
+            stream.seek(begins)
+            text = stream.read(ends - begins).decode(errors="replace")
     except OSError as error:
         return [f"(no log: {error.strerror})"]
     kept = [line for line in text.replace("\r", "\n").splitlines() if line.strip()]
@@ -103,7 +149,8 @@ def failures(work, description):
         record = read_json(work.record("failed", name)) or {}
         yield f"failed: {record.get('picture', name)!r} rows {record.get('rows')}: {record.get('reason')}"
         yield f"  log: {record.get('log')}"
-        yield from ("  | " + line for line in log_end(record.get("log", "")))
+        end = log_end(record.get("log", ""), begins=record.get("begins", 0), ends=record.get("ends"))
+        yield from ("  | " + line for line in end)
 
 
 def unfinished(work, description):
@@ -121,13 +168,6 @@ def unfinished(work, description):
         jobs = read_json(work.folder / "jobs.json")
         if description["on"] == "slurm" and jobs:
             yield f"What Slurm knows of it: scontrol show job {jobs[0]}, or sacct -j {jobs[0]}"
-
-
-def little_room(work):
-    """A remark where the disk is full: programs that ran out of room seldom say so."""
-    free = shutil.disk_usage(work.folder).free
-    if free < 1 << 20:
-        yield f"The disk is full: {free >> 10} KB are left for {str(work.folder)!r}. Make room first."
 
 
 def times(work, description):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs tasks on a Slurm cluster: a job array, and a job that depends on it and finishes the batch."""
 
+import contextlib
 import re
 import shlex
 import shutil
@@ -154,7 +155,29 @@ def active_jobs(work):
     return alive(jobs) if jobs and shutil.which("squeue") else []
 
 
+def cancelled(jobs):
+    """Which of the jobs somebody has cancelled, as far as the controller still knows them."""
+    found = []
+    for job in jobs:
+        with contextlib.suppress(BatchError):
+            if "JobState=CANCELLED" in command("scontrol", "--oneliner", "show", "job", job):
+                found.append(job)
+    return found
+
+
 def wait(jobs, progress):
+    """Waits for the jobs; refuses to go on where somebody cancelled them."""
+    try:
+        wait_for_end(jobs, progress)
+    except KeyboardInterrupt:
+        print(f"\nThe jobs go on. To end them: scancel {' '.join(jobs)}", file=sys.stderr)
+        raise
+    gone = cancelled(jobs)
+    if gone:
+        raise BatchError(f"the jobs {' '.join(gone)} were cancelled. The same command submits what is missing.")
+
+
+def wait_for_end(jobs, progress):
     """Waits for the jobs. While the controller does not answer, so does this, but not for ever."""
     pause, silent_since = 0.5, None
     while True:
@@ -184,8 +207,4 @@ def run(work, description, tasks, settings, progress):
             file=sys.stderr,
         )
         return
-    try:
-        wait(jobs, progress)
-    except KeyboardInterrupt:
-        print(f"\nThe jobs go on. To end them: scancel {' '.join(jobs)}", file=sys.stderr)
-        raise
+    wait(jobs, progress)

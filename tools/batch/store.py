@@ -29,6 +29,10 @@ class BatchError(Exception):
     """Something that the user can mend; the message says what and how."""
 
 
+class UsageError(BatchError):
+    """A mistake in the command line."""
+
+
 def sha256(path):
     """Hash of a file's bytes."""
     digest = hashlib.sha256()
@@ -96,6 +100,37 @@ def locked(path, wait=True):
             yield False
             return
         yield True
+
+
+def little_room(folder):
+    """A remark where the disk is full: programs that ran out of room seldom say so."""
+    free = shutil.disk_usage(folder).free
+    if free < 1 << 20:
+        yield f"The disk is full: {free >> 10} KB are left for {str(folder)!r}. Make room first."
+
+
+@contextlib.contextmanager
+def output_lock(path, work):
+    """Holds a lock file beside the pictures while a batch writes them, so that no other batch writes the same; removes it
+    afterwards. Yields None, or the work folder of the batch that has it."""
+    while True:
+        with open(path, "a+", encoding="utf-8", errors="surrogateescape") as stream:
+            try:
+                fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                stream.seek(0)
+                yield stream.read()
+                return
+            if not os.path.exists(path) or os.stat(path).st_ino != os.fstat(stream.fileno()).st_ino:
+                continue  # the other batch has just removed it
+            stream.truncate(0)
+            stream.write(str(work))
+            stream.flush()
+            try:
+                yield None
+            finally:
+                os.unlink(path)
+            return
 
 
 def boot():

@@ -10,12 +10,13 @@ import fcntl
 import os
 import pathlib
 import signal
+import subprocess
 import sys
 import time
 
 from tools.batch import key as keys, merge, povray
 from tools.batch.plan import unit_name
-from tools.batch.store import BatchError, Work, locked, read_json, sha256, sync_file, sync_folder, write_json
+from tools.batch.store import BatchError, Work, little_room, locked, read_json, sha256, sync_file, sync_folder, write_json
 
 
 class Changed(BatchError):
@@ -29,17 +30,14 @@ def check_inputs(description, folder, started):
     read, missing = keys.listed_files(folder / "files", links)
     extra = {}
     for path in sorted(read):
-        stamp = keys.file_stamp(path)
-        if path in known and stamps.get(path) == stamp:
-            continue
-        found = sha256(path)
+        found = known.get(path) if stamps.get(path) == keys.file_stamp(path) else sha256(path)
         if path in known and found != known[path]:
             raise Changed(f"file {path!r} has changed since the batch began.")
         if path in description["key"]["missing"]:
             raise Changed(f"file {path!r} appeared since the batch began.")
+        if keys.written_since(path, started):
+            raise BatchError(f"file {path!r} was written while it was being read.")
         if path not in known:
-            if stamp[1] > started * 1e9:
-                raise BatchError(f"file {path!r} was written while it was being read.")
             extra[path] = found
     gone = sorted(missing & known.keys())
     if gone:
@@ -57,12 +55,17 @@ class Unit:
         self.picture = key["pictures"][number // len(key["bands"])]
         self.rows = key["bands"][number % len(key["bands"])]
         self.folder = work.unit(self.name)
+        self.begins = os.path.getsize(log) if os.path.exists(log) else 0
         self.process = None
 
     def say(self, text):
         """A line in the task's log."""
         with open(self.log, "a", encoding="utf-8", errors="surrogateescape") as stream:
             stream.write(f"--- {time.strftime('%H:%M:%S')} unit {self.name}: {text}\n")
+
+    def place_in_log(self):
+        """Which log this unit's lines are in, and from which byte on: other units of the task have theirs before."""
+        return {"log": str(self.log), "begins": self.begins}
 
     def do(self):
         """Renders the unit where that is not done yet, with a bounded number of tries."""
@@ -88,7 +91,8 @@ class Unit:
                     "reason": reason,
                     "picture": self.picture["name"],
                     "rows": self.rows,
-                    "log": str(self.log),
+                    "ends": os.path.getsize(self.log),
+                    **self.place_in_log(),
                 },
             )
             return False
@@ -96,9 +100,8 @@ class Unit:
     def attempt(self, attempt, lock):
         """One run of POV-Ray: None, or why there is no picture and whether another try is in vain."""
         running = self.work.record("running", self.name)
-        write_json(
-            running, {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()}
-        )
+        told = {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()}
+        write_json(running, {**told, **self.place_in_log()})
         try:
             return self.render(attempt, lock)
         except Changed as error:
@@ -116,25 +119,40 @@ class Unit:
             (self.folder / "files").unlink()
         goes_on = povray.prepare_state(self.folder)
         words = povray.arguments(self.description, self.picture, self.rows) + ["+C" if goes_on else "-C"]
-        state = (
-            f"continued from {povray.state_file(self.folder).stat().st_size} bytes"
-            if goes_on
-            else "from the start"
-        )
+        state = f"continued from {goes_on} bytes" if goes_on else "from the start"
         self.say(
             f"{self.picture['label']}, rows {self.rows[0]} to {self.rows[1]}, try {attempt}, {state}, on "
             f"{os.uname().nodename}"
         )
         started = time.time()
         self.process = povray.start(self.description, self.folder, words, self.log, lock)
-        status = self.process.wait()
-        self.process = None
+        limit = self.description["limit"]
+        try:
+            status = self.process.wait(timeout=limit)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+            return f"povray was ended after {limit} s, as --limit says", True
+        finally:
+            self.process = None
         if status != 0:
             told = f"was ended by signal {-status}" if status < 0 else f"ended with exit code {status}"
+            if goes_on and self.drop_state(status, goes_on):
+                return f"povray {told} on its state file, which is dropped", False
             return f"povray {told}", status == 1
         extra, missing = check_inputs(self.description, self.folder, started)
         self.finish(extra, missing, attempt, time.time() - started)
         return None, False
+
+    def drop_state(self, status, size):
+        """Removes a state file that POV-Ray crashed on or refused; returns whether. One that has grown was read well. Who kills
+        POV-Ray, or has no room left, says nothing about the file."""
+        path = povray.state_file(self.folder)
+        blameless = -status in povray.KILLED or any(little_room(self.folder))
+        if path is None or blameless or path.stat().st_size > size:
+            return False
+        path.unlink()
+        return True
 
     def finish(self, extra, missing, attempt, seconds):
         """Checks the pictures and records the unit as done."""
