@@ -125,8 +125,8 @@ function(patched_source_series_hash out series_folder)
     set(${out} "${hash}" PARENT_SCOPE)
 endfunction()
 
-# Brings WORK/povray up to date. WORK/applied-patches lists what was applied to it, WORK/key what it was
-# made from; the key is removed first and written last, so that an interrupted run counts as none.
+# Brings WORK/povray up to date. WORK/applied-patches lists what was applied to it, WORK/debian-copyright its
+# licences, WORK/key what it was made from; the key is removed first and written last, so that an interrupted run counts as none.
 function(patched_source_prepare work downloads pin series_folder use_patches)
     upstream_read_pin("${pin}")
     patched_source_key(key "${pin}" "${series_folder}" "${use_patches}")
@@ -149,6 +149,7 @@ function(patched_source_prepare work downloads pin series_folder use_patches)
     endif()
     patched_source_update("${work}/povray" "${fresh}/${UPSTREAM_SOURCE_FOLDER}")
     file(RENAME "${record}" "${work}/applied-patches")
+    file(COPY_FILE "${fresh}/debian/copyright" "${work}/debian-copyright")
     file(REMOVE_RECURSE "${fresh}")
     file(WRITE "${work}/key" "${key}")
 endfunction()

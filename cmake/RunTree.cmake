@@ -9,7 +9,6 @@
 include_guard()
 
 set(data_folder share/povray-3.7)
-string(REPLACE "share/" "" data_folder_from_share "${data_folder}")
 set(conf_folder etc/povray/3.7)
 set(scenes "${CMAKE_SOURCE_DIR}/scenes")
 
@@ -71,16 +70,24 @@ install(CODE "
 install(FILES "${POVRAY_SOURCE}/unix/povray.1" DESTINATION share/man/man1)
 install(FILES "${CMAKE_SOURCE_DIR}/docs/man/povray-tilt-lens.7" DESTINATION share/man/man7)
 
-# The pages, laid out as in the repository so that their links hold; the scenes, which they name too, are linked.
-set(doc_folder share/doc/povray-tilt-lens)
-install(FILES "${CMAKE_SOURCE_DIR}/LICENSE" "${CMAKE_SOURCE_DIR}/README.md" DESTINATION ${doc_folder})
-install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs" "${CMAKE_SOURCE_DIR}/editors" DESTINATION ${doc_folder}
-    PATTERN figures EXCLUDE
-    PATTERN man EXCLUDE)
-install(CODE "
-    set(scenes \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${doc_folder}/scenes\")
-    file(MAKE_DIRECTORY \"\${scenes}\")
+# run_tree_install_pages(DOC DATA ...): installs the pages into the folder DOC, laid out as in the repository so that
+# their links hold; the scenes, which they name too, are links to those in DATA. Both are relative to the prefix. What
+# follows is for install(), such as a component.
+function(run_tree_install_pages doc data)
+    install(FILES "${CMAKE_SOURCE_DIR}/README.md" DESTINATION ${doc} ${ARGN})
+    install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs" "${CMAKE_SOURCE_DIR}/editors" DESTINATION ${doc} ${ARGN}
+        PATTERN figures EXCLUDE
+        PATTERN man EXCLUDE)
     foreach(link IN ITEMS include=include gallery=scenes/gallery tutorial=scenes/tutorial)
-        string(REGEX MATCH \"^(.*)=(.*)\$\" whole \"\${link}\")
-        file(CREATE_LINK \"../../../${data_folder_from_share}/\${CMAKE_MATCH_2}\" \"\${scenes}/\${CMAKE_MATCH_1}\" SYMBOLIC)
-    endforeach()")
+        string(REGEX MATCH "^(.*)=(.*)$" whole "${link}")
+        file(RELATIVE_PATH target "/${doc}/scenes" "/${data}/${CMAKE_MATCH_2}")
+        install(CODE "
+            set(scenes \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${doc}/scenes\")
+            file(MAKE_DIRECTORY \"\${scenes}\")
+            file(CREATE_LINK \"${target}\" \"\${scenes}/${CMAKE_MATCH_1}\" SYMBOLIC)" ${ARGN})
+    endforeach()
+endfunction()
+
+set(doc_folder share/doc/povray-tilt-lens)
+install(FILES "${CMAKE_SOURCE_DIR}/LICENSE" DESTINATION ${doc_folder})
+run_tree_install_pages(${doc_folder} ${data_folder})

@@ -5,6 +5,8 @@
 # Completion for ./render, ./check and ./batch in Bash:   . editors/bash/povray-tilt-lens.bash
 
 _tilt_lens_home=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+# Debian's package has this file in /usr/share/bash-completion/completions, the scenes elsewhere below /usr/share.
+[ -d "$_tilt_lens_home/scenes" ] || _tilt_lens_home=$_tilt_lens_home/povray-tilt-lens
 
 # Scenes of the project whose name, written as seen from here, begins with $1.
 _tilt_lens_scenes()
@@ -91,6 +93,6 @@ _tilt_lens_batch()
         esac)
 }
 
-complete -F _tilt_lens_render ./render render
+complete -F _tilt_lens_render ./render render povray-tilt-lens
 complete -F _tilt_lens_check ./check
 complete -F _tilt_lens_batch ./batch

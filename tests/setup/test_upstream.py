@@ -26,6 +26,7 @@ ORIG = {
     "povray-1/windows/unused.cpp": "",
 }
 DEBIAN = {
+    "debian/copyright": "License: AGPL-3.0+\n",
     "debian/patches/series": "fix-main.patch\n#left-out.patch\n",
     "debian/patches/fix-main.patch":
         "--- a/source/main.cpp\n+++ b/source/main.cpp\n@@ -1 +1,2 @@\n int main() {}\n+// Debian's line\n",

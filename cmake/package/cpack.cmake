@@ -1,0 +1,19 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+#
+# Read by CPack before it makes a package: whose package it is, in the way of Debian's own tools.
+if(CPACK_GENERATOR STREQUAL "DEB")
+    set(name "$ENV{DEBFULLNAME}")
+    set(mail "$ENV{DEBEMAIL}")
+    if(NOT name OR NOT mail)
+        message(FATAL_ERROR "A Debian package names who made it. Set the environment variables DEBFULLNAME (your name) "
+            "and DEBEMAIL (your mail address), and make the package again.")
+    endif()
+    set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${name} <${mail}>")
+    if(CPACK_DEBIAN_PACKAGE_SHLIBDEPS)
+        find_program(shlibdeps dpkg-shlibdeps)
+        if(NOT shlibdeps)
+            message(FATAL_ERROR "The package's dependencies are found by dpkg-shlibdeps: install the package dpkg-dev.")
+        endif()
+    endif()
+endif()
