@@ -118,7 +118,7 @@ setup()
 {
     local target=povray
     [ "$1" != check ] || target=all
-    command -v dpkg-query apt-get >/dev/null || die "this set-up is for Debian 12: dpkg and apt-get are missing."
+    command -v dpkg-query apt-get >/dev/null || die "this set-up is for Debian: dpkg and apt-get are missing. docs/building.md says how to build elsewhere."
     install_packages "$1"
     mkdir -p "$build" || die "cannot create $build."
     [ -w "$build" ] || die "cannot write into $build (it belongs to $(stat -c %U -- "$build"))."
