@@ -8,6 +8,16 @@ _tilt_lens_home=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 # Debian's package has this file in /usr/share/bash-completion/completions, the scenes elsewhere below /usr/share.
 [ -d "$_tilt_lens_home/scenes" ] || _tilt_lens_home=$_tilt_lens_home/povray-tilt-lens
 
+# The word that is being completed, without the marks that keep blanks together: an opening quotation mark, backslashes.
+_tilt_lens_word()
+{
+    local word=${COMP_WORDS[COMP_CWORD]}
+    case $word in
+        [\"\']*) printf '%s' "${word:1}" ;;
+        *)       printf '%s' "${word//\\/}" ;;
+    esac
+}
+
 # Scenes of the project whose name, written as seen from here, begins with $1.
 _tilt_lens_scenes()
 {
@@ -35,10 +45,20 @@ _tilt_lens_files()
     done < <(compgen -f -- "$word")
 }
 
-# Sets COMPREPLY to the lines of standard input, each once. What goes on is not followed by a blank.
+# Sets COMPREPLY to the lines of the file $1, each once and as the shell takes it: behind an opening quotation mark as it
+# is, elsewhere with blanks and the like escaped. What goes on is not followed by a blank.
 _tilt_lens_reply()
 {
+    local i
     mapfile -t COMPREPLY < <(sort -u -- "$1")
+    case ${COMP_WORDS[COMP_CWORD]} in
+        [\"\']*) ;;
+        *) for i in "${!COMPREPLY[@]}"; do
+               case ${COMPREPLY[i]} in
+                   *[[:space:]\"\'\$\`\&\;\(\)\<\>\|\*\?\[\#\!\\]*) COMPREPLY[i]=$(printf '%q' "${COMPREPLY[i]}") ;;
+               esac
+           done ;;
+    esac
     case ${COMPREPLY[0]-} in
         */|*=|[-+][A-Z]) [ ${#COMPREPLY[@]} -ne 1 ] || compopt -o nospace 2>/dev/null ;;
     esac
@@ -46,7 +66,8 @@ _tilt_lens_reply()
 
 _tilt_lens_render()
 {
-    local word=${COMP_WORDS[COMP_CWORD]}
+    local word
+    word=$(_tilt_lens_word)
     local options='+W +H +A0.1 +FN16 +FE +FE32 +N +O +L +WT +SR +ER +SC +EC +C +UA -GA Output_Layers=on Declare= --help --version'
     _tilt_lens_reply <(
         compgen -W "$options" -- "$word"
@@ -74,12 +95,13 @@ _tilt_lens_check()
 
 _tilt_lens_batch()
 {
-    local word=${COMP_WORDS[COMP_CWORD]} kinds='still film sweep'
-    local options='--bands --frames --set --on --workers --output --work --retries --anew --quiet --povray --sbatch --detach --help'
+    local word kinds='still film sweep'
+    local options='--bands --frames --set --on --workers --output --work --retries --limit --anew --quiet --povray --sbatch --detach --help'
+    word=$(_tilt_lens_word)
     case ${COMP_WORDS[COMP_CWORD-1]} in
         --on) _tilt_lens_reply <(compgen -W 'local slurm' -- "$word"); return ;;
         --output|--work|--povray) _tilt_lens_reply <(_tilt_lens_files "$word" ''); return ;;
-        --bands|--frames|--set|--workers|--retries|--sbatch) COMPREPLY=(); return ;;
+        --bands|--frames|--set|--workers|--retries|--limit|--sbatch) COMPREPLY=(); return ;;
     esac
     if [ "$COMP_CWORD" -eq 1 ]; then
         _tilt_lens_reply <(compgen -W "$kinds --help" -- "$word")

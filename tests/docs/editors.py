@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -92,8 +93,18 @@ class Code(unittest.TestCase):
         self.assertNotRegex("tilted 3", rules["item"]["match"])
         self.assertRegex("Tilt_Lens_Miniature(A, B, 1)", rules["macro"]["match"])
 
+    def test_a_snippet_for_an_item_is_no_block(self):
+        """It is typed inside the block."""
+        table = json.loads((EDITORS / "vscode" / "snippets" / "tilt-lens.json").read_text())
+        for entry in table.values():
+            if entry["prefix"] in items():
+                self.assertTrue(entry["body"][0].startswith(entry["prefix"]), entry)
+                self.assertNotIn("tilt_lens", "".join(entry["body"]))
+
     def test_snippets_render(self):
         for name, text in snippets().items():
+            if name.startswith("Item "):
+                text = f"tilt_lens {{ scene_unit 1000  f_stop 4  {text} }}"
             if "camera" not in text:
                 text = f"camera {{ right x*image_width/image_height location <0, 2, -6> look_at <0, 1, 0> {text} }}"
             scene = f"#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n{text}\nsphere {{ 0, 1 }}\n"
@@ -110,14 +121,14 @@ class Completion(unittest.TestCase):
     """The completions that Bash offers."""
 
     def offered(self, line, folder=ROOT):
-        words = line.split(" ")
+        words = line if isinstance(line, list) else line.split(" ")
         script = (f". '{EDITORS / 'bash' / 'povray-tilt-lens.bash'}'\n"
-                  f"COMP_WORDS=({' '.join(repr(word) for word in words)}) COMP_CWORD={len(words) - 1}\n"
+                  f"COMP_WORDS=({' '.join(shlex.quote(word) for word in words)}) COMP_CWORD={len(words) - 1}\n"
                   f"function=$(complete -p {words[0]} | sed 's/.*-F \\([^ ]*\\).*/\\1/')\n"
                   "$function; printf '%s\\n' \"${COMPREPLY[@]}\"")
         done = subprocess.run(["bash", "-c", script], cwd=folder, capture_output=True, text=True, timeout=20, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""), line)
-        return done.stdout.split()
+        return done.stdout.splitlines()
 
     def test_scenes(self):
         self.assertEqual(self.offered("./render scenes/tutorial/ti"), ["scenes/tutorial/tilt.pov"])
@@ -131,6 +142,14 @@ class Completion(unittest.TestCase):
             (pathlib.Path(folder) / "more").mkdir()
             self.assertEqual(self.offered("./render m", folder), ["mine.ini", "mine.pov", "more/"])
             self.assertTrue(any(name.endswith("/scenes/tutorial/tilt.pov") for name in self.offered("./render /", folder)))
+
+    def test_blanks_are_escaped(self):
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
+            (pathlib.Path(folder) / "my $scene.pov").write_text("")
+            (pathlib.Path(folder) / "my folder").mkdir()
+            self.assertEqual(self.offered("./render my", folder), ["my\\ \\$scene.pov", "my\\ folder/"])
+            self.assertEqual(self.offered(["./render", "my\\ f"], folder), ["my\\ folder/"])
+            self.assertEqual(self.offered(["./batch", "still", '"my f'], folder), ["my folder/"])
 
     def test_options(self):
         self.assertIn("+W", self.offered("./render a.pov +"))
@@ -166,13 +185,26 @@ class Completion(unittest.TestCase):
 class Vim(unittest.TestCase):
     """The names of the colours that Vim gives to words of a scene."""
 
-    SCENE = "#declare tilt = 3;\ncamera { tilt_lens { tilt tilt focal_plane { y, 0 } swing 2 } angle 40 }\nTilt_Lens_Real(1)\n"
+    # Below each line the names of colours: I item, B the block's word, M macro, E an error, . none of ours.
+    SCENE = """#declare tilt = 3;
+         .
+camera { tilt_lens { tilt tilt focal_plane { y, tilt } swing 2 } angle tilt }
+         B           I         I                .      I               .
+Tilt_Lens_Real(1)
+M
+sphere { tilt, 1 texture { tilt } } } #declare swing = 1;
+         .                 .        E          .
+"""
+    COLOURS = {"I": "povTiltLensItem", "B": "povTiltLens", "M": "povTiltLensMacro", "E": "PovBraceError"}
 
     def test_colours(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
-            (folder / "scene.pov").write_text(self.SCENE)
-            places = [(1, 10), (2, 10), (2, 22), (2, 32), (2, 53), (2, 63), (3, 1)]
+            lines = self.SCENE.splitlines()
+            (folder / "scene.pov").write_text("\n".join(lines[::2]))
+            wanted = {(row, column): mark for row, marks in enumerate(lines[1::2], 1)
+                      for column, mark in enumerate(marks, 1) if mark != " "}
+            places = list(wanted)
             ask = " ".join(f"call add(g:n, synIDattr(synID({row}, {column}, 1), 'name')) |" for row, column in places)
             script = (f"set runtimepath^={EDITORS / 'vim'} runtimepath+={EDITORS / 'vim' / 'after'}\nsyntax on\nedit scene.pov\n"
                       f"let g:n = []\n{ask} call writefile(g:n, 'names')\nquit!\n")
@@ -184,10 +216,11 @@ class Vim(unittest.TestCase):
             found = (folder / "names").read_text().split("\n")[:-1]
         if not any(found):
             self.skipTest("Vim's own syntax files are not installed")
-        expected = ["povTiltLens", "povTiltLensItem", "povTiltLensItem", "povTiltLensItem"]
-        self.assertEqual(found[1:5] + found[6:], [*expected, "povTiltLensMacro"], dict(zip(places, found)))
-        for outside in (found[0], found[5]):
-            self.assertFalse(outside.startswith("povTiltLens"), dict(zip(places, found)))
+        for place, name in zip(places, found):
+            if wanted[place] == ".":
+                self.assertNotIn(name, self.COLOURS.values(), place)
+            else:
+                self.assertEqual(name, self.COLOURS[wanted[place]], place)
 
 
 def main():

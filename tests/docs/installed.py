@@ -91,6 +91,25 @@ class Installed(unittest.TestCase):
         for example in found:
             self.assertEqual(self.parses(example), 0, example)
 
+    def test_examples_are_the_manuals(self):
+        """Camera and lens of both examples are those of the manual's answers."""
+        text, _ = formatted(ROOT / "docs" / "man" / "povray-tilt-lens.7")
+        table, facade = re.findall(r"camera \{.*?\n *\}\n", text.split("EXAMPLES", 1)[1], re.DOTALL)
+        manual = (ROOT / "docs" / "manual.md").read_text()
+        for line in filter(None, (line.strip() for line in table.splitlines())):
+            self.assertIn(line, manual)
+        answer = manual.split("### Take a facade", 1)[1].split("\n### ", 1)[0]
+        for part in (r"location <[^>]*>", r"angle \d+", r"shift <[^>]*>"):
+            self.assertIn(re.search(part, facade)[0], answer)
+
+    def test_denoise_is_told_as_in_the_manual(self):
+        text = " ".join(formatted(ROOT / "docs" / "man" / "povray-tilt-lens.7")[0].split())
+        manual = (ROOT / "docs" / "manual.md").read_text().split("### denoise", 1)[1].split("\n## ", 1)[0]
+        for words in ("noise is removed from the picture by filters", "A number works too, 0 is off.", "the mean of its own rays alone",
+                      "variance 0"):
+            self.assertIn(words, text)
+            self.assertIn(words.lower().rstrip("."), manual.replace("`", "").lower())
+
     def parses(self, camera):
         """Exit code of the installed program for a scene with this camera."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:

@@ -5,13 +5,14 @@
 " are free for identifiers. The same for the macros of tilt_lens.inc.
 
 syn match   povTiltLens      "\<tilt_lens\>" nextgroup=povTiltLensBlock skipwhite skipempty
-syn region  povTiltLensBlock matchgroup=povTiltLensBrace start="{" end="}" contained contains=TOP
-syn region  povTiltLensPlane matchgroup=povTiltLensBrace start="{" end="}" contained contains=TOP
-      \ containedin=povTiltLensBlock
+syn region  povTiltLensBlock matchgroup=povTiltLensBrace start="{" end="}" contained
+      \ contains=ALLBUT,povBraceError,@povPRIVATE
 syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
       \ tilt swing focus_tilt focus_swing focal_plane focal_points
       \ shift film_width focal_length scene_unit f_stop blades denoise
       \ focus_peaking focus_map show_planes
+" Vim's own regions between braces contain all groups but those of this cluster.
+syn cluster povPRIVATE add=povTiltLensBlock,povTiltLensItem
 syn match   povTiltLensMacro "\<Tilt_Lens_\w\+\>"
 
 hi def link povTiltLens      Statement
