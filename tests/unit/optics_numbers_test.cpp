@@ -18,7 +18,6 @@ namespace
 {
 
 const double kInfinity = std::numeric_limits<double>::infinity();
-const double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void ExpectSame(const Vec3& a, const Vec3& b)
 {
