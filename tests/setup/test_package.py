@@ -3,6 +3,7 @@
 """The package for Debian: its files, its control data, and that its program renders from where the package puts it. How it
 installs and what lintian says is tried by on_fresh_debian, which needs root."""
 
+import gzip
 import pathlib
 import re
 import subprocess
@@ -85,6 +86,15 @@ class Package(SetupTest):
             target = link.readlink()
             target = self.root / str(target)[1:] if target.is_absolute() else link.parent / target
             self.assertTrue(target.exists(), link)
+
+    def test_manual_pages_name_the_package_s_files(self):
+        for section in (1, 7):
+            page = self.root / f"usr/share/man/man{section}/povray-tilt-lens.{section}.gz"
+            with gzip.open(page, "rt", encoding="utf-8") as opened:
+                text = opened.read()
+            self.assertIn("/usr/share/povray-tilt-lens", text)
+            for other in (" PREFIX", "IPREFIX", "\\fBpovray\\fP", "povray (1)"):
+                self.assertNotIn(other, text, page.name)
 
     def test_licence_and_source(self):
         doc = self.root / "usr/share/doc/povray-tilt-lens"
