@@ -95,13 +95,13 @@ _tilt_lens_check()
 
 _tilt_lens_batch()
 {
-    local word kinds='still film sweep'
-    local options='--bands --frames --set --on --workers --output --work --retries --limit --anew --quiet --povray --sbatch --detach --help'
+    local word kinds='still film sweep status'
+    local options='--bands --frames --only --set --then --on --workers --output --work --retries --limit --anew --quiet --povray --sbatch --detach --help'
     word=$(_tilt_lens_word)
     case ${COMP_WORDS[COMP_CWORD-1]} in
         --on) _tilt_lens_reply <(compgen -W 'local slurm' -- "$word"); return ;;
         --output|--work|--povray) _tilt_lens_reply <(_tilt_lens_files "$word" ''); return ;;
-        --bands|--frames|--set|--workers|--retries|--limit|--sbatch) COMPREPLY=(); return ;;
+        --bands|--frames|--only|--set|--then|--workers|--retries|--limit|--sbatch) COMPREPLY=(); return ;;
     esac
     if [ "$COMP_CWORD" -eq 1 ]; then
         _tilt_lens_reply <(compgen -W "$kinds --help" -- "$word")

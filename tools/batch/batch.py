@@ -6,10 +6,11 @@ import argparse
 import os
 import re
 import signal
+import subprocess
 import sys
 import time
 
-from tools.batch import describe, local, merge, plan, povray, progress, sheet, slurm, task
+from tools.batch import describe, local, merge, plan, povray, progress, sheet, slurm, status, task
 from tools.batch.store import BatchError, UsageError, Work, little_room, locked, read_json, write_json, write_text
 
 ENGINES = {"local": local, "slurm": slurm}
@@ -75,6 +76,9 @@ def common_options(kind):
     kind.add_argument(
         "--anew", action="store_true", help="throw away what an earlier call has left, and begin again"
     )
+    kind.add_argument(
+        "--then", metavar="COMMAND", help="run this in a shell when all pictures are in their places"
+    )
     kind.add_argument("--quiet", action="store_true", help="no progress, only the summary")
     kind.add_argument(
         "--povray",
@@ -105,7 +109,7 @@ def parser():
     top = argparse.ArgumentParser(
         prog="batch", allow_abbrev=False, epilog=HELP, description=__doc__.split("\n", maxsplit=1)[0]
     )
-    kinds = top.add_subparsers(dest="kind", required=True, metavar="still|film|sweep")
+    kinds = top.add_subparsers(dest="kind", required=True, metavar="still|film|sweep|status")
     for name, text in (
         ("still", "one picture, its rows in bands"),
         ("film", "the frames of an animation"),
@@ -121,14 +125,21 @@ def parser():
                 metavar="N",
                 help="how many frames; clock goes from 0 to 1",
             )
+            kind.add_argument(
+                "--only",
+                metavar="FRAMES",
+                help="only these frames of the film, as in 5-8,12; with --anew again",
+            )
         if name == "sweep":
             kind.add_argument(
                 "--set",
                 action="append",
                 required=True,
                 metavar="NAME=VALUES",
-                help="declare NAME with each value: -8:8:2 (from, to, step) or 0.1,0.2; repeat for more names",
+                help="declare NAME with each value: -8:8:2 (from, to, step), 0.1,0.2 or '\"a\",\"b\"'; repeat for more names",
             )
+    kind = kinds.add_parser("status", help="where a batch stands, as JSON", allow_abbrev=False)
+    kind.add_argument("folder", help="the work folder, or the picture or folder that it belongs to")
     return top
 
 
@@ -231,6 +242,17 @@ def report(work, description, complaints, elapsed):
     return 0 if complete else 1
 
 
+def afterwards(work, description, command):
+    """Runs the user's command behind a complete batch; 1 where it fails."""
+    if not command:
+        return 0
+    names = {"BATCH_OUTPUT": description["output"], "BATCH_WORK": str(work.folder)}
+    done = subprocess.run(command, shell=True, cwd=description["key"]["folder"], env={**os.environ, **names}, check=False)
+    if done.returncode:
+        print(f"batch: the pictures are complete, but --then ended with exit code {done.returncode}", file=sys.stderr)
+    return 1 if done.returncode else 0
+
+
 def batch(settings, words):
     """One call of the command."""
     if not settings.povray:
@@ -259,7 +281,8 @@ def batch(settings, words):
                 complaints = work_through(work, description, settings, engine)
             if complaints is None:
                 return 0
-            return report(work, description, complaints, time.monotonic() - begun)
+            code = report(work, description, complaints, time.monotonic() - begun)
+            return code or afterwards(work, description, settings.then)
         except (BatchError, OSError):
             for line in little_room(work.folder):
                 print(line, file=sys.stderr)
@@ -276,7 +299,8 @@ def last_step(folder):
     """The job that depends on the array."""
     work = Work(folder)
     description = read_json(work.description)
-    return report(work, description, finish(work, description), time.time() - description["begun"])
+    code = report(work, description, finish(work, description), time.time() - description["begun"])
+    return code or afterwards(work, description, description["then"])
 
 
 def main(words):
@@ -286,13 +310,13 @@ def main(words):
     if words[:1] == ["finish"]:
         return last_step(words[1])
     settings, rest = parser().parse_known_args(words)
-    unknown = [word for word in rest if word.startswith("--")]
+    unknown = [word for word in rest if word.startswith("--") or settings.kind == "status"]
     if unknown:
         parser().error(f"unknown option {unknown[0]}")
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda signum, _: sys.exit(128 + signum))
     try:
-        return batch(settings, rest)
+        return status.show(settings.folder) if settings.kind == "status" else batch(settings, rest)
     except UsageError as error:
         print(f"batch: {error}", file=sys.stderr)
         return 2

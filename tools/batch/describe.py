@@ -6,6 +6,7 @@ import contextlib
 import math
 import os
 import pathlib
+import shutil
 import sys
 
 from tools.batch import key as keys, merge, plan, povray, progress
@@ -35,6 +36,8 @@ class Request:
         stem = os.path.splitext(os.path.basename(self.inputs.scene))[0]
         self.sets = plan.parse_sets(settings.set) if self.kind == "sweep" else []
         self.frames = settings.frames if self.kind == "film" else 1
+        only = self.settings.only if self.kind == "film" else None
+        self.only = None if only is None else plan.chosen(only, self.frames)
         self.place(folder, stem)
         self.pictures = plan.pictures(self.kind, self.stem, self.extension, self.frames, self.sets)
         self.program = program
@@ -94,6 +97,8 @@ class Request:
             "threads": self.threads,
             "retries": self.settings.retries,
             "limit": self.settings.limit,
+            "only": self.only,
+            "then": self.settings.then if self.settings.detach else None,
             "program": self.program,
             "output": self.output,
             "tasks": [],
@@ -257,14 +262,26 @@ def refuse_foreign(work):
 def open_batch(work, request, engine):
     """The batch to work on."""
     stored = read_json(work.description)
-    if stored is None or request.settings.anew:
+    if stored is None or (request.settings.anew and request.only is None):
         work.clear()
         return begin(work, request, engine)
     stored = take_up(work, request, stored)
     work.make()
     request.inputs.write(work)
+    if request.settings.anew:
+        forget(work, stored, request.only)
     drop_lost(work, stored)
     return stored
+
+
+def forget(work, description, pictures):
+    """Throws away what there is of some pictures; they are rendered again."""
+    bands = len(description["key"]["bands"])
+    for picture in pictures:
+        work.record("merged", f"{picture:05d}").unlink(missing_ok=True)
+        for name in (plan.unit_name(picture * bands + band, bands) for band in range(bands)):
+            work.record("done", name).unlink(missing_ok=True)
+            shutil.rmtree(work.unit(name), ignore_errors=True)
 
 
 def drop_lost(work, description):

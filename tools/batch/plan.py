@@ -34,15 +34,35 @@ def safe_name(path, fallback):
     return name if re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.+-]*\.[A-Za-z0-9]+", name) else fallback
 
 
-def values(text):
-    """The values of --set: numbers with commas between, or FROM:TO:STEP."""
-    found = []
+def chosen(text, last):
+    """Numbers of frames in --only, such as 5-8,12, as indices of pictures (from 0)."""
+    found = set()
     for part in text.split(","):
+        match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
+        first, end = (int(match.group(1)), int(match.group(2) or match.group(1))) if match else (0, 0)
+        if not 1 <= first <= end <= last:
+            raise BatchError(f"--only: {part!r}: expected frames from 1 to {last}, as in 5-8,12.")
+        found.update(range(first - 1, end))
+    return sorted(found)
+
+
+def values(text):
+    """The values of --set with commas between: numbers, FROM:TO:STEP, and texts in quotation marks, which they keep."""
+    found = []
+    for part in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', text):
+        if '"' in part:
+            if not re.fullmatch(r'"[^"\'\\/\x00-\x1f]{1,80}"', part):
+                raise BatchError(
+                    f"--set: {part!r}: expected a text of 1 to 80 characters in double quotation marks, without any "
+                    "of them, ', \\, / and line breaks inside."
+                )
+            found.append(part)
+            continue
         try:
             numbers = [decimal.Decimal(piece) for piece in part.split(":")]
         except decimal.InvalidOperation:
             raise BatchError(
-                f"--set: {part!r} is not a number; expected VALUE, FROM:TO:STEP, or several with commas "
+                f"--set: {part!r} is not a number; expected VALUE, FROM:TO:STEP, \"TEXT\", or several with commas "
                 "between."
             ) from None
         if len(numbers) == 1 and numbers[0].is_finite():
@@ -63,7 +83,7 @@ def values(text):
         found += [first + step * i for i in range(count)]
     if len(set(found)) != len(found):
         raise BatchError(f"--set: {text!r} has a value twice.")
-    return [f"{n.normalize():f}" if n else "0" for n in found]
+    return [n if isinstance(n, str) else f"{n.normalize():f}" if n else "0" for n in found]
 
 
 def parse_sets(words):
@@ -94,12 +114,13 @@ def pictures(kind, stem, extension, frames=1, sets=()):
     if kind == "sweep":
         made = []
         for choice in itertools.product(*(found for _, found in sets)):
-            pairs = [f"{name}={value}" for (name, _), value in zip(sets, choice)]
+            words = [f"{name}={value}" for (name, _), value in zip(sets, choice)]
+            pairs = [word.replace('"', "") for word in words]
             made.append(
                 {
                     "name": f"{stem}_{'_'.join(pairs)}.{extension}",
                     "frame": 1,
-                    "options": [f"Declare={pair}" for pair in pairs],
+                    "options": [f"Declare='{word}'" if '"' in word else f"Declare={word}" for word in words],
                     "label": ", ".join(pairs),
                 }
             )

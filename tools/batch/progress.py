@@ -26,22 +26,23 @@ def span(seconds):
 
 
 class State:
-    """Where the batch stands, from four listings of folders."""
+    """Where the batch stands, from four listings of folders; of all pictures, or of those that this call is for (--only)."""
 
     def __init__(self, work, description):
         bands = len(description["key"]["bands"])
-        pictures = len(description["key"]["pictures"])
-        self.units = [unit_name(n, bands) for n in range(pictures * bands)]
+        pictures = description.get("only") or range(len(description["key"]["pictures"]))
+        numbers = [picture * bands + band for picture in pictures for band in range(bands)]
+        self.units = {unit_name(number, bands): number for number in numbers}
         merged = {int(name) for name in work.names("merged")}
         done = work.names("done")
-        self.done = {name for i, name in enumerate(self.units) if i // bands in merged or name in done}
-        self.failed = work.names("failed") - self.done
-        self.running = work.names("running") - self.done
-        self.merged, self.pictures = len(merged), pictures
+        self.done = {name for name, n in self.units.items() if n // bands in merged or name in done}
+        self.failed = (work.names("failed") & self.units.keys()) - self.done
+        self.running = (work.names("running") & self.units.keys()) - self.done
+        self.merged, self.pictures = len(merged.intersection(pictures)), len(pictures)
 
     def missing(self):
         """Numbers of the units that are neither done nor failed."""
-        return [n for n, name in enumerate(self.units) if name not in self.done and name not in self.failed]
+        return [n for name, n in self.units.items() if name not in self.done and name not in self.failed]
 
 
 class Running:

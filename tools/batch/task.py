@@ -176,6 +176,7 @@ class Unit:
                 "seconds": seconds,
                 "try": attempt,
                 "host": os.uname().nodename,
+                **self.place_in_log(),
             },
         )
         self.say(f"done in {seconds:.1f} s")

@@ -1,0 +1,98 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Some frames of a film, again or for the first time; where a batch stands, as JSON; a command afterwards; texts in a sweep."""
+
+import json
+import os
+import subprocess
+
+from tests.batch import harness
+from tests.batch.harness import LENS, BatchTest
+from tools.repository import ROOT
+
+SIZE = ("+W48", "+H40", "+WT1")
+
+
+class Chosen(BatchTest):
+    def frames(self):
+        """The frames that are there, with the times of their files."""
+        film = self.folder / "scene_film"
+        return {int(path.name[5:9]): path.stat().st_mtime_ns for path in film.glob("scene*.png")}
+
+    def test_parts_of_a_film(self):
+        scene = self.scene(LENS)
+        words = ("film", scene, "--frames", 6, *SIZE)
+        self.assertIn("3 of 3 pictures", self.batch(*words, "--only", "2-3,6"))
+        first = self.frames()
+        self.assertEqual(sorted(first), [2, 3, 6])
+        self.batch(*words, "--only", "3,6", "--anew")
+        again = self.frames()
+        self.assertEqual({n for n in first if first[n] != again[n]}, {3, 6})
+        self.assertIn("6 of 6 pictures", self.batch(*words))
+        self.assertEqual({n: self.frames()[n] for n in again}, again, "what is done stays")
+        self.whole(scene, self.folder / "f.png", "+FN", *SIZE, "+KFI1", "+KFF6")
+        for n in range(1, 7):
+            self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
+
+    def test_frames_that_are_not_in_the_film(self):
+        for text in ("0", "7", "3-2", "1-7", "a", "", "1,,2"):
+            said = self.batch("film", self.scene(LENS), "--frames", 6, f"--only={text}", *SIZE, code=2)
+            self.assertIn("expected frames from 1 to 6", said, text)
+
+
+class Told(BatchTest):
+    def status(self, name):
+        done = subprocess.run([str(ROOT / "batch"), "status", name], cwd=self.folder, stdout=subprocess.PIPE, check=True)
+        return json.loads(done.stdout)
+
+    def test_status(self):
+        scene = self.scene(LENS + '#if (frame_number = 2) #error "broken" #end\n')
+        self.batch("film", scene, "--frames", 3, "--only", "1-2", *SIZE, code=1)
+        for name in ("scene_film", "scene_film.batch"):
+            told = self.status(name)
+            self.assertEqual([told[word] for word in ("kind", "complete", "done", "failed", "waiting")], ["film", False, 1, 1, 1])
+            first, second, third = told["units"]
+            self.assertEqual((first["picture"], first["rows"], first["state"]), ("scene0001.png", [1, 40], "done"))
+            self.assertEqual(first["host"], os.uname().nodename)
+            self.assertGreater(first["seconds"], 0)
+            self.assertTrue(os.path.isfile(first["log"]))
+            self.assertEqual((second["state"], second["reason"]), ("failed", "povray ended with exit code 1"))
+            self.assertEqual(third["state"], "waiting")
+
+    def test_status_of_a_unit_at_work(self):
+        self.scene(LENS)
+        self.start("still", "scene.pov", "--bands", 1, *SIZE, "Declare=Samples=4000")
+        work = self.folder / "scene.png.batch"
+        self.until("the unit", lambda: list(work.glob("running/*.json")))
+        unit = self.until("a percentage", lambda: next((u for u in self.status("scene.png")["units"] if u.get("percent")), None))
+        self.assertEqual(unit["state"], "running")
+
+    def test_status_of_no_batch(self):
+        done = subprocess.run([str(ROOT / "batch"), "status", "nothing"], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("is not the work folder of a batch", done.stderr)
+
+    def test_a_command_afterwards(self):
+        words = ("still", self.scene(LENS), "--bands", 1, *SIZE)
+        self.batch(*words, "--then", 'ls "$BATCH_OUTPUT" > listed; test -d "$BATCH_WORK"')
+        self.assertIn("scene.png", (self.folder / "listed").read_text())
+        self.assertIn("--then ended with exit code 3", self.batch(*words, "--then", "exit 3", code=1))
+        bad = self.scene(LENS + '#error "broken"', "bad.pov")
+        self.batch("still", bad, *SIZE, "--then", "touch never", code=1)
+        self.assertFalse((self.folder / "never").exists())
+
+
+class Texts(BatchTest):
+    def test_texts_in_a_sweep(self):
+        colours = '#switch (strcmp(Ball, "dark green")) #case (0) #declare C = <0, 0.3, 0>; #break #else #declare C = <1, 0, 0>; #end\n'
+        scene = self.scene(colours + LENS.replace("rgb <0.9, 0.4, 0.1>", "rgb C"))
+        self.batch("sweep", scene, "--set", 'Ball="red","dark green"', "--set", "Tilt=3", *SIZE)
+        for name, text in (("red", "red"), ("dark green", "dark green")):
+            whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE, f"Declare='Ball=\"{text}\"'", "Declare=Tilt=3")
+            self.assert_same(self.folder / "scene_sweep" / f"scene_Ball={name}_Tilt=3.png", whole)
+        for text in ('"a', '"a/b"', '""', "\"it's\""):
+            self.assertIn("in double quotation marks", self.batch("sweep", scene, "--set", f"Ball={text}", *SIZE, code=2), text)
+
+
+if __name__ == "__main__":
+    harness.main()
