@@ -261,7 +261,7 @@ class ProgressLine(unittest.TestCase):
             work.make()
             line = progress.Progress(work, self.description)
             for number, state in enumerate(("done", "running", "failed")):
-                record = {"since": time.time() - 5.2, "log": str(work.log(0)), "begins": 9}
+                record = {"since": time.time() - 300, "log": str(work.log(0)), "begins": 9}
                 store.write_json(work.record(state, plan.unit_name(number, 1)), record)
             work.log(0).write_text("old (99%)Rendered 1 of 3 pixels (33% of the work)\r")
             line.begun -= 10
@@ -273,17 +273,17 @@ class ProgressLine(unittest.TestCase):
         return stream.getvalue()
 
     def test_one_line_that_is_overwritten(self):
-        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 s, 33%)"
+        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 min, 33%)"
         self.assertEqual(self.told(80, Terminal()), f"\r\033[K{text}\r\033[K{text}\n")
         self.assertEqual(self.told(20, Terminal()), f"\r\033[K{text[:19]}\r\033[K{text[:19]}\n")
 
     def test_a_line_now_and_then_in_a_file(self):
-        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 s, 33%)\n"
+        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 min, 33%)\n"
         self.assertEqual(self.told(80, io.StringIO()), text)
 
     def test_a_hint_where_one_unit_takes_very_long(self):
         with unittest.mock.patch.object(progress, "LONG", 5):
-            self.assertIn("frame 2 has been running for 5 s; log: ", self.told(80, io.StringIO()))
+            self.assertIn("frame 2 has been running for 5 min; log: ", self.told(80, io.StringIO()))
 
 
 class Records(unittest.TestCase):
