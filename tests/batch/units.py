@@ -8,6 +8,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import struct
 import subprocess
 import tempfile
@@ -16,7 +17,7 @@ import unittest
 import unittest.mock
 
 from tests.batch import harness
-from tools.batch import batch, key, plan, pov_options, povray, progress, slurm, store, task
+from tools.batch import batch, key, merge, plan, pov_options, povray, progress, slurm, store, task
 from tools.repository import ROOT
 
 
@@ -284,6 +285,23 @@ class ProgressLine(unittest.TestCase):
     def test_a_hint_where_one_unit_takes_very_long(self):
         with unittest.mock.patch.object(progress, "LONG", 5):
             self.assertIn("frame 2 has been running for 5 min; log: ", self.told(80, io.StringIO()))
+
+
+class Joining(unittest.TestCase):
+    def test_what_oiiotool_complains_of_is_told_from_its_beginning(self):
+        with tempfile.TemporaryDirectory() as name:
+            tool = pathlib.Path(name) / "oiiotool"
+            tool.write_text("#!/bin/sh\necho 'ERROR: no space left on device' >&2\nseq 400 >&2\nexit 1\n")
+            tool.chmod(0o755)
+            full = shutil.disk_usage(name)._replace(free=4096)
+            with unittest.mock.patch.dict(os.environ, PATH=f"{name}:{os.environ['PATH']}"), \
+                    unittest.mock.patch.object(shutil, "disk_usage", lambda _: full), \
+                    self.assertRaises(store.BatchError) as raised:
+                merge.oiiotool(name, ["--version"])
+        said = str(raised.exception).splitlines()
+        self.assertEqual(said[1], "  ERROR: no space left on device")
+        self.assertRegex(said[-1], "^The disk is full: 4 KB are left")
+        self.assertLess(len(said), 10)
 
 
 class Records(unittest.TestCase):

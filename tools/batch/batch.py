@@ -65,6 +65,18 @@ def common_options(kind):
         help="folder for parts and logs (default: the output's name with .batch)",
     )
     kind.add_argument(
+        "--povray",
+        default=os.environ.get("BATCH_POVRAY"),
+        metavar="PROGRAM",
+        help="this project's povray, built elsewhere",
+    )
+    course_options(kind)
+    site_options(kind)
+
+
+def course_options(kind):
+    """How a call goes on and ends."""
+    kind.add_argument(
         "--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)"
     )
     kind.add_argument(
@@ -80,13 +92,6 @@ def common_options(kind):
         "--then", metavar="COMMAND", help="run this in a shell when all pictures are in their places"
     )
     kind.add_argument("--quiet", action="store_true", help="no progress, only the summary")
-    kind.add_argument(
-        "--povray",
-        default=os.environ.get("BATCH_POVRAY"),
-        metavar="PROGRAM",
-        help="this project's povray, built elsewhere",
-    )
-    site_options(kind)
 
 
 def site_options(kind):
