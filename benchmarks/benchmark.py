@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 from benchmarks import (
+    ablation,
     accumulation,
     builds,
     camera_share,
@@ -29,7 +30,8 @@ from benchmarks import (
 from benchmarks.lab import Failed, Lab
 from tools.repository import BUILD
 
-PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract", "builds")
+PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract", "builds",
+         "ablation")
 NAMES = [scene.name for scene in suite.SCENES]
 
 
@@ -62,8 +64,8 @@ def arguments():
     args = parser.parse_args()
     args.scenes = chosen(args.scenes, NAMES, "scene", parser)
     args.parts = chosen(args.parts or ("stock,tilted" if args.quick else ",".join(PARTS)), PARTS, "part", parser)
-    if args.update_docs and (args.quick or args.scenes != NAMES):
-        parser.error("--update-docs takes all settings and all scenes, not --quick or --scenes")
+    if args.update_docs and (args.quick and args.parts != ["ablation"] or args.scenes != NAMES):
+        parser.error("--update-docs takes all settings and all scenes, not --scenes, and --quick only with --parts ablation")
     if args.pages:
         return args
     programs = [args.ours, args.stock] + [args.unpatched] * ("instructions" in args.parts) + [args.fast] * ("builds" in args.parts)
@@ -116,6 +118,8 @@ def measure(lab, args):
         results["contract"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt)]
     if "builds" in args.parts:
         results["builds"] = builds.measure(lab, scenes, args.fast.resolve())
+    if "ablation" in args.parts:
+        results["ablation"] = ablation.measure(lab)
     return version, results, runs
 
 

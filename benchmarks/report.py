@@ -274,6 +274,26 @@ def section_contract(rows):
             *[goal.sentence() for goal in goals_contract(rows)]]
 
 
+# Rules of the sampler
+
+def section_ablation(rows):
+    found = {}
+    for row in rows:
+        found.setdefault((row["rule"], row["section"], row["settings"]), []).append(row)
+    cells = []
+    for (rule, section_number, settings), of_rule in found.items():
+        means = [geometric_mean(row["ratio"] for row in of_rule if row["denoise"] == on) for on in (0, 1)]
+        worst = max(of_rule, key=lambda row: row["ratio"])
+        error, beyond = (max(of_rule, key=lambda row, name=name: row[name]) for name in ("error", "beyond"))
+        cells.append([rule or "*(nothing)*", f"{section_number or ''}", f"`{settings}`" if settings else "",
+                      *[f"{mean:.2f}" for mean in means], f"{worst['ratio']:.2f} {worst['scene']}" if settings else "",
+                      f"{error['error']:.1f} {error['scene']}", f"{100*beyond['beyond']:.0f} % {beyond['scene']}"])
+    first = rows[0]
+    return [table(["without", "section", "settings", "work, `denoise off`", "work, `denoise on`", "worst scene",
+                   "greatest MSE/V", "most pixels beyond 2 sqrt(V)"], cells),
+            f"Pictures of {first['width']} by {first['height']} with {first['samples']} recorded samples of each pixel."]
+
+
 SECTIONS = {
     "stock": ("Untilted: stock focal blur's CPU seconds over those of tilt_lens", section_stock),
     "tilted": ("Tilted: the accumulation buffer's CPU seconds over those of tilt_lens", section_tilted),
@@ -286,6 +306,7 @@ SECTIONS = {
     "growth": ("How cost grows", section_growth),
     "contract": ("Whether `variance V` is kept", section_contract),
     "builds": ("The program of `cmake/build-fast`", section_builds),
+    "ablation": ("What each rule of the sampler is worth", section_ablation),
 }
 GOALS = {"contract": goals_contract, "stock": goals_stock, "tilted": goals_tilted, "denoise": goals_denoise, "pan": goals_pan,
          "tilt": goals_tilt, "instructions": goals_instructions, "camera": goals_camera}

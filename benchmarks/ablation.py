@@ -1,0 +1,174 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What each rule of the sampler is worth: the work for the same error without it.
+
+The first samples of every pixel are recorded once for a scene, and a sampler without the rule gets them from the recording:
+a sample depends on its pixel and its number alone. So a rule costs seconds to try, and the same samples decide about all.
+Rules of the emitter sampling change samples, and are recorded anew in scenes with lamps.
+
+Work is samples a pixel; the error is that against the mean of all recorded samples, of which a pixel gets at most a quarter."""
+
+import json
+import math
+import os
+import re
+import subprocess
+import tempfile
+
+from benchmarks.lab import SCENES, TILT_LENS, Failed, digest
+from tools.repository import BUILD, ROOT
+
+GALLERY = ROOT / "scenes" / "gallery"
+OF_BENCHMARK = ("checks", "foliage", "town", "glass", "lights", "shadows", "landscape")  # radiosity is no function of the pixel
+OF_GALLERY = tuple(path.stem for path in sorted(GALLERY.glob("*.pov")))
+WITH_LAMPS = ("lights", "city_lights")
+VARIANCES = (4e-3, 1e-3, 2.5e-4)
+LEAST_KEPT = 1e-3           # variance that the recorded samples suffice for in every scene
+NEVER, ALWAYS = "1e30", "0"
+
+# Rule, the section of docs/sampling.md, and the settings that take it out.
+RULES = (
+    ("shrinkage of the sample variance", 3, f"shrinkageSamples={ALWAYS}"),
+    ("prior of a quadrant's variance ratio", 3, f"quadrantRatioPrior={ALWAYS}"),
+    ("prior of the local variance ratio", 3, f"localRatioPrior={ALWAYS}"),
+    ("undetected error of what is blurred over a pixel", 4, f"blurReach={ALWAYS}"),
+    ("reactivation", 4, f"reactivationFactor={NEVER}"),
+    ("pooling in the degrees of freedom", 5, "pooledPixels=1"),
+    ("variance target (all pixels keep V)", 6, "leastTarget=1,leastTargetAmongLike=1,greatestRareTarget=1"),
+    ("target below V of quiet pixels beside noisy ones", 6, "leastTarget=0.75"),
+    ("target near V among like pixels", 6, "leastTargetAmongLike=0.25"),
+    ("target above V of pixels that stand out", 6, "greatestRareTarget=1"),
+    ("further target of rare pixels", 6, "greatestRareTarget=1.9"),
+    ("limit of the target of pixels that stand out", 6, f"greatestTarget={NEVER}"),
+    ("search for hidden emitters", 7, "hiddenEmitterSamples=0"),
+    ("faint differences", 8, "faintDifference=0"),
+    ("least risk", 8, "leastRisk=0"),
+    ("greatest risk", 8, f"greatestRisk={NEVER}"),
+    ("limit of far risks", 8, f"riskLimit={NEVER}"),
+    ("near risk in full", 8, f"chanceRisk={NEVER}"),
+    ("chance in the near risk", 8, f"chanceRisk={ALWAYS}"),
+    ("least residual variance", 8, f"leastResidualRatio={ALWAYS}"),
+    ("residual variance unknown where few pixels are noisy", 8, f"leastNoisyPixels={ALWAYS}"),
+    ("rows without noise left alone", 8, f"leastRowVariance={ALWAYS}"),
+    ("forecast of the reconstruction", 9, f"greatestForecastRatio={ALWAYS}"),
+    ("only great forecasts count", 9, "greatestForecastRatio=1"),
+    ("forecast only where it may save its time", 9, f"forecastCost={ALWAYS}"),
+    ("no forecast for noise as bright as the pixel", 9, f"greatestForecastNoise={NEVER}"),
+    ("no reconstruction where little is hit", 9, f"leastHitFraction={ALWAYS}"),
+    ("reconstruction after many hits", 9, f"enoughHits={NEVER}"),
+)
+# The same, of the emitter sampling: samples change.
+EMITTER_RULES = (
+    ("emitters found by chance left out", 7, f"chanceHits={NEVER}"),
+    ("emitters of little variance left out", 7, f"leastEmitterMoment={ALWAYS}"),
+    ("emitters of little light left out", 7, f"leastEmitterSquare={ALWAYS}"),
+    ("choice of the film point", 7, f"lensPointBlur={ALWAYS}"),
+    ("half of the samples at bright emitters", 7, f"brightEmission={NEVER}"),
+    ("several emitters of a pixel", 7, "emittersOfPixel=1"),
+    ("emitter sampling", 7, f"leastEmitterMoment={NEVER}"),
+)
+
+
+def size_and_samples(quick):
+    return ((64, 48), 256) if quick else ((96, 64), 1024)
+
+
+def build_tools(lab):
+    lab.say("Building the sampler with variable numbers")
+    done = subprocess.run(["ninja", "-C", BUILD, "ablation_tools"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Failed(f"the build of the ablation's tools failed:\n{done.stdout[-3000:]}")
+
+
+def recording(lab, scene, settings=""):
+    """The file with a scene's samples."""
+    (width, height), samples = size_and_samples(lab.quick)
+    folder = SCENES if scene in OF_BENCHMARK else GALLERY
+    program = lab.tools / "record_samples"
+    key = digest(lab.hash_of(program), scene, (folder / f"{scene}.pov").read_bytes(), width, height, samples, settings)
+    path = lab.work / "recordings" / f"{scene}-{key}.samples"
+    if path.is_file():
+        return path
+    lab.say(f"  samples of {scene} {settings}")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    declared = [f"Declare=Form={TILT_LENS}", "Declare=Variance=0.001"] if folder == SCENES else []
+    with tempfile.TemporaryDirectory() as folder_of_picture:
+        command = [program, f"+I{folder / scene}.pov", f"+L{folder}", f"+L{ROOT / 'scenes' / 'include'}", f"+W{width}",
+                   f"+H{height}", "-D", "-P", "-C", "-A", "-GA", "+WT1", "+FN", f"+O{folder_of_picture}/picture.png", *declared]
+        unfinished = path.with_suffix(".part")
+        done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, cwd=folder_of_picture,
+                              env={**os.environ, "TILT_LENS_RECORD": str(unfinished),
+                                   "TILT_LENS_RECORD_SAMPLES": str(samples), "TILT_LENS_SETTINGS": settings})
+    if done.returncode != 0:
+        raise Failed(f"recording {scene} ended with {done.returncode}:\n{done.stderr[-2000:]}")
+    unfinished.rename(path)
+    return path
+
+
+def replay(lab, path, lines):
+    """Records of replay_samples for each line of settings."""
+    (width, height), samples = size_and_samples(lab.quick)
+    done = subprocess.run([str(lab.tools / "replay_samples"), path, str(width), str(height), str(samples), "--variances",
+                           ",".join(map(str, VARIANCES)), "--denoise", "0,1"], input="".join(line + "\n" for line in lines),
+                          capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Failed(f"replay_samples {path} ended with {done.returncode}:\n{done.stderr[-2000:]}")
+    found = {}
+    for record in map(json.loads, done.stdout.splitlines()):
+        found.setdefault((record["settings"], record["denoise"]), []).append(record)
+    return found
+
+
+def work_for(curve, mse):
+    """Samples a pixel for an error, on straight lines of logarithms through a curve, its ends lengthened with the slope -1 of
+    independent samples."""
+    points = sorted((math.log(record["mse"]), math.log(record["samples"])) for record in curve if record["mse"] > 0)
+    wanted = math.log(mse)
+    if wanted <= points[0][0]:
+        return math.exp(points[0][1] + points[0][0] - wanted)
+    if wanted >= points[-1][0]:
+        return math.exp(points[-1][1] + points[-1][0] - wanted)
+    for (x, y), (u, v) in zip(points, points[1:]):
+        if wanted <= u:
+            return math.exp(y + (v - y)*(wanted - x)/(u - x)) if u > x else math.exp(min(y, v))
+    return None
+
+
+def ratio(base, other):
+    """Work without a rule over work with it for the same error: geometric mean over the errors reached without it."""
+    logs = [math.log(record["samples"]/work_for(base, record["mse"])) for record in other if record["mse"] > 0]
+    return math.exp(sum(logs)/len(logs)) if logs else 1.0
+
+
+def kept(records):
+    """What the contract's clauses of error limit: mean square error over V, and the share of pixels that are far off."""
+    records = [record for record in records if record["variance"] >= LEAST_KEPT]
+    return max(record["mse"]/record["variance"] for record in records), max(record["beyond"] for record in records)
+
+
+def measure(lab):
+    """A row for each rule, scene, and denoise off and on."""
+    build_tools(lab)
+    (width, height), samples = size_and_samples(lab.quick)
+    rows = []
+    for scene in OF_BENCHMARK + OF_GALLERY:
+        found = replay(lab, recording(lab, scene), ["", *(settings for _, _, settings in RULES)])
+        if scene in WITH_LAMPS:
+            for _, _, settings in EMITTER_RULES:
+                for (_, on), records in replay(lab, recording(lab, scene, settings), [""]).items():
+                    found[settings, on] = records
+        for name, section, settings in (("", 0, ""), *RULES, *EMITTER_RULES):
+            for on in (False, True):
+                if (settings, on) in found:
+                    error, beyond = kept(found[settings, on])
+                    rows.append({"rule": name, "section": section, "settings": settings, "scene": scene, "denoise": int(on),
+                                 "ratio": ratio(found["", on], found[settings, on]), "error": error, "beyond": beyond,
+                                 "width": width, "height": height, "samples": samples})
+    return rows
+
+
+def settings_of_header(text):
+    """Names of the numbers that settings.h declares."""
+    body = text[text.index("struct Settings"):]
+    lines = re.findall(r"^ +(?:double|float|std::uint32_t) (.*);$", body, re.MULTILINE)
+    return [part.split(" = ")[0] for line in lines for part in line.split(", ")]

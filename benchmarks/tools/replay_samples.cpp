@@ -1,0 +1,139 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file replay_samples.cpp
+/// Samples pictures from recorded samples (record_samples), with any settings of the sampler:
+///
+///     replay_samples FILE WIDTH HEIGHT SAMPLES --variances V,V --denoise 0,1 < lines of settings
+///
+/// Each line is a list NAME=VALUE,... of settings, and may be empty. For each line, variance and denoise one JSON object: the
+/// mean square error against the mean of all recorded samples (red, green and blue, linear, clipped to 0 to 1), the share of
+/// pixels that are off by more than 2 sqrt(V), and samples per pixel. A pixel takes at most a quarter of the recorded samples.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "recorded_sample.h"
+#include "tilt_lens/sampling/tile_sampler.h"
+#include "variable_settings.h"
+
+namespace
+{
+
+using namespace tilt_lens;
+using nlohmann::json;
+
+struct Recording
+{
+    std::uint32_t width, height, samples;
+    std::vector<RecordedSample> taken;
+    std::vector<std::array<double, 3>> truth;  ///< of each pixel, clipped
+
+    Recording(const std::string& path, std::uint32_t width, std::uint32_t height, std::uint32_t samples) :
+        width(width), height(height), samples(samples), taken(std::size_t(width) * height * samples),
+        truth(std::size_t(width) * height)
+    {
+        std::ifstream file(path, std::ios::binary);
+        std::size_t count = 0;
+        for (RecordedSample one; file.read(reinterpret_cast<char*>(&one), sizeof one); count++)
+        {
+            if (one.x >= width || one.y >= height || one.index >= samples)
+                throw std::runtime_error(path + " has samples of another size of picture");
+            taken[At(one.x, one.y, one.index)] = one;
+        }
+        if (count != taken.size())
+            throw std::runtime_error(path + " has " + std::to_string(count) + " samples, not " + std::to_string(taken.size()));
+        for (std::size_t pixel = 0; pixel < truth.size(); pixel++)
+            for (int c = 0; c < 3; c++)
+            {
+                double sum = 0.0;
+                for (std::uint32_t i = 0; i < samples; i++)
+                    sum += std::isfinite(taken[pixel * samples + i].radiance[c]) ? taken[pixel * samples + i].radiance[c] : 0.0;
+                truth[pixel][c] = std::clamp(sum / samples, 0.0, 1.0);
+            }
+    }
+
+    std::size_t At(std::uint32_t x, std::uint32_t y, std::uint32_t index) const
+    {
+        return (std::size_t(y) * width + x) * samples + index;
+    }
+};
+
+json Replay(const Recording& recording, double variance, bool denoise)
+{
+    SamplingLimits limits;
+    limits.max = recording.samples / 4;
+    limits.variance = variance;
+    limits.denoise = denoise;
+    const Area all{0, 0, recording.width, recording.height};
+    BlockCache cache(limits, recording.width, recording.height, all);
+    TileSampler sampler(cache);
+    sampler.Run(all, [&](const SampleId& id, SampleResult& result)
+        { result = recording.taken[recording.At(id.x, id.y, id.index)].Result(); });
+    double error = 0.0, beyond = 0.0, samples = 0.0;
+    for (std::uint32_t y = 0; y < all.height; y++)
+        for (std::uint32_t x = 0; x < all.width; x++)
+        {
+            double worst = 0.0;
+            for (int c = 0; c < 3; c++)
+            {
+                const double off = std::clamp(sampler.Mean(x, y)[c], 0.0, 1.0) - recording.truth[all.IndexOf(x, y)][c];
+                error += off * off / 3.0;
+                worst = std::max(worst, off * off);
+            }
+            beyond += worst > 4.0 * variance;
+            samples += sampler.Samples(x, y);
+        }
+    const double pixels = all.Size();
+    return {{"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels},
+            {"samples", samples / pixels}};
+}
+
+} // namespace
+
+int main(int count, char** values)
+{
+    CLI::App app("Samples pictures from recorded samples");
+    std::string path;
+    std::uint32_t width = 0, height = 0, samples = 0;
+    std::vector<double> variances;
+    std::vector<bool> denoise;
+    app.add_option("file", path)->required();
+    app.add_option("width", width)->required();
+    app.add_option("height", height)->required();
+    app.add_option("samples", samples)->required();
+    app.add_option("--variances", variances)->delimiter(',')->required();
+    app.add_option("--denoise", denoise)->delimiter(',')->required();
+    CLI11_PARSE(app, count, values);
+    try
+    {
+        const Recording recording(path, width, height, samples);
+        for (std::string line; std::getline(std::cin, line);)
+        {
+            Vary(line);
+            for (const bool on : denoise)
+                for (const double variance : variances)
+                {
+                    json made = Replay(recording, variance, on);
+                    made["settings"] = line;
+                    std::cout << made << "\n";
+                }
+        }
+    }
+    catch (const std::exception& error)
+    {
+        std::cerr << "replay_samples: " << error.what() << "\n";
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,77 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "variable_settings.h"
+
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <variant>
+
+#include "tilt_lens/settings.h"
+
+namespace tilt_lens
+{
+
+Settings settings;
+
+namespace
+{
+
+using Field = std::variant<double Settings::*, float Settings::*, std::uint32_t Settings::*>;
+
+#define FIELD(name) {#name, Field(&Settings::name)}
+const std::map<std::string, Field> fields = {
+    FIELD(shrinkageSamples),
+    FIELD(quadrantRatioPrior),
+    FIELD(localRatioPrior),
+    FIELD(blurReach),
+    FIELD(reactivationFactor),
+    FIELD(pooledPixels),
+    FIELD(typicalSampleVariance),
+    FIELD(leastTarget),
+    FIELD(leastTargetAmongLike),
+    FIELD(greatestTarget),
+    FIELD(rareDeviation),
+    FIELD(greatestRareTarget),
+    FIELD(chanceHits),
+    FIELD(leastEmitterMoment),
+    FIELD(leastEmitterSquare),
+    FIELD(leastEmitterVariance),
+    FIELD(lensPointBlur),
+    FIELD(brightEmission),
+    FIELD(emittersOfPixel),
+    FIELD(hiddenEmitterSamples),
+    FIELD(faintDifference),
+    FIELD(leastRisk),
+    FIELD(greatestRisk),
+    FIELD(riskLimit),
+    FIELD(chanceRisk),
+    FIELD(leastResidualRatio),
+    FIELD(leastNoisyPixels),
+    FIELD(leastRowVariance),
+    FIELD(greatestForecastRatio),
+    FIELD(forecastCost),
+    FIELD(greatestForecastNoise),
+    FIELD(leastHitFraction),
+    FIELD(enoughHits)};
+#undef FIELD
+
+} // namespace
+
+void Vary(const std::string& text)
+{
+    settings = Settings();
+    std::istringstream list(text);
+    for (std::string item; std::getline(list, item, ',');)
+    {
+        const std::size_t equals = item.find('=');
+        const auto field = fields.find(item.substr(0, equals));
+        if (equals == std::string::npos || field == fields.end())
+            throw std::invalid_argument("'" + item + "' is not NAME=VALUE with a name of settings.h");
+        const double value = std::stod(item.substr(equals + 1));
+        std::visit([&](auto member) { settings.*member = value; }, field->second);
+    }
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,22 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file variable_settings.h
+/// The sampler's numbers by name, for programs that try others (the part `ablation` of the benchmark).
+
+#ifndef TILT_LENS_VARIABLE_SETTINGS_H
+#define TILT_LENS_VARIABLE_SETTINGS_H
+
+#include <string>
+
+namespace tilt_lens
+{
+
+/// Sets some of `settings`, the others have the values of settings.h.
+/// @param text  NAME=VALUE, separated by commas; may be empty
+/// @throws std::invalid_argument  an unknown name, or no number
+void Vary(const std::string& text);
+
+} // namespace tilt_lens
+
+#endif
