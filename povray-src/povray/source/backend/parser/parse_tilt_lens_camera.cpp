@@ -1,0 +1,123 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file parse_tilt_lens_camera.cpp
+/// What `tilt_lens` takes from the camera around it, and whether the two agree.
+
+#include "backend/parser/parse_tilt_lens.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "backend/frame.h"
+#include "backend/parser/parse.h"
+#include "tilt_lens/sampling/sampling_limits.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::FocusFamily;
+using tilt_lens::Statement;
+
+void TiltLensParser::TakeCameraItems(Camera& camera)
+{
+    // once asked for, they are forgotten: a default camera's items are not those of the cameras after it
+    const WrittenItems written = std::exchange(camera.TiltLens.written, WrittenItems());
+    if (!camera.TiltLens.given)
+        return;
+    if (camera.Type != PERSPECTIVE_CAMERA)
+        ErrorAt(camera.TiltLens.place, "The default camera's tilt_lens meets a camera that is not perspective. "
+                                       "Only the perspective camera has a lens; remove the block from the "
+                                       "default camera.");
+    camera.TiltLens.statement.aperture = camera.Aperture;
+    RequireConsistent(camera, written);
+    RequireQuality(camera, written);
+    RequireAperture(camera);
+    TakeFocalPoint(camera);
+    TakeBlurSamples(camera);
+}
+
+void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems& written)
+{
+    const Statement& s = camera.TiltLens.statement;
+    const TiltLensPlace& place = camera.TiltLens.place;
+    if (s.focalLength && camera.Angle != HUGE_VAL)
+        ErrorAt(place, "angle %g and focal_length %g in one camera: both set the angle of view. One is allowed; "
+                       "remove angle or focal_length.", camera.Angle, *s.focalLength);
+    if (s.fStop && (camera.Aperture != 0.0 || written.aperture))
+        ErrorAt(place, "aperture %g and f_stop %g in one camera: both set the lens diameter. One is allowed; "
+                       "remove aperture or f_stop.", camera.Aperture, *s.fStop);
+    if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))
+        ErrorAt(place, "aperture %g in a camera with tilt_lens. It is twice the lens diameter and must be "
+                       "finite and not negative; give another value.", camera.Aperture);
+    if (s.blades > 0 && camera.Bokeh != NULL)
+        ErrorAt(place, "blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove "
+                       "blades or bokeh.", s.blades);
+}
+
+/// Where the unpatched program warns and takes the default.
+void TiltLensParser::RequireQuality(const Camera& camera, const WrittenItems& written)
+{
+    if (!(written.variance >= 0.0 && written.variance <= 1.0))
+        ErrorAt(camera.TiltLens.place, "variance %g in a camera with tilt_lens. 0 to 1 is allowed, 1/10000 is the "
+                                       "default; give another value or remove variance.", written.variance);
+    if (!(written.confidence > 0.0 && written.confidence < 1.0))
+        ErrorAt(camera.TiltLens.place, "confidence %g in a camera with tilt_lens. More than 0 and less than 1 is allowed, "
+                                       "0.9 is the default; give another value or remove confidence.", written.confidence);
+}
+
+/// `focal_point`, else `look_at`: both are marked as infinite while they are not written.
+void TiltLensParser::TakeFocalPoint(Camera& camera)
+{
+    Statement& s = camera.TiltLens.statement;
+    if (camera.Focal_Point[X] != HUGE_VAL)
+        s.focalPoint = FromPov(camera.Focal_Point);
+    else if (camera.Look_At[X] != HUGE_VAL)
+        s.focalPoint = FromPov(camera.Look_At);
+    else if (camera.TiltLens.open)
+    {
+        const bool needsPoint = s.family == FocusFamily::LensTurn || s.family == FocusFamily::FocusTurn;
+        if (needsPoint && (s.aperture > 0.0 || s.fStop))
+            ErrorAt(camera.TiltLens.place, "Nothing says where the focus lies: the camera has neither "
+                                           "focal_point nor look_at. Give focal_point, or focal_plane or "
+                                           "focal_points in tilt_lens.");
+        // everything is sharp: any point in front will do
+        s.focalPoint = FromPov(camera.Location) + FromPov(camera.Direction);
+    }
+}
+
+/// Stock shows no blur where blur_samples is missing; tilt_lens has a default. One number is the most.
+void TiltLensParser::TakeBlurSamples(Camera& camera)
+{
+    const tilt_lens::SamplingLimits usual;
+    if (camera.Blur_Samples == 0)
+        camera.Blur_Samples = usual.max;
+    if (camera.Blur_Samples_Min == 0)
+        camera.Blur_Samples_Min = std::min(int(usual.min), camera.Blur_Samples);
+}
+
+void TiltLensParser::Check(Camera& camera)
+{
+    TiltLensCamera& lens = camera.TiltLens;
+    if (!lens.given)
+        return;
+    const bool fresh = lens.open;
+    lens.open = false;
+    try
+    {
+        TiltLensCamera::Solve(camera);
+        if (fresh)
+            for (const std::string& doubt : Doubts(*lens.lens, lens.statement))
+                parser.messageFactory.WarningAt(0, lens.place.file.c_str(), lens.place.line,
+                                                lens.place.column, lens.place.offset, "%s", doubt.c_str());
+    }
+    catch (const tilt_lens::OpticsError& error)
+    {
+        ErrorAt(lens.place, "%s", error.what());
+    }
+}
+
+} // namespace pov

@@ -1,0 +1,84 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file parse_tilt_lens_values.cpp
+/// The values of the items of `tilt_lens { ... }`.
+
+#include "backend/parser/parse_tilt_lens.h"
+
+#include <cmath>
+
+#include "backend/frame.h"
+#include "backend/parser/parse.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Statement;
+using tilt_lens::Vec3;
+
+double TiltLensParser::Number(const std::string& word)
+{
+    const double value = parser.Parse_Float();
+    if (!std::isfinite(value))
+        ErrorAt(item, "%s %g in tilt_lens. It must be a finite number; check the expression.", word.c_str(),
+                     value);
+    return value;
+}
+
+double TiltLensParser::PositiveNumber(const std::string& word)
+{
+    const double value = Number(word);
+    if (!(value > 0.0))
+        ErrorAt(item, "%s %g in tilt_lens. It must be larger than 0; give a positive number.", word.c_str(),
+                     value);
+    return value;
+}
+
+Vec3 TiltLensParser::Vector(const std::string& word)
+{
+    EXPRESS v;
+    const int terms = parser.Parse_Unknown_Vector(v);
+    if (terms != 3)
+        ErrorAt(item, "%s in tilt_lens: found a value of %d numbers. A point or normal has three; write it as "
+                     "<x, y, z>.", word.c_str(), terms);
+    const Vec3 value{v[X], v[Y], v[Z]};
+    if (!IsFinite(value))
+        ErrorAt(item, "%s in tilt_lens: found <%g, %g, %g>. All three numbers must be finite; check the "
+                     "expression.", word.c_str(), v[X], v[Y], v[Z]);
+    return value;
+}
+
+void TiltLensParser::ParseShift(Statement& s)
+{
+    EXPRESS v;
+    const int terms = parser.Parse_Unknown_Vector(v);
+    // a plain number would be promoted to both directions: surely not what was meant
+    if (!(terms == 2 || (terms == 3 && v[Z] == 0.0)))
+        ErrorAt(item, "shift in tilt_lens: found a value of %d numbers. It takes two, in millimetres; write it "
+                     "as <right, up>.", terms);
+    if (!std::isfinite(v[X]) || !std::isfinite(v[Y]))
+        ErrorAt(item, "shift <%g, %g> in tilt_lens. Both numbers must be finite; check the expression.", v[X],
+                     v[Y]);
+    s.shiftRight = v[X];
+    s.shiftUp = v[Y];
+}
+
+void TiltLensParser::ParseBlades(Statement& s)
+{
+    const int kMost = 1000;  // edges far below any pixel
+    const double count = Number("blades");
+    if (!(count >= 3.0 && count <= kMost && count == std::floor(count)))
+        ErrorAt(item, "blades %g in tilt_lens. A diaphragm has a whole number of blades from 3 to %d; leave "
+                     "blades out for a round one.", count, kMost);
+    s.blades = int(count);
+    parser.Get_Token();
+    if (parser.Token.Token_Id == COMMA_TOKEN)
+        s.bladesAngle = Number("blades' angle");
+    else
+        parser.Unget_Token();
+}
+
+} // namespace pov
