@@ -4,13 +4,15 @@
 
 import pathlib
 import re
+import subprocess
 import tempfile
 
 from tests.render import rendering, scenes
 
 STOCK = f"camera {{ {scenes.VIEW}aperture 0.3 blur_samples 9 }}\n" + scenes.WORLD
-BEFORE = ("Tilt Lens\n", "Lens....", "Focal length....", "Aperture....", "Sharp plane", "Hinge line....",
-          "Sharp on the axis....")
+FILM = scenes.camera("film_width 24 shift <3, -2>")
+BEFORE = ("Tilt Lens\n", "Lens....", "Focal length....", "Film....", "angle of view....", "Aperture....",
+          "Sharp plane", "Hinge line....", "Sharp on the axis....")
 AFTER = ("Tilt Lens Sampling\n", "Samples per pixel....", "Standard error....")
 
 
@@ -49,6 +51,20 @@ class Report(rendering.RenderTest):
             self.assertIn(word, options)
         for word in AFTER:
             self.assertIn(word, statistics)
+
+    def test_film(self):
+        """Size, shift and angle of view: those of the camera."""
+        said = rendering.render_and_listen(FILM + scenes.WORLD)[1]
+        self.assertRegex(said, r"Film\.+24 by 18.045 mm, shift <3, -2> mm\n +angle of view\.+45 by 34.6 degrees\n")
+
+    def test_one_thread(self):
+        said = rendering.render_and_listen(scenes.TILTED, "+WT1")[1]
+        self.assertRegex(said, r"of CPU on 1 thread\n")
+
+    def test_help_lists_own_options(self):
+        said = subprocess.run([rendering.SETTINGS.povray, "--help"], capture_output=True, text=True, check=True).stderr
+        for option in ("+N, Output_Layers=on", "+FE32, Bits_Per_Color=32"):
+            self.assertIn(option, said)
 
     def test_no_negative_zeros(self):
         said = rendering.render_and_listen(scenes.camera("") + scenes.WORLD)[1]

@@ -90,6 +90,8 @@ class Progress(rendering.RenderTest):
         self.assertEqual(shown(said)[-1][1], 100, said)
         skipped = re.search(r"Skipped\.+(\d+) pixels, done before the render was continued", said)
         self.assertIsNotNone(skipped, said)
+        self.assertGreater(shown(said)[0][0], int(skipped[1]), said)
+        self.assertEqual(shown(said)[-1][0], 128 * 96, said)
         rendered = re.search(r"^Pixels: +(\d+)", said, re.MULTILINE)
         self.assertEqual(int(skipped[1]) + int(rendered[1]), 128 * 96, said)
 

@@ -3,12 +3,9 @@
 
 #include "tilt_lens/camera/optics.h"
 
-#include <cstdio>
-#include <limits>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "tilt_lens/camera/ray.h"
+#include "tilt_lens/camera/numbers.h"
 
 namespace tilt_lens
 {
@@ -23,34 +20,16 @@ namespace
 using Real = boost::multiprecision::cpp_bin_float_quad;
 using RealVec = VecOf<Real>;
 
-const double kPi = 3.14159265358979323846;
-const double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A lens turned further has so little left of its own plane that the picture is of no use; makers
-/// stop at about 10 degrees.
-const double kDoubtfulTilt = 15.0;
-
-/// What rounding may leave, relative to the numbers it comes from, where nothing ought to be left.
-const double kRounding = 1e-14;
-
 Real Radians(double degrees)
 {
     static const Real degree = Real("3.14159265358979323846264338327950288419716939937511") / 180;
     return degrees * degree;
 }
 
-double Degrees(double radians) { return radians * (180.0 / kPi); }
-
 RealVec Exact(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec3 Rounded(const RealVec& v) { return {double(v.x), double(v.y), double(v.z)}; }
 
-std::string Number(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value + 0.0);  // never -0
-    return text;
-}
-
+using tilt_lens::Number;
 std::string Number(const Real& value) { return Number(double(value)); }
 
 std::string Text(const Vec3& v)
@@ -288,19 +267,6 @@ void RequireUsable(const Lens& lens)
                           "1e100; give moderate ones.");
 }
 
-/// A vector of the lens in camera axes, without what is only rounding: the numbers of a parallel lens
-/// are to read 0 and infinity however the camera is turned.
-Vec3 InCamera(const Lens& lens, const Vec3& v)
-{
-    const double rounding = kRounding * Length(v);
-    const auto part = [&](const Vec3& axis)
-    {
-        const double along = Dot(v, axis);
-        return std::fabs(along) > rounding ? along : 0.0;
-    };
-    return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
-}
-
 } // namespace
 
 Lens Solve(const CameraFrame& camera, const Statement& given)
@@ -337,80 +303,6 @@ Lens Solve(const CameraFrame& camera, const Statement& given)
     SpanLens(lens, axes, solved.normal, diameter);
     RequireUsable(lens);
     return lens;
-}
-
-std::vector<std::string> Doubts(const Lens& lens, const Statement& given)
-{
-    std::vector<std::string> doubts;
-    const Vec3 t = InCamera(lens, lens.normal);
-    const double turn = Degrees(std::atan2(std::hypot(t.x, t.y), t.z));
-    if (turn > kDoubtfulTilt * (1.0 + kRounding))
-        doubts.push_back("The lens is turned by " + Number(turn) + " degrees; real lenses stop at about 10. "
-                         "The picture is right, but check focal length, scene_unit and the plane of focus.");
-    if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
-        doubts.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
-                         "aperture or f_stop.");
-    const double radius = 0.5 * lens.diameter;
-    if (radius * std::hypot(t.x, t.y) >= lens.filmDistance)
-        doubts.push_back("The turned lens is so large that its rim passes through the film: its radius is " +
-                         Number(radius) + " units, the film is " + Number(lens.filmDistance) + " units away. No "
-                         "lens could be built so; check scene_unit, give a smaller aperture or a larger f_stop, or "
-                         "turn it less.");
-    return doubts;
-}
-
-double TiltOf(const Lens& lens)
-{
-    const Vec3 t = InCamera(lens, lens.normal);
-    return Degrees(std::atan2(-t.y, t.z)) + 0.0;  // never -0
-}
-
-double SwingOf(const Lens& lens)
-{
-    const Vec3 t = InCamera(lens, lens.normal);
-    return Degrees(std::atan2(-t.x, t.z)) + 0.0;
-}
-
-double FocusAngleOf(const Lens& lens)
-{
-    const Vec3 k = InCamera(lens, lens.focus);
-    return Degrees(std::atan2(std::hypot(k.x, k.y), std::fabs(k.z)));
-}
-
-double HingeDistanceOf(const Lens& lens)
-{
-    const Vec3 k = InCamera(lens, lens.focus);
-    return 1.0 / std::hypot(k.x, k.y);
-}
-
-double AxisFocusOf(const Lens& lens)
-{
-    return 1.0 / InCamera(lens, lens.focus).z;
-}
-
-SharpRange SharpRangeOf(const Lens& lens, double width, double pixels)
-{
-    const double nearest = Dot(PlaneOfBlur(lens, pixels, width), lens.axis);
-    const double farthest = Dot(PlaneOfBlur(lens, -pixels, width), lens.axis);
-    SharpRange range;
-    range.near = nearest > 0.0 ? 1.0 / nearest : kInfinity;
-    range.far = farthest > 0.0 ? 1.0 / farthest : kInfinity;
-    return range;
-}
-
-double BlurPerVergence(const Lens& lens, double width) { return lens.diameter * width / Length(lens.right); }
-
-double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
-{
-    return BlurVergence(lens, chief, T) * BlurPerVergence(lens, width);
-}
-
-Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
-{
-    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X, the second grows with the
-    // distance along the axis, T times the axis component of every chief ray
-    const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
-    return lens.focus + (pixels / perDistance) * lens.axis;
 }
 
 } // namespace tilt_lens

@@ -195,4 +195,9 @@ void TiltLensParser::ErrorAt(const TiltLensPlace& place, const char* format, ...
                                   place.offset, "%s", text);
 }
 
+void TiltLensParser::WarningAt(const TiltLensPlace& place, const std::string& text)
+{
+    parser.messageFactory.WarningAt(0, place.file.c_str(), place.line, place.column, place.offset, "%s", text.c_str());
+}
+
 } // namespace pov

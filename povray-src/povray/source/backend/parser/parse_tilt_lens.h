@@ -36,6 +36,10 @@ class TiltLensParser
     /// Solves the lens of a camera that is parsed and transformed, for its errors and warnings.
     void Check(Camera& camera);
 
+    /// Refuses arguments of the wrong kind for a macro of tilt_lens.inc, where they are given.
+    /// @param names  of its parameters
+    void CheckMacro(const char* macro, Sym_Table_Entry* const* arguments, char* const* names, int count);
+
   private:
     Parser& parser;
     TiltLensPlace item;  ///< where the current item's word stands; its value may end lines later
@@ -48,6 +52,7 @@ class TiltLensParser
     void ClaimOnce(const std::string& word, std::set<std::string>& seen);
     std::vector<Sym_Table_Entry*> MacrosNamedAsItems();
 
+    void RequireValue(const std::string& word);
     double Number(const std::string& word);
     double PositiveNumber(const std::string& word);
     tilt_lens::Vec3 Vector(const std::string& word);
@@ -63,9 +68,12 @@ class TiltLensParser
     void RequireAperture(const Camera& camera);
     void TakeFocalPoint(Camera& camera);
     void TakeBlurSamples(Camera& camera);
+    void WarnOfFocalPoint(const Camera& camera);
+    void WarnOfSky(const Camera& camera);
 
     /// printf-like; throws.
     void ErrorAt(const TiltLensPlace& place, const char* format, ...);
+    void WarningAt(const TiltLensPlace& place, const std::string& text);
 };
 
 } // namespace pov

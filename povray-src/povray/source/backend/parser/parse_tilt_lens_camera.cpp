@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "backend/frame.h"
@@ -21,6 +22,15 @@ namespace pov
 
 using tilt_lens::FocusFamily;
 using tilt_lens::Statement;
+using tilt_lens::Vec3;
+
+namespace
+{
+
+/// Cosine of the angle up to which a camera's sky counts as what is up in the scene, leaned a little.
+const double kSameSky = 0.7;
+
+} // namespace
 
 void TiltLensParser::TakeCameraItems(Camera& camera)
 {
@@ -32,12 +42,47 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
         ErrorAt(camera.TiltLens.place, "The default camera's tilt_lens meets a camera that is not perspective. "
                                        "Only the perspective camera has a lens; remove the block from the "
                                        "default camera.");
+    WarnOfFocalPoint(camera);
     camera.TiltLens.statement.aperture = camera.Aperture;
     RequireConsistent(camera, written);
     RequireQuality(camera, written);
     RequireAperture(camera);
     TakeFocalPoint(camera);
     TakeBlurSamples(camera);
+}
+
+/// A point that is written in the camera and has no say.
+void TiltLensParser::WarnOfFocalPoint(const Camera& camera)
+{
+    const Statement& s = camera.TiltLens.statement;
+    const char* word = s.family == FocusFamily::FocalPlane    ? "focal_plane"
+                       : s.family == FocusFamily::FocalPoints ? "focal_points"
+                                                              : NULL;
+    if (word == NULL || camera.Focal_Point[X] == HUGE_VAL)
+        return;
+    const Vec3 p = FromPov(camera.Focal_Point);
+    char text[256];
+    std::snprintf(text, sizeof text, "focal_point <%g, %g, %g> has no effect beside %s, which says where the focus lies. "
+                                     "Remove one of the two.", p.x, p.y, p.z, word);
+    WarningAt(camera.TiltLens.place, text);
+}
+
+/// The set-ups of the include file cannot see the camera's sky.
+void TiltLensParser::WarnOfSky(const Camera& camera)
+{
+    const SYM_ENTRY* entry = NULL;
+    for (int table = parser.Table_Index; table > 0 && entry == NULL; table--)
+        entry = parser.Find_Symbol(table, "Tilt_Lens_Sky");
+    if (entry == NULL || entry->Token_Number != VECTOR_ID_TOKEN || entry->Data == NULL)
+        return;
+    const Vec3 sky = Normalized(FromPov(camera.Sky)), up = Normalized(FromPov(reinterpret_cast<const DBL*>(entry->Data)));
+    if (!(Dot(sky, up) < kSameSky))
+        return;
+    char text[320];
+    std::snprintf(text, sizeof text, "The camera's sky is <%g, %g, %g>, but Tilt_Lens_Sky, which tells the macros of tilt_lens.inc "
+                                     "what is up, is <%g, %g, %g>. If you use them, #declare Tilt_Lens_Sky = <%g, %g, %g> "
+                                     "before the camera.", sky.x, sky.y, sky.z, up.x, up.y, up.z, sky.x, sky.y, sky.z);
+    WarningAt(camera.TiltLens.place, text);
 }
 
 void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems& written)
@@ -106,13 +151,14 @@ void TiltLensParser::Check(Camera& camera)
         return;
     const bool fresh = lens.open;
     lens.open = false;
+    if (fresh)
+        WarnOfSky(camera);
     try
     {
         TiltLensCamera::Solve(camera);
         if (fresh)
             for (const std::string& doubt : Doubts(*lens.lens, lens.statement))
-                parser.messageFactory.WarningAt(0, lens.place.file.c_str(), lens.place.line,
-                                                lens.place.column, lens.place.offset, "%s", doubt.c_str());
+                WarningAt(lens.place, doubt);
     }
     catch (const tilt_lens::OpticsError& error)
     {

@@ -10,6 +10,7 @@
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
+#include "backend/parser/tilt_lens_words.h"
 
 #include "base/povdebug.h"
 
@@ -19,9 +20,35 @@ namespace pov
 using tilt_lens::Statement;
 using tilt_lens::Vec3;
 
+/// Refuses what no value begins with, while it is known which item lacks it.
+void TiltLensParser::RequireValue(const std::string& word)
+{
+    parser.Get_Token();
+    const int token = parser.Token.Token_Id;
+    const std::string text = parser.Token.Token_String;
+    parser.Unget_Token();
+    const TiltLensItem* known = FindTiltLensItem(word.substr(0, word.find('\'')));
+    std::string found;
+    if (token == END_OF_FILE_TOKEN)
+        found = "the end of the file";
+    else if (token == IDENTIFIER_TOKEN || token == STRING_LITERAL_TOKEN || token == RIGHT_CURLY_TOKEN ||
+             token == LEFT_CURLY_TOKEN || token == COMMA_TOKEN || token == SEMI_COLON_TOKEN)
+        found = (token == IDENTIFIER_TOKEN && FindTiltLensItem(text) == NULL ? "the undeclared '" : "'") + text + "'";
+    else
+        return;
+    ErrorAt(item, "%s in tilt_lens has no value: found %s in its place. Write it as %s, with a number, a vector or an "
+                  "expression of them.", word.c_str(), found.c_str(), known == NULL ? word.c_str() : known->example);
+}
+
 double TiltLensParser::Number(const std::string& word)
 {
-    const double value = parser.Parse_Float();
+    RequireValue(word);
+    EXPRESS v;
+    const int terms = parser.Parse_Unknown_Vector(v);
+    if (terms != 1)
+        ErrorAt(item, "%s in tilt_lens: found a value of %d numbers. It takes one number; write one, or a component such "
+                      "as .x of a vector.", word.c_str(), terms);
+    const double value = v[0];
     if (!std::isfinite(value))
         ErrorAt(item, "%s %g in tilt_lens. It must be a finite number; check the expression.", word.c_str(),
                      value);
@@ -39,6 +66,7 @@ double TiltLensParser::PositiveNumber(const std::string& word)
 
 Vec3 TiltLensParser::Vector(const std::string& word)
 {
+    RequireValue(word);
     EXPRESS v;
     const int terms = parser.Parse_Unknown_Vector(v);
     if (terms != 3)
@@ -53,6 +81,7 @@ Vec3 TiltLensParser::Vector(const std::string& word)
 
 void TiltLensParser::ParseShift(Statement& s)
 {
+    RequireValue("shift");
     EXPRESS v;
     const int terms = parser.Parse_Unknown_Vector(v);
     // a plain number would be promoted to both directions: surely not what was meant

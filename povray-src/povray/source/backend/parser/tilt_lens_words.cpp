@@ -12,22 +12,22 @@ namespace pov
 {
 
 const TiltLensItem kTiltLensItems[16] = {
-    {"film_width", NULL},
-    {"focal_length", NULL},
-    {"scene_unit", NULL},
-    {"shift", NULL},
-    {"f_stop", NULL},
-    {"blades", NULL},
-    {"denoise", NULL},
-    {"tilt", "tilt and swing"},
-    {"swing", "tilt and swing"},
-    {"focus_tilt", "focus_tilt and focus_swing"},
-    {"focus_swing", "focus_tilt and focus_swing"},
-    {"focal_plane", "focal_plane"},
-    {"focal_points", "focal_points"},
-    {"focus_peaking", NULL},
-    {"focus_map", NULL},
-    {"show_planes", NULL}};
+    {"film_width", NULL, "film_width 36"},
+    {"focal_length", NULL, "focal_length 50"},
+    {"scene_unit", NULL, "scene_unit 1000"},
+    {"shift", NULL, "shift <0, 8>"},
+    {"f_stop", NULL, "f_stop 2.8"},
+    {"blades", NULL, "blades 5, 90"},
+    {"denoise", NULL, "denoise on"},
+    {"tilt", "tilt and swing", "tilt 6"},
+    {"swing", "tilt and swing", "swing 6"},
+    {"focus_tilt", "focus_tilt and focus_swing", "focus_tilt 45"},
+    {"focus_swing", "focus_tilt and focus_swing", "focus_swing 45"},
+    {"focal_plane", "focal_plane", "focal_plane { y, 0 }"},
+    {"focal_points", "focal_points", "focal_points <0, 0, 0>, <1, 0, 0>, <0, 0, 1>"},
+    {"focus_peaking", NULL, "focus_peaking rgb <1, 0, 0>"},
+    {"focus_map", NULL, "focus_map"},
+    {"show_planes", NULL, "show_planes"}};
 
 namespace
 {

@@ -16,6 +16,7 @@ struct TiltLensItem
 {
     const char* word;
     const char* family;  ///< words of its family of focus, or NULL
+    const char* example; ///< how it is written with its value
 };
 
 extern const TiltLensItem kTiltLensItems[16];

@@ -41,10 +41,34 @@ std::string Distance(double units, double scale)
     return units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
 }
 
+double Degrees(double radians) { return radians * (180.0 / M_PI); }
+
 /// An angle in degrees, without the rounding error of a lens that is not turned.
 double Tidy(double degrees)
 {
     return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;
+}
+
+/// "1 thread", "2 threads".
+std::string Count(double number, const char* what)
+{
+    return Line("%.0f ", number) + what + (number == 1.0 ? "" : "s");
+}
+
+/// Size and place of the frame on the film, and how much it sees.
+std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
+{
+    const tilt_lens::Statement& given = camera.TiltLens.statement;
+    const double height = given.filmWidth * Length(lens.up) / Length(lens.right);
+    // a shift that `direction` has brought along counts as well
+    const double perUnit = given.filmWidth / Length(lens.right), scale = 1e-9 * given.filmWidth;
+    const double right = Dot(lens.direction, lens.axisRight) * perUnit, up = Dot(lens.direction, lens.axisUp) * perUnit;
+    const auto number = [=](double mm) { return std::fabs(mm) < scale ? 0.0 : mm; };
+    const double across = 2.0 * Degrees(std::atan(0.5 * Length(lens.right) / Dot(lens.direction, lens.axis)));
+    const double upright = 2.0 * Degrees(std::atan(0.5 * Length(lens.up) / Dot(lens.direction, lens.axis)));
+    return Line("  Film.................%.5g by %.5g mm", given.filmWidth, height) +
+           Line(", shift <%.5g, %.5g> mm\n", number(right), number(up)) +
+           Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
 } // namespace
@@ -55,16 +79,20 @@ void TiltLensView::AddProgress(POVMS_Object& message) const
     // sum that is 1 but for rounding reads 100
     const std::optional<double> share = work.Share();
     if (share && *share > 0.0)
+    {
         message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
+        // what a continued render has already is a part of the picture as well
+        message.SetInt(kPOVAttrib_PixelsCompleted, message.GetInt(kPOVAttrib_PixelsCompleted) + POVMSInt(pixelsBefore));
+    }
 }
 
 std::string TiltLensView::Summary(const TiltLensCost& cost) const
 {
     boost::mutex::scoped_lock lock(accountMutex);
     std::string text = "Tilt Lens Sampling\n";
-    text += Line("  Time.................%.3f seconds, %.3f of CPU on %.0f threads\n", cost.seconds, cost.cpuSeconds,
-                 cost.threads);
-    text += Line("  Rays.................%.0f, and %.0f tests for shadow\n", cost.rays, cost.shadowTests);
+    text += Line("  Time.................%.3f seconds, %.3f of CPU on ", cost.seconds, cost.cpuSeconds) +
+            Count(cost.threads, "thread") + "\n";
+    text += "  Rays................." + Line("%.0f", cost.rays) + ", and " + Count(cost.shadowTests, "test") + " for shadow\n";
     if (aids)
         return text + "  Samples per pixel....1, through the lens centre (focus aids)\n" + Skipped();
     const double pixels = std::max<double>(1.0, account.Pixels());
@@ -87,31 +115,32 @@ std::string TiltLensView::Skipped() const
     if (limits.variance > 0.0 && stopped != account.pixelsBySamples.end())
     {
         const double share = 100.0 * stopped->second / pixels;
-        text += Line("  Stopped by MAX.......%.0f pixels (", stopped->second) +
-                Line(share < 99.5 ? "%.2g" : "%.0f", share) + Line("%%), at %.0f samples\n", limits.max);
+        text += "  Stopped by MAX......." + Count(stopped->second, "pixel") + " (" +
+                Line(share < 99.5 ? "%.2g" : "%.0f", share) + "%), at " + Count(limits.max, "sample") + "\n";
     }
     if (pixelsBefore > 0)
-        text += Line("  Skipped..............%.0f pixels, done before the render was continued\n", pixelsBefore);
+        text += "  Skipped.............." + Count(pixelsBefore, "pixel") + ", done before the render was continued\n";
     if (limits.variance > 0.0)
-        text += Line("  Ended at the minimum.%.0f of %.0f pixels, after %.0f samples\n",
-                     account.PixelsUpTo(limits.FirstRound()), pixels, limits.FirstRound());
+        text += Line("  Ended at the minimum.%.0f of ", account.PixelsUpTo(limits.FirstRound())) + Count(pixels, "pixel") +
+                ", after " + Count(limits.FirstRound(), "sample") + "\n";
     if (limits.Denoises())
-        text += Line("  Reconstruction.......%.0f pixels, %.0f left as they were\n", account.reconstructed,
-                     pixels - account.reconstructed);
+        text += "  Reconstruction......." + Count(account.reconstructed, "pixel") +
+                Line(", %.0f left as they were\n", pixels - account.reconstructed);
     if (account.lightPoints > 0)
-        text += Line("  Area lights..........%.0f points asked, %.0f more left out\n",
-                     account.lightPoints, account.lightPointsSkipped);
+        text += "  Area lights.........." + Count(account.lightPoints, "point") +
+                Line(" asked, %.0f more left out\n", account.lightPointsSkipped);
     if (!emitters.Empty())
-        text += Line("  Aimed at lamps.......%.0f samples, lamps in view: %.0f\n", account.emitterSampled, emitters.Count());
+        text += "  Aimed at lamps......." + Count(account.emitterSampled, "sample") +
+                Line(", lamps in view: %.0f\n", emitters.Count());
     if (objectsWithInterior > 0)
     {
         const std::size_t hold = std::count_if(aroundLens.begin(), aroundLens.end(),
                                                [](const ObjectAroundLens& around) { return around.holdsLens; });
-        text += Line("  Around the lens......%.0f of %.0f interiors asked by each ray, %.0f hold all of it\n",
-                     aroundLens.size() - hold, objectsWithInterior, hold);
+        text += Line("  Around the lens......%.0f of ", aroundLens.size() - hold) + Count(objectsWithInterior, "interior") +
+                Line(" asked by each ray, %.0f hold all of it\n", hold);
     }
     if (account.notFinite > 0)
-        text += Line("  Not finite...........%.0f samples, counted as black\n", account.notFinite);
+        text += "  Not finite..........." + Count(account.notFinite, "sample") + ", counted as black\n";
     return text;
 }
 
@@ -130,6 +159,7 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
                  Tidy(SwingOf(lens)));
     text += Line("  Focal length.........%.5g mm, film at %.5g mm\n", lens.focalLength * mm,
                  lens.filmDistance * mm);
+    text += FilmOf(camera, lens);
     if (lens.diameter > 0.0)
         text += Line("  Aperture.............f/%.4g, diameter %.5g mm", lens.focalLength / lens.diameter,
                      lens.diameter * mm) + Line(" (%.5g units)\n", lens.diameter);

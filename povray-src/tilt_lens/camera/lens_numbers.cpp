@@ -1,0 +1,148 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file lens_numbers.cpp
+/// What is told of a solved lens: the numbers that a photographer checks, blur, and doubts.
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/camera/ray.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+const double kPi = 3.14159265358979323846;
+const double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A lens turned further has so little left of its own plane that the picture is of no use; makers
+/// stop at about 10 degrees.
+const double kDoubtfulTilt = 15.0;
+
+/// A shift of more than so many widths of the film; makers stop at a third.
+const double kDoubtfulShift = 1.0;
+
+double Degrees(double radians) { return radians * (180.0 / kPi); }
+
+/// A number that must not be read as the limit it stays below.
+std::string NumberBelow(double value, double limit)
+{
+    const std::string text = Number(value);
+    return text == Number(limit) && value < limit ? "almost " + text : text;
+}
+
+/// A vector of the lens in camera axes, without what is only rounding: the numbers of a parallel lens
+/// are to read 0 and infinity however the camera is turned.
+Vec3 InCamera(const Lens& lens, const Vec3& v)
+{
+    const double rounding = kRounding * Length(v);
+    const auto part = [&](const Vec3& axis)
+    {
+        const double along = Dot(v, axis);
+        return std::fabs(along) > rounding ? along : 0.0;
+    };
+    return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
+}
+
+/// Whether no chief ray of the frame meets the plane of sharp focus before the lens. The inverse of its distance is
+/// linear over the frame, so that the corners tell.
+bool IsSharpBehindOnly(const Lens& lens)
+{
+    for (double x : {-0.5, 0.5})
+        for (double y : {-0.5, 0.5})
+            if (lens.focusMiddle + x * lens.focusRight + y * lens.focusUp > 0.0)
+                return false;
+    return true;
+}
+
+} // namespace
+
+std::vector<std::string> Doubts(const Lens& lens, const Statement& given)
+{
+    std::vector<std::string> doubts;
+    const Vec3 t = InCamera(lens, lens.normal);
+    const double turn = Degrees(std::atan2(std::hypot(t.x, t.y), t.z));
+    if (turn > kDoubtfulTilt * (1.0 + kRounding))
+        doubts.push_back("The lens is turned by " + NumberBelow(turn, 90.0) + " degrees; real lenses stop at about 10. "
+                         "The picture is right, but check focal length, scene_unit and the plane of focus.");
+    if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
+        doubts.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
+                         "aperture or f_stop.");
+    if (lens.diameter > 0.0 && IsSharpBehindOnly(lens))
+        doubts.push_back("The plane of sharp focus lies behind the camera in the whole picture, so that nothing in it can be "
+                         "sharp. Compare the plane or points with location and look_at, and the sign of the plane's distance.");
+    if (std::hypot(given.shiftRight, given.shiftUp) > kDoubtfulShift * given.filmWidth)
+        doubts.push_back("The frame is shifted by <" + Number(given.shiftRight) + ", " + Number(given.shiftUp) + "> mm on a "
+                         "film " + Number(given.filmWidth) + " mm wide; real lenses stop at about a third of it. The picture "
+                         "is right, but check that the shift is in millimetres of film.");
+    const double radius = 0.5 * lens.diameter;
+    if (radius * std::hypot(t.x, t.y) >= lens.filmDistance)
+        doubts.push_back("The turned lens is so large that its rim passes through the film: its radius is " +
+                         Number(radius) + " units, the film is " + Number(lens.filmDistance) + " units away. No "
+                         "lens could be built so; check scene_unit, give a smaller aperture or a larger f_stop, or "
+                         "turn it less.");
+    return doubts;
+}
+
+double TiltOf(const Lens& lens)
+{
+    const Vec3 t = InCamera(lens, lens.normal);
+    return Degrees(std::atan2(-t.y, t.z)) + 0.0;  // never -0
+}
+
+double SwingOf(const Lens& lens)
+{
+    const Vec3 t = InCamera(lens, lens.normal);
+    return Degrees(std::atan2(-t.x, t.z)) + 0.0;
+}
+
+double FocusAngleOf(const Lens& lens)
+{
+    const Vec3 k = InCamera(lens, lens.focus);
+    return Degrees(std::atan2(std::hypot(k.x, k.y), std::fabs(k.z)));
+}
+
+double HingeDistanceOf(const Lens& lens)
+{
+    const Vec3 k = InCamera(lens, lens.focus);
+    return 1.0 / std::hypot(k.x, k.y);
+}
+
+double AxisFocusOf(const Lens& lens)
+{
+    return 1.0 / InCamera(lens, lens.focus).z;
+}
+
+SharpRange SharpRangeOf(const Lens& lens, double width, double pixels)
+{
+    const double nearest = Dot(PlaneOfBlur(lens, pixels, width), lens.axis);
+    const double farthest = Dot(PlaneOfBlur(lens, -pixels, width), lens.axis);
+    SharpRange range;
+    range.near = nearest > 0.0 ? 1.0 / nearest : kInfinity;
+    range.far = farthest > 0.0 ? 1.0 / farthest : kInfinity;
+    return range;
+}
+
+double BlurPerVergence(const Lens& lens, double width) { return lens.diameter * width / Length(lens.right); }
+
+double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
+{
+    return BlurVergence(lens, chief, T) * BlurPerVergence(lens, width);
+}
+
+Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
+{
+    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X, the second grows with the
+    // distance along the axis, T times the axis component of every chief ray
+    const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
+    return lens.focus + (pixels / perDistance) * lens.axis;
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,29 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file numbers.h
+/// Numbers of a lens in messages, and what rounding leaves of them.
+
+#ifndef TILT_LENS_NUMBERS_H
+#define TILT_LENS_NUMBERS_H
+
+#include <cstdio>
+#include <string>
+
+namespace tilt_lens
+{
+
+/// What rounding may leave, relative to the numbers it comes from, where nothing ought to be left.
+inline constexpr double kRounding = 1e-14;
+
+/// Six digits.
+inline std::string Number(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value + 0.0);  // never -0
+    return text;
+}
+
+} // namespace tilt_lens
+
+#endif
