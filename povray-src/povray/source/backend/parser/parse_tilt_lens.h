@@ -33,7 +33,8 @@ class TiltLensParser
     /// of them were written. Call before POV-Ray fills in the others.
     void TakeCameraItems(Camera& camera);
 
-    /// Solves the lens of a camera that is parsed and transformed, for its errors and warnings.
+    /// Solves the lens of a camera that is parsed and transformed, for its errors and warnings. Also other cameras
+    /// pass here, to be recorded (camera_record.h).
     void Check(Camera& camera);
 
     /// Refuses arguments of the wrong kind for a macro of tilt_lens.inc, where they are given.

@@ -13,6 +13,7 @@
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
+#include "backend/scene/camera_record.h"
 #include "tilt_lens/sampling/sampling_limits.h"
 
 #include "base/povdebug.h"
@@ -147,6 +148,7 @@ void TiltLensParser::TakeBlurSamples(Camera& camera)
 void TiltLensParser::Check(Camera& camera)
 {
     TiltLensCamera& lens = camera.TiltLens;
+    RecordCamera(camera, Here());
     if (!lens.given)
         return;
     const bool fresh = lens.open;

@@ -8,6 +8,7 @@
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
 #include "backend/control/messagefactory.h"
+#include "backend/scene/camera_record.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/threaddata.h"
@@ -104,10 +105,11 @@ void TiltLensView::Add(const tilt_lens::SamplingStatistics& tile)
 }
 
 /// A camera with `tilt_lens` gets its threads' common data, tells its numbers and takes over from all
-/// anti-aliasing; any other camera is left alone.
+/// anti-aliasing; any other camera is left alone, but for the record that TILT_LENS_PREVIEW asks for.
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
+    FinishCameraRecord(camera, *viewData.sceneData);
     if (!camera.TiltLens.given)
         return;
     const TiltLensPlace place = camera.TiltLens.place;

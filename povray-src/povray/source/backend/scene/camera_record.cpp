@@ -1,0 +1,148 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/scene/camera_record.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include "backend/scene/scene.h"
+#include "base/image/colourspace.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+using tilt_lens::Statement;
+using tilt_lens::Vec3;
+
+namespace
+{
+
+const char* RecordName()
+{
+    static const char* const name = std::getenv("TILT_LENS_PREVIEW");
+    return name != NULL && *name != '\0' ? name : NULL;
+}
+
+/// Statements of this run, as JSON.
+std::vector<std::string>& Recorded()
+{
+    static std::vector<std::string> cameras;
+    return cameras;
+}
+
+std::string Number(double value)
+{
+    std::ostringstream text;
+    text << std::setprecision(17) << value;
+    return std::isfinite(value) ? text.str() : "null";
+}
+
+std::string Number(const std::optional<double>& value) { return value ? Number(*value) : "null"; }
+
+std::string Vector(const Vec3& v) { return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]"; }
+
+const char* Truth(bool value) { return value ? "true" : "false"; }
+
+/// In quotation marks, all but printable ASCII escaped.
+std::string Text(const UCS2String& name)
+{
+    std::ostringstream text;
+    text << '"' << std::hex << std::setfill('0');
+    for (const UCS2 unit : name)
+        if (unit < 0x20 || unit > 0x7e || unit == '"' || unit == '\\')
+            text << "\\u" << std::setw(4) << unsigned(unit);
+        else
+            text << char(unit);
+    return text.str() + '"';
+}
+
+const char* FamilyName(tilt_lens::FocusFamily family)
+{
+    switch (family)
+    {
+        case tilt_lens::FocusFamily::FocusTurn:   return "focusTurn";
+        case tilt_lens::FocusFamily::FocalPlane:  return "plane";
+        case tilt_lens::FocusFamily::FocalPoints: return "points";
+        default:                                  return "lensTurn";
+    }
+}
+
+std::string Block(const Statement& s)
+{
+    return "{\"family\": \"" + std::string(FamilyName(s.family)) + "\", \"filmWidth\": " + Number(s.filmWidth) +
+           ", \"focalLength\": " + Number(s.focalLength) + ", \"sceneUnit\": " + Number(s.sceneUnit) +
+           ", \"tilt\": " + Number(s.tilt) + ", \"swing\": " + Number(s.swing) +
+           ", \"focusTilt\": " + Number(s.focusTilt) + ", \"focusSwing\": " + Number(s.focusSwing) +
+           ", \"planeNormal\": " + Vector(s.planeNormal) + ", \"planeDistance\": " + Number(s.planeDistance) +
+           ", \"points\": [" + Vector(s.points[0]) + ", " + Vector(s.points[1]) + ", " + Vector(s.points[2]) +
+           "], \"shift\": [" + Number(s.shiftRight) + ", " + Number(s.shiftUp) + "], \"fStop\": " + Number(s.fStop) +
+           ", \"blades\": " + Number(s.blades) + ", \"bladesAngle\": " + Number(s.bladesAngle) +
+           ", \"focalPoint\": " + Vector(s.focalPoint) + ", \"aperture\": " + Number(s.aperture) +
+           ", \"scale\": " + Number(s.scale) + "}";
+}
+
+std::string Described(const Camera& camera)
+{
+    return "\"perspective\": " + std::string(Truth(camera.Type == PERSPECTIVE_CAMERA)) +
+           ", \"location\": " + Vector(FromPov(camera.Location)) +
+           ", \"direction\": " + Vector(FromPov(camera.Direction)) + ", \"right\": " + Vector(FromPov(camera.Right)) +
+           ", \"up\": " + Vector(FromPov(camera.Up)) + ", \"sky\": " + Vector(FromPov(camera.Sky)) +
+           ", \"focusDistance\": " + Number(camera.Focal_Distance) + ", \"aperture\": " + Number(camera.Aperture) +
+           ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
+           ", \"block\": " + (camera.TiltLens.given ? Block(camera.TiltLens.statement) : "null") + "}";
+}
+
+/// How values of the picture become light.
+std::string Gamma(const SceneData& scene)
+{
+    if (!scene.workingGammaToSRGB)
+        return "null";
+    const SimpleGammaCurvePtr& curve = scene.workingGamma;
+    if (GammaCurve::IsNeutral(curve))
+        return "1";
+    const double half = curve->Decode(0.5f);
+    if (std::fabs(half - SRGBGammaCurve::Get()->Decode(0.5f)) < 1e-6)
+        return "\"sRGB\"";
+    return Number(std::log(half) / std::log(0.5));
+}
+
+} // namespace
+
+bool CamerasAreRecorded() { return RecordName() != NULL; }
+
+void RecordCamera(const Camera& camera, const TiltLensPlace& end)
+{
+    if (CamerasAreRecorded())
+        Recorded().push_back("{\"file\": " + Text(end.file) + ", \"line\": " + Number(double(end.line)) +
+                             ", \"offset\": " + Number(double(end.offset)) + ", " + Described(camera));
+}
+
+void FinishCameraRecord(Camera& view, const SceneData& scene)
+{
+    if (!CamerasAreRecorded())
+        return;
+    std::string text = "{\"cameras\": [";
+    for (const std::string& camera : Recorded())
+        text += (text.back() == '[' ? "\n" : ",\n") + camera;
+    text += "],\n\"view\": {" + Described(view) + ",\n\"gamma\": " + Gamma(scene) + "}\n";
+    Recorded().clear();
+    std::ofstream stream(RecordName(), std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream)
+        throw POV_EXCEPTION(kCannotOpenFileErr, std::string("Cannot write the file that TILT_LENS_PREVIEW names: ") +
+                                                    RecordName());
+    view.Aperture = 0.0;
+    view.TiltLens.aids = tilt_lens::FocusAids();
+    view.TiltLens.statement.aperture = 0.0;
+    view.TiltLens.statement.fStop.reset();
+}
+
+} // namespace pov
