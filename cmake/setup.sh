@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The one set-up step of ./render, ./batch and ./check, to be sourced: installs missing packages, configures, builds.
+# The one set-up step of ./render, ./batch, ./focus and ./check, to be sourced: installs missing packages, configures, builds.
 #
-#   setup render|batch|check  leaves the program (check: and the tests) built in $repository/build
+#   setup render|batch|focus|check  leaves the program (check: and the tests) built in $repository/build
 #
 # All it prints goes to standard error, so that a picture may go to standard output. With nothing to do it
 # asks dpkg and ninja, needs no network and stays well under a second.
@@ -23,7 +23,7 @@ quoted()
     esac
 }
 
-# packages_of render|batch|check: the names in cmake/debian-packages that this command needs.
+# packages_of render|batch|focus|check: the names in cmake/debian-packages that this command needs.
 packages_of()
 {
     awk -v group="$1" '!/^#/ && NF == 2 && ($1 == "render" || $1 == group || group == "check") { print $2 }' \
@@ -77,7 +77,7 @@ forget_moved_build()
     find "$build" -mindepth 1 -maxdepth 1 ! -name downloads ! -name setup.lock -exec rm -rf {} +
 }
 
-# configure render|batch|check: where there is no finished configuration, or the tests are not yet part of it.
+# configure render|batch|focus|check: where there is no finished configuration, or the tests are not yet part of it.
 # Once on, the tests stay on: the two commands must not turn each other's configuration back.
 configure()
 {

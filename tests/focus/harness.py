@@ -1,0 +1,238 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What the tests of ./focus share: scenes, calls of the command, a browser that looks at its page."""
+
+import argparse
+import contextlib
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from tools.repository import ROOT
+
+SETTINGS = argparse.Namespace(povray=None, cases=None)
+
+# A floor, three towers whose tops are at different heights, and a wall behind; no lens.
+SCENE = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera {
+  location <0, 3, -7>
+  look_at <0, 0.8, 0>
+  right x*image_width/image_height
+  angle 45
+}
+light_source { <-4, 9, -9>, rgb 1 }
+plane { y, 0 pigment { checker rgb 0.8, rgb <0.2, 0.4, 0.7> } }
+plane { z, 9 pigment { brick rgb 0.9, rgb <0.7, 0.3, 0.2> scale 0.2 } }
+box { <-2.4, 0, -2>, <-1.4, 0.6, -1> pigment { rgb <0.9, 0.4, 0.1> } }
+box { <1.2, 0, 0>, <2.2, 1.2, 1> pigment { rgb <0.2, 0.7, 0.3> } }
+box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
+"""
+SMALL = ("+W160", "+H90")
+
+
+# Root mean square difference of the live and the true picture, of 1 for white, and that of the picture without blur.
+DIFFERENCE = """
+const read = (image, width, height) => {
+    const canvas = new OffscreenCanvas(width, height), context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0, width, height);
+    return context.getImageData(0, 0, width, height).data;
+};
+const { blur } = focusPage, { width, height } = blur, truth = read(document.getElementById("truth"), width, height);
+const rmse = () => {
+    blur.display();
+    const live = read(document.getElementById("picture"), width, height);
+    let sum = 0;
+    for (let i = 0; i < live.length; i++)
+        sum += i % 4 < 3 ? ((live[i] - truth[i]) / 255) ** 2 : 0;
+    return Math.sqrt(sum / (live.length * 3 / 4));
+};
+const found = { rmse: rmse() };
+blur.show.blur = false;
+found.sharp = rmse();
+blur.show.blur = true;
+blur.display();
+return found;
+"""
+
+
+def environment():
+    """The tests' own: no ini file and no display of whoever runs them."""
+    hidden = ("POVINI", "POVINC", "DISPLAY", "WAYLAND_DISPLAY")
+    return {name: value for name, value in os.environ.items() if name not in hidden}
+
+
+class FocusTest(unittest.TestCase):
+    """A test in a folder of its own, whose name holds a space."""
+
+    longMessage = True
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="focus test ")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        (self.folder / "tmp").mkdir()
+        self.process = None
+
+    def scene(self, text=SCENE, name="scene.pov"):
+        """Writes a scene."""
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def start(self, scene, *words, idle=120):
+        """Calls ./focus; returns the address that it prints."""
+        command = [str(ROOT / "focus"), str(scene), "--no-browser", "--idle", str(idle), "--povray", SETTINGS.povray]
+        said = open(self.folder / "errors", "wb")
+        self.addCleanup(said.close)
+        self.process = subprocess.Popen(
+            [*command, *words],
+            cwd=self.folder,
+            env=dict(environment(), TMPDIR=str(self.folder / "tmp")),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=said,
+            text=True,
+            start_new_session=True,
+        )
+        self.addCleanup(self.end)
+        for line in self.process.stdout:
+            found = re.search(r"http://127\.0\.0\.1:\d+/[\w-]+/", line)
+            if found:
+                return found.group()
+        self.fail(f"no address: {self.errors()}")
+
+    def errors(self):
+        """What the command has said on standard error."""
+        return (self.folder / "errors").read_text(errors="replace")
+
+    def end(self, number=signal.SIGINT):
+        """Ends the command as Ctrl-C does; returns its exit code."""
+        if self.process.poll() is None:
+            os.killpg(self.process.pid, number)
+        try:
+            code = self.process.wait(30)
+        except subprocess.TimeoutExpired:
+            os.killpg(self.process.pid, signal.SIGKILL)
+            code = self.process.wait()
+        self.process.stdout.close()
+        return code
+
+    def until(self, what, condition, seconds=180):
+        """Waits for something to become so; returns what it became."""
+        end = time.monotonic() + seconds
+        while True:
+            value = condition()
+            if value:
+                return value
+            if time.monotonic() > end:
+                self.fail(f"waited {seconds} s in vain for {what}\n{self.errors()}")
+            time.sleep(0.05)
+
+
+def open_browser(size=(1280, 1000)):
+    """Headless Chromium, with graphics done by the processor."""
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    words = ["--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]
+    words += ["--no-sandbox"] if os.getuid() == 0 else []
+    words += ["--hide-scrollbars", f"--window-size={size[0]},{size[1]}"]
+    for word in words:
+        options.add_argument(word)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    browser = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    browser.set_script_timeout(300)
+    browser.set_page_load_timeout(300)
+    return browser
+
+
+class PageTest(FocusTest):
+    """A test with the page open in a browser, which the tests of a module share."""
+
+    browser = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = open_browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        with contextlib.suppress(Exception):
+            cls.browser.quit()
+
+    def open(self, scene, *words):
+        """Opens the page of a scene and waits for its picture; returns its address."""
+        address = self.start(scene, *(words or SMALL))
+        self.browser.get(address)
+        self.until("the preview", self.drawn)
+        return address
+
+    def drawn(self):
+        """Whether the whole preview is there and one whole picture was made of it."""
+        return self.run(
+            "const b = focusPage.blur; return focusPage.model.lens && b?.values && b.pass > 0 && "
+            "document.getElementById('status').textContent === ''"
+        )
+
+    def run(self, script, *arguments):  # pylint: disable=arguments-differ
+        """Runs a script in the page; as a test case, without a script, the test."""
+        if isinstance(script, str):
+            return self.browser.execute_script(script, *arguments)
+        return super().run(script)
+
+    def element(self, name):
+        """An element of the page by its id."""
+        return self.browser.find_element("id", name)
+
+    def press(self, selector):
+        """Clicks what a selector finds, wherever it lies on the page."""
+        self.run("document.querySelector(arguments[0]).click()", selector)
+
+    def click_at(self, x, y):
+        """Clicks the picture at x and y of the film, right and up from -0.5 to 0.5."""
+        from selenium.webdriver import ActionChains
+
+        picture = self.element("picture")
+        self.run("arguments[0].scrollIntoView({block: 'center'})", picture)
+        size = picture.size
+        ActionChains(self.browser, duration=0).move_to_element_with_offset(
+            picture, round(x * size["width"]), round(-y * size["height"])
+        ).click().perform()
+
+    def set_number(self, name, value):
+        """Types a number into a knob."""
+        script = "const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))"
+        self.run(script, name, str(value))
+
+    def text(self, name):
+        """What an element says."""
+        return self.run("return document.getElementById(arguments[0]).textContent", name)
+
+    def console(self):
+        """Errors and warnings of the browser's console, but for those of its own drawing without a graphics card."""
+        log = self.browser.get_log("browser")
+        return [entry["message"] for entry in log if "GPU stall due to ReadPixels" not in entry["message"]]
+
+
+def read_settings():
+    """Reads the paths of the programs; returns the rest of the command line."""
+    arguments = argparse.ArgumentParser(add_help=False)
+    arguments.add_argument("--povray", required=True)
+    arguments.add_argument("--cases", help="the program lens_cases")
+    _, rest = arguments.parse_known_args(namespace=SETTINGS)
+    SETTINGS.povray = os.path.abspath(SETTINGS.povray)
+    return rest
+
+
+def main():
+    """Runs the tests of the calling module."""
+    unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()])

@@ -1,0 +1,142 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The main path of the page: click three points, take the block, write it, render it, and find these points sharp."""
+
+import asyncio
+import re
+
+from tests.focus import harness
+from tests.focus.harness import SCENE, SETTINGS, PageTest
+from tools.focus.povray import Render
+
+PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
+
+
+def blur_layer(scene, folder, size):
+    """Blur in pixels, rows and columns, as the program finds it in a scene."""
+    import numpy
+
+    values = numpy.full((size[1], size[0]), numpy.nan)
+
+    async def take(tile):
+        if tile.layers is not None:
+            part = tile.layers["blur"]
+            values[tile.top : tile.top + part.shape[0], tile.left : tile.left + part.shape[1]] = part
+
+    render = Render(SETTINGS.povray, folder, "layers")
+    words = render.words(scene, ["+N", "-A"], size)
+    asyncio.run(render.run(words, False, take))
+    return values
+
+
+class Page(PageTest):
+    def pick_three(self):
+        """Clicks the three towers; returns what was picked."""
+        self.press("input[name=mode][value=three]")
+        for x, y in PLACES:
+            self.click_at(x, y)
+        picks = self.run("return focusPage.model.picks")
+        self.assertEqual(len(picks), 3)
+        return picks
+
+    def test_three_clicks_make_a_lens_that_is_sharp_there(self):
+        scene = self.scene()
+        self.open(scene)
+        self.set_number("fStop", 0.7)
+        picks = self.pick_three()
+        # what was clicked: a front, a front, a front, at the depths that the scene has
+        for pick, depth in zip(picks, (-2, 0, 2)):
+            self.assertAlmostEqual(pick[2], depth, delta=0.02)
+        self.press("input[name=form][value=points]")
+        self.assertRegex(self.text("block"), r"focal_points <[^>]+>, <[^>]+>, <[^>]+>")
+        for form in ("points", "plane", "angles"):
+            with self.subTest(form):
+                self.press(f"input[name=form][value={form}]")
+                self.press("#write")
+                self.until("the change", lambda: "Written" in self.text("file-said") or "Not" in self.text("file-said"))
+                self.assertIn("Written", self.text("file-said"))
+                size = (800, 450)
+                blur = blur_layer(scene, self.folder, size)
+                for x, y in PLACES:
+                    found = blur[round((0.5 - y) * size[1]), round((x + 0.5) * size[0])]
+                    self.assertLess(abs(found), 0.5, f"{x}, {y}")
+                self.assertGreater(abs(blur).max(), 3, "nothing is blurred")
+                self.press("#undo")
+                self.until("the undoing", lambda: "is as it was" in self.text("file-said"))
+                self.assertEqual(scene.read_text(), SCENE)
+        self.assertEqual(self.console(), [])
+
+    def test_true_picture_and_live_picture_agree(self):
+        self.open(self.scene())
+        self.set_number("fStop", 0.7)
+        self.pick_three()
+        self.run("focusPage.blur.restart()")
+        self.run("document.getElementById('width').add(new Option('160', '160', true, true))")
+        self.press("#render")
+        self.until("the true picture", lambda: "Done" in self.text("true-said"), 120)
+        self.until("the live picture", lambda: self.run("return focusPage.blur.pass > 3"), 120)
+        error = self.run(harness.DIFFERENCE)
+        self.assertLess(error["rmse"], 0.05)
+        self.assertGreater(error["sharp"], 1.3 * error["rmse"], "a sharp picture is not as near")
+        self.run("document.getElementById('save').hidden || document.getElementById('hide').click()")
+        self.assertEqual(self.console(), [])
+
+    def test_one_click_focuses_there_and_keeps_the_tilt(self):
+        self.open(self.scene())
+        self.set_number("tilt", 4)
+        self.click_at(*PLACES[0])
+        state = self.run("return [focusPage.model.numbers().tilt, focusPage.model.offPlane(focusPage.model.picks[0])]")
+        self.assertAlmostEqual(state[0], 4)
+        self.assertAlmostEqual(state[1], 0)
+
+    def test_the_third_point_may_be_a_direction(self):
+        self.open(self.scene())
+        self.press("input[name=mode][value=three]")
+        for third, normal in (("level", "x"), ("upright", "y")):
+            self.run("const t = document.getElementById('third'); t.value = arguments[0]; t.dispatchEvent(new Event('change'))", third)
+            for x, y in PLACES[:2]:
+                self.click_at(x, y)
+            lean = self.run("return focusPage.model.lens.focus[arguments[0]]", "xyz".index(normal))
+            self.assertAlmostEqual(lean, 0, places=9)
+        self.run("const t = document.getElementById('third'); t.value = 'film'; t.dispatchEvent(new Event('change'))")
+        self.assertRegex(self.run("return JSON.stringify(focusPage.model.numbers())"), r'"tilt":0,"swing":0')
+
+    def test_points_can_be_dragged_and_moved_by_keys(self):
+        from selenium.webdriver import ActionChains
+        from selenium.webdriver.common.keys import Keys
+
+        self.open(self.scene())
+        before = self.pick_three()
+        point = self.browser.find_element("css selector", "#points button")
+        ActionChains(self.browser, duration=0).click_and_hold(point).move_by_offset(60, 20).release().perform()
+        dragged = self.run("return focusPage.model.picks")
+        self.assertNotEqual(dragged[0], before[0])
+        self.assertEqual(dragged[1:], before[1:])
+        point.send_keys(Keys.ARROW_RIGHT)
+        self.assertNotEqual(self.run("return focusPage.model.picks[0]"), dragged[0])
+        self.press("#back")
+        self.press("#back")
+        self.assertEqual(self.run("return focusPage.model.picks"), before)
+
+    def test_copied_text_is_the_block(self):
+        address = self.open(self.scene())
+        origin = re.match(r"http://[^/]+", address).group()
+        permissions = {"origin": origin, "permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]}
+        self.browser.execute_cdp_cmd("Browser.grantPermissions", permissions)
+        self.press("#copy")
+        self.until("the copy", lambda: "Copied" in self.text("file-said"))
+        copied = self.browser.execute_async_script("navigator.clipboard.readText().then(arguments[0])")
+        self.assertEqual(copied, self.text("block"))
+
+    def test_keyboard_alone_picks_a_point(self):
+        from selenium.webdriver.common.keys import Keys
+
+        self.open(self.scene())
+        picture = self.element("picture")
+        before = self.run("return focusPage.model.picks")
+        picture.send_keys(Keys.ARROW_LEFT, Keys.ARROW_DOWN, Keys.ENTER)
+        self.assertNotEqual(self.run("return focusPage.model.picks"), before)
+
+
+if __name__ == "__main__":
+    harness.main()

@@ -1,0 +1,152 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The command `focus`: a local page that shows a scene's focus live and puts it where one clicks."""
+
+import argparse
+import asyncio
+import contextlib
+import logging
+import os
+import pathlib
+import re
+import signal
+import sys
+import tempfile
+import webbrowser
+
+from tools.focus import wrapper
+
+HELP = """Options of POV-Ray may follow, as for ./render: +W1280 +H720 Declare=Tilt=4
+Press Ctrl-C to end. See docs/focus.md."""
+WIDTH, HEIGHT = 960, 540
+
+
+def port(text):
+    """A number of a port."""
+    if not text.isdigit() or int(text) > 65535:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number from 0 to 65535")
+    return int(text)
+
+
+def seconds(text):
+    """A time."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1
+    if not 0 < value < 1e9:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a number of seconds, more than 0")
+    return value
+
+
+def parser():
+    """The command line."""
+    top = argparse.ArgumentParser(
+        prog="focus", allow_abbrev=False, epilog=HELP, description=__doc__.split("`: ")[1].capitalize()
+    )
+    top.add_argument("scene", help="the scene file")
+    top.add_argument("--no-browser", action="store_true", help="only print the address")
+    top.add_argument("--port", type=port, default=0, help="where to listen (default: any that is free)")
+    top.add_argument(
+        "--idle",
+        type=seconds,
+        default=60,
+        metavar="SECONDS",
+        help="end when the page has been closed for so long (default: 60)",
+    )
+    top.add_argument("--povray", default=os.environ.get("FOCUS_POVRAY"), metavar="PROGRAM", help=argparse.SUPPRESS)
+    return top
+
+
+def size_in(options):
+    """Width and height that the options of POV-Ray give, and whether they do."""
+    size = {"w": None, "h": None}
+    for option in options:
+        found = re.fullmatch(r"[-+]([wWhH])(\d+)|(Width|Height)=(\d+)", option, re.IGNORECASE)
+        if found:
+            size[(found[1] or found[3])[0].lower()] = max(2, int(found[2] or found[4]))
+    width, height = size["w"], size["h"]
+    if width and height:
+        return (width, height), True
+    if width or height:
+        return (width or round(height * WIDTH / HEIGHT), height or round(width * HEIGHT / WIDTH)), False
+    return (WIDTH, HEIGHT), False
+
+
+def real_lenses():
+    """The lenses and film formats of tilt_lens.inc: {"lenses": [...], "films": [...]}, millimetres and degrees."""
+    text = (wrapper.INCLUDES / "tilt_lens.inc").read_text(encoding="utf-8")
+    number = r"\s*([\d.]+)\s*"
+    lenses = re.findall(
+        rf"#declare Tilt_Lens_\w+\s*= array\[4\] {{{number},{number},{number},{number}}}\s*// (.+)", text
+    )
+    films = re.findall(rf"#declare Tilt_Lens_Film_(\w+)\s*= array\[2\] {{{number},{number}}}", text)
+    return {
+        "lenses": [
+            {"name": name.strip(), "focalLength": float(f), "fStop": float(n), "tilt": float(t), "shift": float(s)}
+            for f, n, t, s, name in lenses
+        ],
+        "films": [{"name": name.replace("_", " "), "size": [float(a), float(b)]} for name, a, b in films],
+    }
+
+
+async def serve(settings, folder):
+    """Shows the page until the user has had enough."""
+    # here, since aiohttp takes its time, and help needs none of it
+    from tools.focus.server import Server  # pylint: disable=import-outside-toplevel
+    from tools.focus.session import Session  # pylint: disable=import-outside-toplevel
+
+    session = Session(settings, folder)
+    server = Server(session, settings.port)
+    address = await server.start()
+    session.start_preview()
+    print(f"Focus of {settings.scene}\n  {address}\nCtrl-C ends it.", flush=True)
+    if not settings.no_browser and (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        webbrowser.open(address)
+    ended = asyncio.Event()
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        asyncio.get_running_loop().add_signal_handler(number, ended.set)
+    tasks = [
+        asyncio.create_task(coroutine)
+        for coroutine in (ended.wait(), server.until_left(settings.idle), session.watch())
+    ]
+    try:
+        await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        for task in tasks:
+            task.cancel()
+        for task in tasks:
+            with contextlib.suppress(asyncio.CancelledError):
+                await task
+        await server.stop()
+        await session.end()
+
+
+def main(words):
+    """Reads the command line; every error that a user can mend is one message."""
+    settings, options = parser().parse_known_args(words)
+    logging.basicConfig(level=logging.WARNING)
+    unknown = [word for word in options if word.startswith("--")]
+    if unknown:
+        parser().error(f"unknown option {unknown[0]}")
+    if not settings.povray:
+        parser().error("no program: call ./focus of the repository.")
+    settings.scene = os.path.abspath(settings.scene)
+    if not os.access(settings.scene, os.R_OK) or not os.path.isfile(settings.scene):
+        print(f"focus: there is no readable scene file {settings.scene}", file=sys.stderr)
+        return 1
+    settings.options = options
+    settings.program = os.path.abspath(settings.povray)
+    settings.size, settings.size_given = size_in(options)
+    settings.lenses = real_lenses()
+    with tempfile.TemporaryDirectory(prefix="focus-") as folder:
+        try:
+            asyncio.run(serve(settings, pathlib.Path(folder)))
+        except OSError as error:
+            print(f"focus: cannot listen on port {settings.port}: {error.strerror}", file=sys.stderr)
+            return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

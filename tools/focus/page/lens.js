@@ -1,0 +1,250 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// The lens: from a camera and a `tilt_lens` block to the lens, its film and its plane of sharp focus. The formulas
+/// are those of docs/optics.md and of povray-src/tilt_lens/camera/optics.cpp, in doubles; tests/focus compares the
+/// two. Lengths in scene units unless a name says mm, angles in degrees, world coordinates.
+///
+///     camera   { location, direction, right, up }
+///     block    { family: "lensTurn" | "focusTurn" | "plane" | "points", filmWidth, focalLength (mm, or null: the
+///                angle of view counts), sceneUnit, tilt, swing, focusTilt, focusSwing, planeNormal, planeDistance,
+///                points: [A, B, C], shift: [right, up], fStop (or null), blades, bladesAngle, focalPoint,
+///                aperture (twice the diameter, where fStop is null), scale }
+
+import { add, along, cross, dot, length, subtract, times, unit } from "./vector.js";
+
+const DEGREE = Math.PI / 180;
+/// What rounding may leave, relative to the numbers it comes from, where nothing ought to be left.
+const ROUNDING = 1e-14;
+
+/// A block that no lens can follow. `knob` names what it is said beside.
+export class LensError extends Error {
+    constructor(knob, message) {
+        super(message);
+        this.knob = knob;
+    }
+}
+
+/// The camera's own axes: right, up, and the film's normal into the scene; orthonormal.
+export function axesOf(camera) {
+    const right = unit(camera.right);
+    const upAcross = along(camera.up, -dot(camera.up, right), right);
+    const up = unit(upAcross);
+    let axis = cross(right, up);
+    if (dot(axis, camera.direction) < 0)
+        axis = times(-1, axis);
+    const independent = length(upAcross) > ROUNDING * length(camera.up) &&
+        dot(axis, camera.direction) > ROUNDING * length(camera.direction);
+    if (!independent)
+        throw new LensError("camera", "The camera spans no picture: direction, right and up must be independent.");
+    return { right, up, axis };
+}
+
+const toCamera = (axes, v) => [dot(v, axes.right), dot(v, axes.up), dot(v, axes.axis)];
+const toWorld = (axes, v) => add(add(times(v[0], axes.right), times(v[1], axes.up)), times(v[2], axes.axis));
+
+/// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis.
+function turnedNormal(tilt, swing, knob, what) {
+    if (!(Math.abs(tilt) < 90 && Math.abs(swing) < 90))
+        throw new LensError(knob, `${what} must be turned by less than 90 degrees.`);
+    const t = tilt * DEGREE, s = swing * DEGREE;
+    return unit([-Math.sin(s) * Math.cos(t), -Math.sin(t) * Math.cos(s), Math.cos(t) * Math.cos(s)]);
+}
+
+/// The plane n.X = d, n a unit vector, about the lens centre, as k = n/d.
+function focusOfPlane(normal, distance, reach, knob) {
+    if (!(Math.abs(distance) > ROUNDING * reach))
+        throw new LensError(knob, "This plane passes through the lens. Move it, or one of its points.");
+    return times(1 / distance, normal);
+}
+
+function focalPointInCamera(axes, camera, block) {
+    const point = toCamera(axes, subtract(block.focalPoint, camera.location));
+    if (!(point[2] > 0))
+        throw new LensError("points", "The point lies behind the camera.");
+    return point;
+}
+
+/// k of the families that give the plane of sharp focus itself.
+function givenFocus(axes, camera, block) {
+    if (block.family === "points") {
+        const [a, b, c] = block.points;
+        const normal = cross(unit(subtract(b, a)), unit(subtract(c, a)));
+        if (!(length(normal) > 1e-12))
+            throw new LensError("points", "The three points lie on one line. Move one of them off it.");
+        const inCamera = toCamera(axes, unit(normal)), point = toCamera(axes, subtract(a, camera.location));
+        return focusOfPlane(inCamera, dot(inCamera, point), length(point) + length(camera.location), "points");
+    }
+    if (block.family === "plane") {
+        if (!(length(block.planeNormal) > 0))
+            throw new LensError("points", "The plane has no direction.");
+        const normal = unit(block.planeNormal);
+        return focusOfPlane(toCamera(axes, normal), block.planeDistance - dot(normal, camera.location),
+            Math.abs(block.planeDistance) + length(camera.location), "points");
+    }
+    const normal = turnedNormal(block.focusTilt, block.focusSwing, "focusTurn", "The plane of sharp focus");
+    const point = focalPointInCamera(axes, camera, block);
+    return focusOfPlane(normal, dot(normal, point), length(point) + length(camera.location), "focusTurn");
+}
+
+/// Lens turned as given, in focus at a point P of camera axes.
+function solveLensTurn(t, P, focalLength, angleFilmDistance) {
+    const distance = dot(P, t), aside = t[0] * P[0] + t[1] * P[1];
+    if (!(distance > 0))
+        throw new LensError("turn", "The lens is turned so far that the point lies behind it. Turn it less.");
+    if (focalLength === null) {
+        const s = angleFilmDistance, f = s * distance / (s + P[2]);
+        return { t, f, s, k: [t[0] / f, t[1] / f, t[2] / distance - aside / (s * distance)] };
+    }
+    const f = focalLength;
+    if (!(distance - f > ROUNDING * f))
+        throw new LensError("focalLength", "The focus is nearer than the focal length. Focus farther away, or take a shorter lens.");
+    return { t, f, s: f * P[2] / (distance - f), k: [t[0] / f, t[1] / f, 1 / P[2] - aside / (f * P[2])] };
+}
+
+/// Plane of sharp focus as given, the lens follows.
+function solvePlane(k, focalLength, angleFilmDistance, knob) {
+    if (focalLength === null) {
+        const q = [k[0], k[1], k[2] + 1 / angleFilmDistance], size = length(q);
+        if (!(q[2] > ROUNDING * size))
+            throw new LensError(knob, "This plane would need a lens turned backward. Turn it, or move it away from the camera.");
+        return { t: times(1 / size, q), f: 1 / size, s: angleFilmDistance, k };
+    }
+    const f = focalLength, sine = f * Math.hypot(k[0], k[1]);
+    if (!(1 - sine > ROUNDING))
+        throw new LensError("focalLength", "No tilt of this lens reaches this plane. Take a shorter focal length, or turn the plane less.");
+    const t = [f * k[0], f * k[1], Math.sqrt((1 - sine) * (1 + sine))];
+    const vergence = t[2] / f - k[2];
+    if (!(vergence * f > ROUNDING))
+        throw new LensError("focalLength", "This plane is nearer than the lens can focus. Focus farther away, or take a shorter lens.");
+    return { t, f, s: 1 / vergence, k };
+}
+
+/// The film's distance that the angle of view asks for, scene units.
+export function filmDistanceOfView(camera, block) {
+    const { axis } = axesOf(camera);
+    return block.filmWidth * (block.scale ?? 1) / block.sceneUnit * dot(axis, camera.direction) / length(camera.right);
+}
+
+function solveFor(axes, camera, block, millimetre) {
+    const angleFilmDistance = filmDistanceOfView(camera, block);
+    const focalLength = block.focalLength === null ? null : block.focalLength * millimetre;
+    if (block.family !== "lensTurn")
+        return solvePlane(givenFocus(axes, camera, block), focalLength, angleFilmDistance,
+            block.family === "focusTurn" ? "focusTurn" : "points");
+    const t = turnedNormal(block.tilt, block.swing, "turn", "The lens");
+    return solveLensTurn(t, focalPointInCamera(axes, camera, block), focalLength, angleFilmDistance);
+}
+
+/// The lens plane's own right and up, by the smallest turn that takes the axis to t, times the radius.
+function spanOfLens(axes, t, radius) {
+    const bend = 1 / (1 + t[2]);
+    return [[1 - t[0] * t[0] * bend, -t[0] * t[1] * bend, -t[0]], [-t[0] * t[1] * bend, 1 - t[1] * t[1] * bend, -t[1]]]
+        .map(v => times(radius, toWorld(axes, v)));
+}
+
+/// Solves a block for a camera.
+/// @throws LensError  where no lens can follow
+export function solve(camera, block) {
+    const axes = axesOf(camera), millimetre = (block.scale ?? 1) / block.sceneUnit;
+    const solved = solveFor(axes, camera, block, millimetre);
+    const focus = toWorld(axes, solved.k), rightLength = length(camera.right);
+    const diameter = block.fStop === null ? block.aperture * (block.scale ?? 1) / 2 : solved.f / block.fStop;
+    let direction = camera.direction;
+    if (block.focalLength !== null)
+        direction = along(direction, solved.s * rightLength / (block.filmWidth * millimetre) - dot(axes.axis, direction), axes.axis);
+    const perMillimetre = rightLength / block.filmWidth, unshifted = direction;
+    direction = add(direction, toWorld(axes, [block.shift[0] * perMillimetre, block.shift[1] * perMillimetre, 0]));
+    const [lensX, lensY] = spanOfLens(axes, solved.t, diameter / 2);
+    const lens = {
+        location: camera.location, axisRight: axes.right, axisUp: axes.up, axis: axes.axis,
+        normal: toWorld(axes, solved.t), focalLength: solved.f, filmDistance: solved.s, diameter, focus, lensX, lensY,
+        direction, unshifted, right: camera.right, up: camera.up, millimetre, focusMiddle: dot(focus, direction),
+        focusRight: dot(focus, camera.right), focusUp: dot(focus, camera.up),
+    };
+    if (![lens.focalLength, lens.filmDistance, lens.focusMiddle, diameter, ...focus].every(Number.isFinite))
+        throw new LensError("camera", "The numbers are too large or too small for a lens.");
+    return lens;
+}
+
+/// A vector of the lens in camera axes, without what is only rounding.
+function inCamera(lens, v) {
+    const least = ROUNDING * length(v);
+    return [lens.axisRight, lens.axisUp, lens.axis].map(a => dot(v, a)).map(x => (Math.abs(x) > least ? x : 0));
+}
+
+const angle = (across, forward) => Math.atan2(across, forward) / DEGREE + 0;
+
+/// Tilt and swing of the lens, degrees.
+export function turnOf(lens) {
+    const t = inCamera(lens, lens.normal);
+    return { tilt: angle(-t[1], t[2]), swing: angle(-t[0], t[2]) };
+}
+
+/// focus_tilt and focus_swing that turn the plane of sharp focus as it is; beyond 90 degrees where the plane lies
+/// so that no such item can say it.
+export function focusTurnOf(lens) {
+    const k = inCamera(lens, lens.focus), side = k[2] < 0 ? -1 : 1;
+    return { tilt: angle(-k[1] * side, k[2] * side), swing: angle(-k[0] * side, k[2] * side) };
+}
+
+/// The angle of the whole turn of the lens, degrees: what a real lens limits.
+export function wholeTurnOf(lens) {
+    const t = inCamera(lens, lens.normal);
+    return angle(Math.hypot(t[0], t[1]), t[2]);
+}
+
+/// Distance of the hinge line from the lens, in the plane through the lens parallel to the film; Infinity for a
+/// lens parallel to the film.
+export function hingeDistanceOf(lens) {
+    const k = inCamera(lens, lens.focus);
+    return 1 / Math.hypot(k[0], k[1]);
+}
+
+/// Where the plane of sharp focus crosses the axis: distance from the lens centre; negative or infinite where it does
+/// not cross in front.
+export const axisFocusOf = lens => 1 / inCamera(lens, lens.focus)[2];
+
+/// Chief ray through x, y in [-0.5, 0.5]: right, up.
+export const chiefRay = (lens, x, y) => along(along(lens.direction, x, lens.right), y, lens.up);
+
+/// Pixels of blur per unit of vergence, in a picture so many pixels wide.
+export const blurPerVergence = (lens, width) => lens.diameter * width / length(lens.right);
+
+/// Signed diameter of the circle of confusion, in pixels, of the point T * chief: positive before the plane of sharp
+/// focus, negative behind it.
+export const blurDiameter = (lens, chief, T, width) => (1 / T - dot(lens.focus, chief)) * blurPerVergence(lens, width);
+
+/// Signed blur of a world point, in pixels.
+export function blurOfPoint(lens, point, width) {
+    const X = subtract(point, lens.location), T = dot(X, lens.axis) / dot(lens.direction, lens.axis);
+    return (1 - dot(lens.focus, X)) / T * blurPerVergence(lens, width);
+}
+
+/// k of the plane of all points with this signed blur.
+export const planeOfBlur = (lens, pixels, width) =>
+    along(lens.focus, pixels / (blurPerVergence(lens, width) * dot(lens.direction, lens.axis)), lens.axis);
+
+/// The plane of sharp focus as POV-Ray writes a plane, world coordinates.
+export function planeOf(lens) {
+    const size = length(lens.focus), normal = times(1 / size, lens.focus);
+    return { normal, distance: 1 / size + dot(normal, lens.location) };
+}
+
+/// Where a world point lies in the picture: x, y in [-0.5, 0.5], right and up, and its distance along the axis.
+export function project(lens, point) {
+    const X = subtract(point, lens.location), depth = dot(X, lens.axis);
+    const far = dot(lens.direction, lens.axis), across = along(times(far / depth, X), -1, lens.direction);
+    // right and up need not be at right angles
+    const rr = dot(lens.right, lens.right), ru = dot(lens.right, lens.up), uu = dot(lens.up, lens.up);
+    const r = dot(across, lens.right), u = dot(across, lens.up), det = rr * uu - ru * ru;
+    return { x: (r * uu - u * ru) / det, y: (u * rr - r * ru) / det, depth };
+}
+
+/// World point at x, y of the picture at a distance along the axis.
+export const pointAt = (lens, x, y, depth) =>
+    along(lens.location, depth / dot(lens.direction, lens.axis), chiefRay(lens, x, y));
+
+/// Width of the picture's angle of view, degrees, without regard to a shift.
+export const angleOfView = lens =>
+    2 * Math.atan(0.5 * length(lens.right) / dot(lens.direction, lens.axis)) / DEGREE;

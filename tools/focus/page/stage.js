@@ -1,0 +1,116 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// The picture as something to click: points that can be picked and dragged, by mouse, finger or keys, and the wipe
+/// between the live picture and the true one.
+
+import { project } from "./lens.js";
+
+const NAMES = ["A", "B", "C"];
+const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
+
+const clamp = x => Math.min(0.5, Math.max(-0.5, x));
+
+/// @param on  { pointAt(x, y) -> world point or null, moved(), done(), nothing() }
+export function buildStage(model, on) {
+    const picture = document.getElementById("picture"), points = document.getElementById("points");
+    const cross = document.getElementById("cross"), truth = document.getElementById("truth"), wipe = document.getElementById("wipe");
+    const at = [0, 0]; // of the cross
+
+    const filmOf = event => {
+        const box = picture.getBoundingClientRect();
+        return [clamp((event.clientX - box.left) / box.width - 0.5), clamp(0.5 - (event.clientY - box.top) / box.height)];
+    };
+    const place = (element, [x, y]) => {
+        element.style.left = `${100 * (x + 0.5)}%`;
+        element.style.top = `${100 * (0.5 - y)}%`;
+    };
+    const pick = ([x, y]) => {
+        const point = on.pointAt(x, y);
+        if (point)
+            model.pick(point);
+        else
+            on.nothing();
+    };
+
+    picture.onclick = event => {
+        cross.hidden = true;
+        pick(filmOf(event));
+    };
+    picture.onkeydown = event => {
+        const step = event.shiftKey ? LARGE_STEP : STEP;
+        const moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
+        const move = moves[event.key];
+        if (event.key === "Enter" || event.key === " ")
+            pick(at);
+        else if (event.key === "Escape")
+            cross.hidden = true;
+        else if (!move)
+            return;
+        event.preventDefault();
+        if (move) {
+            at[0] = clamp(at[0] + move[0]);
+            at[1] = clamp(at[1] + move[1]);
+            cross.hidden = false;
+            place(cross, at);
+        }
+    };
+    picture.onblur = () => (cross.hidden = true);
+
+    const moveTo = (index, film) => {
+        const point = on.pointAt(...film);
+        if (point) {
+            model.move(index, point);
+            on.moved();
+        }
+    };
+    const button = index => {
+        const made = document.createElement("button");
+        made.type = "button";
+        made.textContent = NAMES[index];
+        made.onpointerdown = event => {
+            made.setPointerCapture(event.pointerId);
+            made.onpointermove = move => moveTo(index, filmOf(move));
+        };
+        made.onpointerup = made.onpointercancel = () => {
+            made.onpointermove = null;
+            on.done();
+        };
+        made.onkeydown = event => {
+            const step = event.shiftKey ? LARGE_STEP : STEP / 2;
+            const move = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[event.key];
+            if (!move)
+                return;
+            event.preventDefault();
+            const now = project(model.lens, model.picks[index]);
+            moveTo(index, [clamp(now.x + move[0]), clamp(now.y + move[1])]);
+            on.done();
+        };
+        return made;
+    };
+
+    const showWipe = () => (truth.style.clipPath = `inset(0 0 0 ${wipe.value}%)`);
+    wipe.oninput = showWipe;
+
+    return {
+        /// Puts the points where the lens sees them.
+        show() {
+            while (points.children.length > model.picks.length)
+                points.lastChild.remove();
+            while (points.children.length < model.picks.length)
+                points.append(button(points.children.length));
+            model.picks.forEach((point, i) => {
+                const { x, y, depth } = project(model.lens, point), made = points.children[i];
+                made.hidden = !(depth > 0 && Math.abs(x) <= 0.5 && Math.abs(y) <= 0.5);
+                made.className = model.error ? "bad" : "";
+                made.setAttribute("aria-label", `Point ${NAMES[i]}; arrow keys move it`);
+                place(made, [x, y]);
+            });
+        },
+        /// Shows the true picture beside the live one, or hides it.
+        showTruth(shown) {
+            truth.hidden = wipe.hidden = !shown;
+            showWipe();
+        },
+    };
+}

@@ -1,0 +1,68 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// The true picture: asks the program for it, shows it as it grows, over the live one.
+
+const WIDTHS = [320, 640, 960, 1280, 1920, 2560, 3840];
+
+const time = seconds => (seconds < 90 ? `${seconds.toFixed(seconds < 9.5 ? 1 : 0)} s` : `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`);
+
+/// @param current  () -> { block, items, lens, size } of the lens that is shown now
+export function buildTruth(find, stage, current, ask) {
+    const canvas = find("truth"), said = find("true-said");
+    let number = 0, waiting = [];
+
+    find("width").replaceChildren(...WIDTHS.map(width => {
+        const option = document.createElement("option");
+        option.value = option.textContent = width;
+        option.selected = width === 960;
+        return option;
+    }));
+    find("render").onclick = () => {
+        const { block, items, lens, size } = current(), width = Number(find("width").value);
+        const { location, right, up } = lens;
+        ask({
+            do: "render", size: [width, Math.max(2, Math.round(width * size[1] / size[0]))], quality: Number(find("quality").value),
+            camera: { location, direction: lens.unshifted, right, up }, block, items,
+        });
+    };
+    find("stop").onclick = () => ask({ do: "stop" });
+    find("hide").onclick = () => {
+        stage.showTruth(false);
+        find("hide").hidden = find("save").hidden = true;
+        said.textContent = "";
+    };
+
+    return {
+        take(message) {
+            const running = message.state === "begun" || message.state === "growing";
+            if (message.state === "begun" || number !== message.number) {
+                number = message.number;
+                [canvas.width, canvas.height] = message.size;
+                waiting.forEach(tile => this.takeTile(tile));
+                waiting = [];
+                stage.showTruth(true);
+            }
+            find("stop").hidden = find("progress").hidden = !running;
+            find("render").hidden = running;
+            find("hide").hidden = running;
+            find("save").hidden = message.state !== "done";
+            find("progress").value = message.share;
+            const words = {
+                begun: () => "Reading the scene …",
+                growing: () => `${Math.floor(100 * message.share)} % after ${time(message.seconds)}`,
+                done: () => `Done in ${time(message.seconds)}. Left of the slider the live picture, right of it the true one.`,
+                stopped: () => `Stopped at ${Math.floor(100 * message.share)} %.`,
+                failed: () => `${message.file ? `${message.file}, line ${message.line}: ` : ""}${message.message}`,
+            };
+            said.textContent = words[message.state]();
+        },
+        takeTile(tile) {
+            if (tile.number !== number) {
+                waiting.push(tile);
+                return;
+            }
+            canvas.getContext("2d").putImageData(new ImageData(tile.values, tile.width, tile.height), tile.left, tile.top);
+        },
+    };
+}

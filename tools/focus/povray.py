@@ -1,0 +1,149 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""One run of POV-Ray in the background: its command line, its tiles as they come, its camera, its messages."""
+
+import asyncio
+import json
+import os
+import re
+import signal
+
+from tools.focus import tiles
+
+STEP = 0.05  # seconds between two looks at what a render has done
+
+
+class RenderError(Exception):
+    """A scene that POV-Ray does not render: its message, and where known file and line."""
+
+    def __init__(self, message, file=None, line=None):
+        super().__init__(message)
+        self.message, self.file, self.line = message, file, line
+
+
+def error_in(text):
+    """POV-Ray's own words for what is wrong with a scene, from all that it said."""
+    text = text.replace("\r", "\n")
+    found = re.search(
+        r"^(?:File '(?P<file>.+?)' line (?P<line>\d+): )?(?P<kind>[A-Z]\w* Error|Fatal error[^:\n]*|Error): ?"
+        r"(?P<rest>.*(?:\n(?!Fatal error|Render failed|POV-Ray finished|=|-|\s*$).*)*)",
+        text,
+        re.MULTILINE,
+    )
+    if not found:
+        lines = [line for line in text.splitlines() if line.strip()]
+        return RenderError("POV-Ray ended without a picture. " + " ".join(lines[-3:]))
+    message = re.sub(r"\s*\n\s*", " ", found["rest"]).strip()
+    line = found["line"]
+    return RenderError(message, found["file"], int(line) if line else None)
+
+
+def quoted(name):
+    """A name as POV-Ray takes it whole, whatever blanks it holds."""
+    return f"'{name}'" if '"' in str(name) else f'"{name}"'
+
+
+def with_quotes(option):
+    """An option of the user's whose name the shell has passed on whole stays whole in POV-Ray."""
+    if not re.search(r"\s", option) or re.search(r"[\"']", option):
+        return option
+    head = re.match(r"[-+][IiLlOo]|\w+_(?:Name|Path)=", option)
+    return head.group() + quoted(option[head.end() :]) if head else option
+
+
+class Render:
+    """One run. `run` returns when it is over; `stop` ends it."""
+
+    def __init__(self, program, folder, name):
+        self.program, self.folder, self.name = program, folder, name
+        self.process = None
+        self.stopped = False
+        self.file_list = None  # where the program lists the files that it reads
+        self.picture = folder / f"{name}.png"
+        self.record = folder / f"{name}.camera.json"
+
+    def words(self, scene, options, size):
+        """The command line: the user's options, then what this run needs."""
+        width, height = size
+        return [
+            self.program,
+            *map(with_quotes, options),
+            f"+I{quoted(scene)}",
+            f"+W{width}",
+            f"+H{height}",
+            f"+O{quoted(self.picture)}",
+            "+FN",
+            "Output_to_File=on",
+            "-D",
+            "-P",
+            "-C",
+            "+SP1",
+            "+EP1",
+        ]
+
+    def environment(self, preview):
+        """The user's, with what this run is to tell."""
+        env = dict(os.environ)
+        env.pop("DISPLAY", None)
+        env.pop("TILT_LENS_PREVIEW", None)
+        if preview:
+            self.record.unlink(missing_ok=True)
+            env["TILT_LENS_PREVIEW"] = str(self.record)
+        if self.file_list:
+            self.file_list.unlink(missing_ok=True)
+            env["TILT_LENS_FILE_LIST"] = str(self.file_list)
+        return env
+
+    async def run(self, words, preview, on_tile, on_camera=None):
+        """Starts POV-Ray and hands on each tile. Returns what it said.
+        @throws RenderError  unless it made the whole picture, or was stopped"""
+        state = tiles.StateFile(self.folder / f"{self.name}.pov-state")
+        log = self.folder / f"{self.name}.log"
+        try:
+            with open(log, "wb") as stream:
+                self.process = await asyncio.create_subprocess_exec(
+                    "setpriv",
+                    "--pdeathsig",
+                    "KILL",
+                    *words,
+                    stdin=asyncio.subprocess.DEVNULL,
+                    stdout=stream,
+                    stderr=stream,
+                    env=self.environment(preview),
+                )
+            camera_told = False
+            over = False
+            while not over:
+                try:
+                    await asyncio.wait_for(self.process.wait(), STEP)
+                    over = True
+                except asyncio.TimeoutError:
+                    pass
+                if preview and not camera_told and self.camera() is not None:
+                    camera_told = True
+                    if on_camera:
+                        await on_camera(self.camera())
+                for tile in state.tiles():
+                    if not self.stopped:
+                        await on_tile(tile)
+            said = log.read_text(encoding="utf-8", errors="replace")
+            if self.process.returncode != 0 and not self.stopped:
+                raise error_in(said)
+            return said
+        finally:
+            state.close()
+            await self.stop()
+
+    def camera(self):
+        """What TILT_LENS_PREVIEW tells of the cameras, or None until it does."""
+        try:
+            return json.loads(self.record.read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return None
+
+    async def stop(self):
+        """Ends the run, if it is not over."""
+        if self.process and self.process.returncode is None:
+            self.stopped = True
+            self.process.send_signal(signal.SIGKILL)
+            await self.process.wait()

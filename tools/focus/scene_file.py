@@ -1,0 +1,151 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The scene's file: whether it has changed, and its change with a copy that is kept."""
+
+import hashlib
+import os
+import re
+import shutil
+
+from tools.focus import scene_text
+from tools.focus.scene_text import Doubt
+
+ENCODING = "latin-1"  # every byte is a character, so that what is not changed stays as it was
+
+# what says where the focus lies, by family
+FOCUS = {
+    "lensTurn": ("tilt", "swing", "focalPoint"),
+    "focusTurn": ("focusTilt", "focusSwing", "focalPoint"),
+    "plane": ("planeNormal", "planeDistance"),
+    "points": ("points",),
+}
+LENS = ("filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle")
+CAMERA = ("location", "direction", "right", "up")
+
+
+def flat(value):
+    """The numbers of a value."""
+    if isinstance(value, (list, tuple)):
+        return [number for part in value for number in flat(part)]
+    return [] if value is None else [float(value)]
+
+
+def same(a, b):
+    """Whether two values are the same but for the digits that the block's text leaves out."""
+    a, b = flat(a), flat(b)
+    size = max([abs(x) for x in a + b], default=0)
+    return len(a) == len(b) and all(abs(x - y) <= 1e-6 * size for x, y in zip(a, b))
+
+
+def differences(camera, expected):
+    """Names of what a camera, as the program tells it, has otherwise than expected."""
+    block, wanted = camera["block"], expected["block"]
+    if block is None:
+        return ["camera"]
+    if block["family"] != wanted["family"]:
+        return ["focus"]
+    wrong = [name for name in CAMERA if not same(camera[name], expected["camera"][name])]
+    if block["focalLength"] is not None and "direction" in wrong:
+        wrong.remove("direction")  # its length is left to the lens
+    return wrong + [name for name in (*LENS, *FOCUS[wanted["family"]]) if not same(block[name], wanted[name])]
+
+
+def stamp(path):
+    """What changes where a file does."""
+    try:
+        info = os.stat(path)
+    except OSError:
+        return None
+    return info.st_mtime_ns, info.st_size, info.st_ino
+
+
+def digest(data):
+    """A file's contents in short."""
+    return hashlib.sha256(data).hexdigest()
+
+
+class SceneFile:
+    """The file of the scene, and the files that it reads."""
+
+    def __init__(self, scene):
+        self.path = os.path.realpath(scene)
+        self.stamps = {self.path: stamp(self.path)}
+        self.kept = None  # the copy of the last change
+        self.written = None  # digest of what was written
+
+    def bytes(self):
+        """The file's contents."""
+        with open(self.path, "rb") as stream:
+            return stream.read()
+
+    def text(self):
+        """The file as text, a character for each byte."""
+        return self.bytes().decode(ENCODING)
+
+    @staticmethod
+    def encoded(text):
+        """The bytes of such a text."""
+        return text.encode(ENCODING)
+
+    def uses_clock(self):
+        """Whether the scene asks for the clock."""
+        return bool(re.search(r"\bclock\b", scene_text.blanked(self.text())))
+
+    def with_block(self, line, block, items):
+        """The text with another block; see scene_text.with_block."""
+        return scene_text.with_block(self.text(), line, block, items)
+
+    def replace(self, text):
+        """Writes the file whole, after a copy of it was kept; returns the copy's name."""
+        number = 1
+        while os.path.exists(copy := f"{self.path}.before-focus" + (f"-{number}" if number > 1 else "")):
+            number += 1
+        shutil.copy2(self.path, copy)
+        data = self.encoded(text)
+        self.put(data)
+        self.kept, self.written = copy, digest(data)
+        return os.path.basename(copy)
+
+    def put(self, data):
+        """Replaces the file in one step."""
+        new = f"{self.path}.focus-{os.getpid()}"
+        try:
+            with open(new, "wb") as stream:
+                stream.write(data)
+                stream.flush()
+                os.fsync(stream.fileno())
+            shutil.copymode(self.path, new)
+            os.replace(new, self.path)
+        except OSError:
+            if os.path.exists(new):
+                os.unlink(new)
+            raise
+
+    def undo(self):
+        """Puts the kept copy back."""
+        if self.kept is None:
+            raise Doubt("there is no change to take back")
+        if digest(self.bytes()) != self.written:
+            raise Doubt("the file was changed by somebody else since; the copy is kept as " + os.path.basename(self.kept))
+        with open(self.kept, "rb") as stream:
+            self.put(stream.read())
+        os.unlink(self.kept)
+        self.kept = self.written = None
+
+    def watch(self, file_list, own):
+        """Takes note of the files that a render has read, which the program lists, but for those in our own folder."""
+        names = {self.path}
+        try:
+            entries = open(file_list, "rb").read().split(b"\0")
+            names |= {os.fsdecode(entry[1:]) for entry in entries if entry.startswith(b"+")}
+        except OSError:
+            pass
+        names = {name for name in names if not name.startswith(f"{own}/")}
+        self.stamps = {name: self.stamps.get(name, stamp(name)) for name in names}
+
+    def changed(self):
+        """Files that have changed since the last call."""
+        found = [name for name, old in self.stamps.items() if stamp(name) not in (old, None)]
+        for name in found:
+            self.stamps[name] = stamp(name)
+        return found

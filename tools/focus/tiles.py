@@ -1,0 +1,97 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Reads the tiles of a picture while POV-Ray makes it, from the state file that it keeps for +C.
+
+The file is 512 bytes, then messages: "POVRAYMS", a version, the size, "RAWSOBJE", the number of attributes, and
+the attributes: name, type and length of four bytes each, then the value. All numbers have the largest byte first."""
+
+import dataclasses
+import struct
+
+import numpy
+
+HEADER = 512
+VECTORS = {b"VFL4": ">f4", b"VIN4": ">i4"}
+
+
+@dataclasses.dataclass
+class Tile:
+    """A rectangle of the picture: colours (rows, columns, 3) in the scene's own light, or named layers."""
+
+    left: int
+    top: int
+    colours: numpy.ndarray | None = None
+    layers: dict | None = None
+
+
+def attributes(message):
+    """Name -> bytes, or numbers for vectors, of a message from its first attribute on."""
+    (count,) = struct.unpack(">i", message[24:28])
+    found, at = {}, 28
+    for _ in range(count):
+        name, kind = message[at : at + 4], message[at + 4 : at + 8]
+        (length,) = struct.unpack(">i", message[at + 8 : at + 12])
+        at += 12
+        if kind in VECTORS:
+            found[name] = numpy.frombuffer(message, VECTORS[kind], length, at)
+            length *= 4
+        else:
+            found[name] = message[at : at + length]
+        at += length
+    return found
+
+
+def tile_of(message):
+    """The tile that a message holds, or None."""
+    found = attributes(message)
+    try:
+        left, top, right, bottom = (
+            struct.unpack(">i", found[name])[0] for name in (b"Left", b"Top ", b"Righ", b"Bott")
+        )
+    except KeyError:
+        return None
+    shape = (bottom - top + 1, right - left + 1)
+    if found[b"MIDE"] == b"PxBS" and found[b"PiSi"] == b"\0\0\0\1":
+        colours = found[b"PBlo"].reshape(*shape, 5)[:, :, :3]
+        return Tile(left, top, colours=colours.astype("<f4"))
+    if found[b"MIDE"] == b"LayT":
+        names = found[b"LayN"].split(b"\0")[0].decode().split()
+        values = found[b"LayV"].reshape(len(names), *shape).astype("<f4")
+        return Tile(left, top, layers=dict(zip(names, values)))
+    return None
+
+
+class StateFile:
+    """The state file of a render that is about to start. It is made here, empty, and held open: POV-Ray writes into
+    the same file and removes its name at the end, when there may be tiles that were not read yet."""
+
+    def __init__(self, path):
+        path.unlink(missing_ok=True)
+        path.touch()
+        self.stream = open(path, "rb")
+        self.rest = b""
+        self.begun = False
+
+    def tiles(self):
+        """Tiles that were completed since the last call."""
+        data = self.rest + self.stream.read()
+        at = 0
+        if not self.begun:
+            if len(data) < HEADER:
+                self.rest = data
+                return
+            self.begun, at = True, HEADER
+        while at + 28 <= len(data) and data[at : at + 8] == b"POVRAYMS":
+            (size,) = struct.unpack(">i", data[at + 12 : at + 16])
+            end = at + 20 + size
+            if size <= 0 or end > len(data):
+                break
+            tile = tile_of(data[at:end])
+            at = end
+            if tile:
+                yield tile
+        self.rest = data[at:]
+
+    def close(self):
+        """Lets go of the file."""
+        self.stream.close()

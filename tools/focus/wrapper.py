@@ -1,0 +1,49 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The scene with another camera: a short file that includes the scene and then states the camera. POV-Ray takes the
+last camera of a scene, so the scene's own file stays as it is."""
+
+import os
+import re
+
+from tools.focus import scene_text
+from tools.focus.povray import quoted
+from tools.repository import ROOT
+
+INCLUDES = ROOT / "scenes" / "include"
+VECTORS = ("location", "direction", "right", "up")
+
+
+def search(settings):
+    """Where the scene's include files are looked for."""
+    return [f"+L{quoted(folder)}" for folder in (INCLUDES, os.path.dirname(settings.scene))]
+
+
+def vector(values):
+    """A vector of POV-Ray."""
+    return "<" + ", ".join(repr(float(value)) for value in values) + ">"
+
+
+def write(folder, scene, camera, inside, name="scene"):
+    """Writes the file; `inside` is the rest of the camera. Returns its path."""
+    text = open(scene, encoding="latin-1").read()
+    version = scene_text.version_of(text)
+    included = str(scene)
+    if not re.fullmatch(r"[ !#-\[\]-~]+", included):  # what a string of POV-Ray may not hold as it is
+        link = folder / "included.pov"
+        link.unlink(missing_ok=True)
+        link.symlink_to(included)
+        included = str(link)
+    lines = [
+        f"#version {version};" if version else "",
+        f'#include "{included}"',
+        "camera {",
+        "  perspective",
+        *(f"  {name} {vector(camera[name])}" for name in VECTORS),
+        inside,
+        "}",
+        "",
+    ]
+    path = folder / f"{name}.pov"
+    path.write_text("\n".join(lines), encoding="ascii")
+    return path
