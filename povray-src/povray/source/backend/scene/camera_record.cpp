@@ -143,6 +143,8 @@ void FinishCameraRecord(Camera& view, const SceneData& scene)
     view.TiltLens.aids = tilt_lens::FocusAids();
     view.TiltLens.statement.aperture = 0.0;
     view.TiltLens.statement.fStop.reset();
+    if (view.TiltLens.given)
+        TiltLensCamera::Solve(view);  // the lens was solved, with its diameter, when the statement ended
 }
 
 } // namespace pov
