@@ -24,7 +24,7 @@ class Killed(BatchTest):
         return process, working
 
     def finished(self, process, code=0):
-        self.assertEqual(process.wait(timeout=120), code, self.said() + self.logs())
+        self.assertEqual(process.wait(timeout=120), code, self.said() + self.evidence())
 
     def compare(self):
         self.assert_same(
@@ -49,10 +49,10 @@ class Killed(BatchTest):
         )
         os.kill(worker, signal.SIGKILL)
         self.finished(process)
-        self.assertTrue(self.continued(), self.logs())
+        self.assertTrue(self.continued(), self.evidence())
         self.assertIn(
             "was ended by signal 9",
-            self.logs() + "".join(p.read_text() for p in (self.work / "log").glob("task*")),
+            self.evidence() + "".join(p.read_text() for p in (self.work / "log").glob("task*")),
         )
         self.compare()
 
@@ -70,7 +70,7 @@ class Killed(BatchTest):
                 self.assert_nothing_runs(str(self.work))
         self.assertIn("another call", self.beside())
         self.batch("still", "scene.pov", "--bands", 4, *SLOW)
-        self.assertTrue(self.continued(), self.logs())
+        self.assertTrue(self.continued(), self.evidence())
         self.compare()
 
     def beside(self):

@@ -13,9 +13,9 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
+from tests.waiting import WaitingTest
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None)
@@ -97,7 +97,7 @@ def picture(path):
     return int(size.group(1)), int(size.group(2)), size.group(3).strip(), digest.group(1)
 
 
-class BatchTest(unittest.TestCase):
+class BatchTest(WaitingTest):
     """A test in a folder of its own, whose name holds a space and a quotation mark."""
 
     longMessage = True
@@ -143,7 +143,7 @@ class BatchTest(unittest.TestCase):
             check=False,
         )
         said = done.stdout.decode(errors="replace")
-        self.assertEqual(done.returncode, code, f"{words}\n{said}\n{self.logs()}")
+        self.assertEqual(done.returncode, code, f"{words}\n{said}\n{self.evidence()}")
         return said
 
     def start(self, *words):
@@ -172,23 +172,12 @@ class BatchTest(unittest.TestCase):
         """What the started call has said."""
         return (self.folder / "said").read_text(errors="replace")
 
-    def logs(self):
+    def evidence(self):
         """The ends of all logs, for a failed test."""
         parts = []
         for path in sorted(self.folder.rglob("*.batch/log/*")):
             parts.append(f"== {path.name}\n{path.read_text(errors='replace')[-1500:]}")
         return "\n".join(parts[-4:])
-
-    def until(self, what, condition, seconds=60):
-        """Waits for something to become so; returns what it became."""
-        end = time.monotonic() + seconds
-        while True:
-            value = condition()
-            if value:
-                return value
-            if time.monotonic() > end:
-                self.fail(f"waited {seconds} s in vain for {what}\n{self.logs()}")
-            time.sleep(0.05)
 
     def working_povrays(self, work):
         """Numbers of POV-Rays that have written a part of a unit, of the batch with this work folder."""

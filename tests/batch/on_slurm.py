@@ -141,7 +141,7 @@ class OnSlurm(BatchTest):
         for kind, words in self.kinds().items():
             if kind != "still":
                 self.batch(*words, "--on", "slurm")
-        self.assertEqual(process.wait(timeout=150), 0, self.said() + self.logs())
+        self.assertEqual(process.wait(timeout=150), 0, self.said() + self.evidence())
         log = "".join(path.read_text(errors="replace") for path in (work / "log").glob("task-*"))
         self.assertIn("continued from", log)
         self.assertIn("was ended by signal 9", log)

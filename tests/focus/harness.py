@@ -11,9 +11,9 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
+from tests.waiting import WaitingTest
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None, cases=None)
@@ -37,28 +37,14 @@ box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
 SMALL = ("+W160", "+H90")
 
 
-# Root mean square difference of the live and the true picture, of 1 for white, and that of the picture without blur.
+# Root mean square differences of the live and the true picture, of 1 for white: with and without blur.
 DIFFERENCE = """
-const read = (image, width, height) => {
-    const canvas = new OffscreenCanvas(width, height), context = canvas.getContext("2d");
-    context.drawImage(image, 0, 0, width, height);
-    return context.getImageData(0, 0, width, height).data;
+const truth = focusPage.truePixels();
+const rmse = show => {
+    const live = focusPage.livePixels(show);
+    return Math.sqrt(live.reduce((sum, x, i) => sum + ((x - truth[i]) / 255) ** 2, 0) / (live.length * 3 / 4));
 };
-const { blur } = focusPage, { width, height } = blur, truth = read(document.getElementById("truth"), width, height);
-const rmse = () => {
-    blur.display();
-    const live = read(document.getElementById("picture"), width, height);
-    let sum = 0;
-    for (let i = 0; i < live.length; i++)
-        sum += i % 4 < 3 ? ((live[i] - truth[i]) / 255) ** 2 : 0;
-    return Math.sqrt(sum / (live.length * 3 / 4));
-};
-const found = { rmse: rmse() };
-blur.show.blur = false;
-found.sharp = rmse();
-blur.show.blur = true;
-blur.display();
-return found;
+return { rmse: rmse({}), sharp: rmse({ blur: false }) };
 """
 
 
@@ -68,10 +54,11 @@ def environment():
     return {name: value for name, value in os.environ.items() if name not in hidden}
 
 
-class FocusTest(unittest.TestCase):
+class FocusTest(WaitingTest):
     """A test in a folder of its own, whose name holds a space."""
 
     longMessage = True
+    patience = 180
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="focus test ")
@@ -106,9 +93,9 @@ class FocusTest(unittest.TestCase):
             found = re.search(r"http://127\.0\.0\.1:\d+/[\w-]+/", line)
             if found:
                 return found.group()
-        self.fail(f"no address: {self.errors()}")
+        self.fail(f"no address: {self.evidence()}")
 
-    def errors(self):
+    def evidence(self):
         """What the command has said on standard error."""
         return (self.folder / "errors").read_text(errors="replace")
 
@@ -123,17 +110,6 @@ class FocusTest(unittest.TestCase):
             code = self.process.wait()
         self.process.stdout.close()
         return code
-
-    def until(self, what, condition, seconds=180):
-        """Waits for something to become so; returns what it became."""
-        end = time.monotonic() + seconds
-        while True:
-            value = condition()
-            if value:
-                return value
-            if time.monotonic() > end:
-                self.fail(f"waited {seconds} s in vain for {what}\n{self.errors()}")
-            time.sleep(0.05)
 
 
 def open_browser(size=(1280, 1000)):
@@ -178,10 +154,22 @@ class PageTest(FocusTest):
 
     def drawn(self):
         """Whether the whole preview is there and one whole picture was made of it."""
-        return self.run(
-            "const b = focusPage.blur; return focusPage.model.lens && b?.values && b.pass > 0 && "
-            "document.getElementById('status').textContent === ''"
-        )
+        return self.run("const live = window.focusPage?.live; return live?.complete && live.passes > 0")
+
+    def smooth(self):
+        """Waits until further passes would not change the live picture."""
+        self.until("the smooth picture", lambda: self.run("return focusPage.live.complete && focusPage.live.smooth"), 900)
+
+    def true_picture(self, width):
+        """Asks for the true picture and waits for it."""
+        self.run("document.getElementById('width').add(new Option(arguments[0], arguments[0], true, true))", str(width))
+        self.press("#render")
+        self.until("the true picture", lambda: "Done" in self.text("true-said"), 900)
+
+    def choose(self, name, value):
+        """Chooses from a list of the page."""
+        script = "const s = document.getElementById(arguments[0]); s.value = arguments[1]; s.dispatchEvent(new Event('change'))"
+        self.run(script, name, str(value))
 
     def run(self, script, *arguments):  # pylint: disable=arguments-differ
         """Runs a script in the page; as a test case, without a script, the test."""

@@ -65,7 +65,7 @@ class Knobs(PageTest):
         self.set_number("focalLength", 500000)
         self.assertIn("focal length", self.run(said, "focalLength"))
         self.set_number("focalLength", 50)
-        self.run("const r = document.getElementById('real'); r.value = '1'; r.dispatchEvent(new Event('change'))")
+        self.choose("real", 1)
         self.set_number("tilt", 12)
         self.assertIn("8.5", self.run(said, "turn"))
         self.set_number("shiftUp", 15)
@@ -83,6 +83,13 @@ class Knobs(PageTest):
         for path in (ROOT / "tools" / "focus" / "page").iterdir():
             addresses = set(re.findall(r"(?:https?|wss?):?//[\w.]+", path.read_text()))
             self.assertLessEqual(addresses, {"http://www.w3.org"}, path.name)
+
+    def test_the_program_itself_asks_nothing_of_another_host(self):
+        clients = r"^\s*(?:import|from) (?:urllib|http|socket|ssl|requests|ftplib|smtplib)\b|ClientSession|open_connection|create_connection"
+        for path in (ROOT / "tools" / "focus").glob("*.py"):
+            text = path.read_text()
+            self.assertEqual(re.findall(clients, text, re.MULTILINE), [], path.name)
+            self.assertEqual(re.findall(r"(?:https?|wss?)://[\w.]+", text), [], path.name)
 
     def test_a_hundred_random_actions_make_no_error(self):
         self.open(self.scene())

@@ -70,15 +70,11 @@ class Page(PageTest):
         self.open(self.scene())
         self.set_number("fStop", 0.7)
         self.pick_three()
-        self.run("focusPage.blur.restart()")
-        self.run("document.getElementById('width').add(new Option('160', '160', true, true))")
-        self.press("#render")
-        self.until("the true picture", lambda: "Done" in self.text("true-said"), 120)
-        self.until("the live picture", lambda: self.run("return focusPage.blur.pass > 3"), 120)
+        self.true_picture(160)
+        self.smooth()
         error = self.run(harness.DIFFERENCE)
         self.assertLess(error["rmse"], 0.05)
         self.assertGreater(error["sharp"], 1.3 * error["rmse"], "a sharp picture is not as near")
-        self.run("document.getElementById('save').hidden || document.getElementById('hide').click()")
         self.assertEqual(self.console(), [])
 
     def test_one_click_focuses_there_and_keeps_the_tilt(self):
@@ -93,12 +89,12 @@ class Page(PageTest):
         self.open(self.scene())
         self.press("input[name=mode][value=three]")
         for third, normal in (("level", "x"), ("upright", "y")):
-            self.run("const t = document.getElementById('third'); t.value = arguments[0]; t.dispatchEvent(new Event('change'))", third)
+            self.choose("third", third)
             for x, y in PLACES[:2]:
                 self.click_at(x, y)
             lean = self.run("return focusPage.model.lens.focus[arguments[0]]", "xyz".index(normal))
             self.assertAlmostEqual(lean, 0, places=9)
-        self.run("const t = document.getElementById('third'); t.value = 'film'; t.dispatchEvent(new Event('change'))")
+        self.choose("third", "film")
         self.assertRegex(self.run("return JSON.stringify(focusPage.model.numbers())"), r'"tilt":0,"swing":0')
 
     def test_points_can_be_dragged_and_moved_by_keys(self):

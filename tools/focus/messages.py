@@ -52,9 +52,9 @@ def camera(value):
 def block(value):
     """The text of a tilt_lens block: its words, numbers and signs, and nothing else."""
     need(isinstance(value, str) and len(value) < 2000)
-    need(re.fullmatch(rf"tilt_lens \{{(?:[a-z_]+|{NUMBER}|[<>{{}},]|[ \n])*\}}", value))
-    need(set(re.findall(r"[a-z_]{2,}", re.sub(NUMBER, "", value))) <= WORDS)
-    need(value.count("{") == value.count("}"))
+    need(re.fullmatch(r"tilt_lens \{[^{}]*(?:\{[^{}]*\}[^{}]*)?\}", value))
+    for part in re.findall(r"[<>{},]|[^<>{}, \n]+", value):
+        need(part in "<>{}," or part in WORDS or re.fullmatch(NUMBER, part))
     return value
 
 

@@ -82,7 +82,7 @@ class Session:
                 yield {"type": "preview", "number": self.number, "frame": self.frame, "state": "begun", "size": [width, height]}
                 yield packed(PREVIEW, self.number, 0, 0, self.values)
             if kind in self.told and self.told[kind].get("state") != "begun":
-                yield self.told[kind]
+                yield {**self.told[kind], "again": True}
             if kind == "picture" and self.picture_values is not None:
                 yield packed(PICTURE, self.picture_number, 0, 0, self.picture_values)
 
@@ -113,7 +113,7 @@ class Session:
             await self.tell("preview", number=self.number, frame=frame, state="done", seconds=seconds)
             if seconds < REFINED_BELOW:
                 await self.pass_over(frame, REFINE, refining=True)
-        except RenderError as error:
+        except (RenderError, OSError) as error:
             await self.tell("error", **self.described(error))
 
     async def pass_over(self, frame, more, refining=False):
@@ -167,7 +167,10 @@ class Session:
             with numpy.errstate(divide="ignore"):
                 place[:, :, 3] = 1 / part
             return
-        place[:, :, :3] = part
+        # A lamp's edge keeps its first colours: a mean of lamp and background, taken for background, would be spread
+        # over the blur of the background.
+        smooth = numpy.maximum(part, place[:, :, :3]).max(2) <= 1 if refining else numpy.full((rows, columns), True)
+        place[smooth, :3] = part[smooth]
         await self.send(packed(PREVIEW, self.number, tile.left, tile.top, place))
         if not refining:
             self.covered += rows * columns
@@ -202,6 +205,8 @@ class Session:
 
     def described(self, error):
         """An error as the page shows it, with the line of the file."""
+        if isinstance(error, OSError):  # such as a full disk
+            error = RenderError(f"The picture cannot be made: {error.strerror}")
         told = {"message": error.message, "file": error.file, "line": error.line, "text": None}
         if error.file and error.line:
             with contextlib.suppress(OSError, IndexError):
@@ -260,7 +265,7 @@ class Session:
             await render.run(render.words(scene, self.options(), (width, height)), False, on_tile)
             self.picture_file = render.picture
             await state("done", width * height)
-        except RenderError as error:
+        except (RenderError, OSError) as error:
             await state("failed", covered, **self.described(error))
         except asyncio.CancelledError:
             await state("stopped", covered)

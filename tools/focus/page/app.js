@@ -13,14 +13,17 @@ import { drawSide, surfaceSection } from "./side.js";
 import { FORMS, copyText, describe } from "./block.js";
 import { connect } from "./connection.js";
 import { buildTruth } from "./truth.js";
+import { buildProbe } from "./probe.js";
 
 const REST = 150;          // milliseconds without a change, until the picture is refined
+const ARRIVING = 150;      // between two pictures while the preview arrives: the processors have enough to do
 const PREVIEW_REST = 600;  // and until the preview is made for a changed frame
 const FAR = 0.02;          // of the frame: a smaller change of it needs no new preview
 
 const find = id => document.getElementById(id);
 const model = new Model();
 let blur, knobs, scene, line, lastChange = 0, previewTimer = 0, form = "plane", waitsForPreview = false, drawing = false;
+let complete = false, lastDrawing = 0;
 let previewNumber = 0, askedFrame = null, startedFor = null, chosen = null, ownChange = false;
 
 // ---- drawing ----
@@ -40,13 +43,19 @@ function draw() {
     if (drawing || !blur || !model.lens)
         return;
     drawing = true;
-    requestAnimationFrame(() => {
+    const wait = complete ? 0 : lastDrawing + ARRIVING - performance.now();
+    const begin = () => requestAnimationFrame(() => {
         drawing = false;
-        const moving = performance.now() - lastChange < REST;
+        const moving = !complete || performance.now() - lastChange < REST;
         blur.draw(moving);
-        if (moving || blur.unfinished)
+        lastDrawing = performance.now();
+        if (complete && (moving || blur.unfinished))
             draw();
     });
+    if (wait > 0)
+        setTimeout(begin, wait);
+    else
+        begin();
 }
 
 /// Whether the preview was taken from where the camera stands; after another camera was chosen it is not, for a while.
@@ -143,6 +152,7 @@ function takeScene(message) {
     const index = chosen !== null && chosen < message.cameras.length ? chosen : null;
     scene = { ...message, ownView: message.view, view: index === null ? message.view : message.cameras[index] };
     const { view } = scene;
+    showLeftOut();
     find("name").textContent = message.name;
     document.title = `${message.name} – focus`;
     blur.gamma = message.gamma === null || message.gamma === "sRGB" ? 0 : message.gamma;
@@ -165,6 +175,14 @@ function takeScene(message) {
         askForCamera();
     if (!view.perspective)
         complain({ message: "This camera is not perspective. Only the perspective camera has a lens." });
+}
+
+/// Says what the scene's camera has that neither the live nor the true picture shows.
+function showLeftOut() {
+    const { bokeh, normal } = scene.view;
+    const items = [bokeh && "bokeh picture", normal && "normal"].filter(Boolean).join(" and ");
+    const text = `Neither this picture nor the true one shows the camera's ${items}; a render of your scene does.`;
+    find("left-out").textContent = items && text;
 }
 
 /// Begins with a camera of the scene, unless the page shows it already, or has just written it.
@@ -190,6 +208,7 @@ function askForCamera() {
 }
 
 function takePreviewState(message) {
+    complete = message.state === "done";
     if (message.state === "begun") {
         previewNumber = message.number;
         askedFrame = message.frame;
@@ -198,6 +217,7 @@ function takePreviewState(message) {
         return;
     }
     find("status").textContent = "";
+    draw();
     if (waitsForPreview && blur.values)
         supposeFocus();
     else if (model.lens && blur.lens)
@@ -236,6 +256,7 @@ function complain(error) {
     place.hidden = !error?.message;
     if (place.hidden)
         return;
+    complete = true; // nothing more comes
     find("status").textContent = "";
     place.replaceChildren();
     const where = error.file ? `${error.file}${error.line ? `, line ${error.line}` : ""}: ` : "";
@@ -254,9 +275,10 @@ function takeFile(message) {
         refused: () => `Not written: ${message.reason}. Copy the text and put it in by hand.`,
     };
     find("file-said").textContent = words[message.state]();
-    ownChange = message.state !== "refused";
-    if (ownChange)
+    if (message.state !== "refused") {
+        ownChange = !message.again;
         find("undo").hidden = message.state !== "written";
+    }
 }
 
 const takes = {
@@ -306,6 +328,7 @@ function listen() {
     find("camera").onchange = event => {
         chosen = Number(event.target.value);
         scene = { ...scene, view: scene.cameras[chosen] };
+        showLeftOut();
         takeView(scene.view);
         askForCamera();
     };
@@ -335,5 +358,4 @@ try {
     complain({ message: error.message });
 }
 
-/// For tests: what the page knows.
-window.focusPage = { model, get blur() { return blur; }, get scene() { return scene; }, describe: name => describe(model, name) };
+window.focusPage = blur && buildProbe(model, blur, () => complete);

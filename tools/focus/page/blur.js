@@ -80,7 +80,7 @@ class Blur {
         this.empty = [0.5, 0.5, 0.5];
         this.gamma = 1;
         this.values = null;
-        this.lastTime = 0;
+        this.drawings = 0;
         gl.bindVertexArray(gl.createVertexArray());
         this.setBlades(0, 0);
     }
@@ -207,10 +207,9 @@ class Blur {
     }
 
     /// Draws: all at once and small while something moves, else a part of one more pass at full size.
-    /// @returns milliseconds that it took
     draw(moving) {
         if (!this.values || !this.lens || !this.frame)
-            return 0;
+            return;
         const begun = performance.now();
         if (this.reachOf !== this.lens) {
             this.updateReach();
@@ -231,8 +230,7 @@ class Blur {
         else if (this.blurs)
             this.rows = Math.ceil(Math.min(this.height, Math.max(this.height / LEAST_STRIPS, this.rows * change)));
         this.spent += moving ? 0 : time;
-        this.lastTime = time;
-        return time;
+        this.drawings++;
     }
 
     /// Returns when the graphics processor is done: with a part of a pass (`inside`), or with the picture.

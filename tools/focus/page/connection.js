@@ -1,17 +1,28 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The line to the program that serves this page.
+/// The line to the program that serves this page. A line that breaks, as when the machine has slept, is made anew once;
+/// the program then tells everything again.
 
 const HEAD = 24; // bytes before the values of a tile: what it belongs to, number, left, top, width, height
+const FOR_GOOD = [1000, 1001, 1008]; // codes with which the program itself ends a line
+const AGAIN = 300; // milliseconds from the end of a line to the next
 
 /// @param on  { message(object), preview(tile), picture(tile), open(), closed() }
 export function connect(on) {
-    const socket = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws")));
-    socket.binaryType = "arraybuffer";
-    socket.onopen = () => on.open();
-    socket.onclose = () => on.closed();
-    socket.onmessage = ({ data }) => {
+    let socket;
+    const open = () => {
+        let opened = false;
+        socket = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws")));
+        socket.binaryType = "arraybuffer";
+        socket.onopen = () => {
+            opened = true;
+            on.open();
+        };
+        socket.onclose = ({ code }) => (opened && !FOR_GOOD.includes(code) ? setTimeout(open, AGAIN) : on.closed());
+        socket.onmessage = take;
+    };
+    const take = ({ data }) => {
         if (typeof data === "string") {
             on.message(JSON.parse(data));
             return;
@@ -23,5 +34,6 @@ export function connect(on) {
         else
             on.picture({ ...tile, values: new Uint8ClampedArray(data, HEAD) });
     };
+    open();
     return { ask: message => socket.readyState === WebSocket.OPEN && socket.send(JSON.stringify(message)) };
 }

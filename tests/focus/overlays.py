@@ -1,0 +1,110 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What is drawn over the picture and beside it: tint, blur as colours, plane and limits of focus, the side view."""
+
+import math
+
+from tests.focus import harness
+from tests.focus.harness import PageTest
+
+NEAR, MIDDLE, FAR = (-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3)  # on the fronts of the three towers
+
+# Red, green, blue at places of the picture, with something shown.
+PIXELS = """
+const pixels = focusPage.livePixels(arguments[0]), [width, height] = focusPage.live.size;
+return arguments[1].map(([x, y]) => {
+    const at = 4 * (Math.floor((0.5 - y) * height) * width + Math.floor((0.5 + x) * width));
+    return Array.from(pixels.slice(at, at + 3));
+});
+"""
+
+# Lines of the side view: kind -> [x1, y1, x2, y2]; the point where film, lens and plane meet.
+SIDE = """
+const found = {};
+for (const line of document.querySelectorAll("#side line"))
+    (found[line.getAttribute("class")] ??= []).push(["x1", "y1", "x2", "y2"].map(name => Number(line.getAttribute(name))));
+const meet = document.querySelector("#side circle.meet");
+const dots = document.querySelectorAll("#side circle.surface").length;
+return { ...found, meet: meet && [Number(meet.getAttribute("cx")), Number(meet.getAttribute("cy"))], dots };
+"""
+
+
+def off_line(line, point):
+    """Distance of a point from the endless line."""
+    x1, y1, x2, y2 = line
+    return abs((x2 - x1) * (point[1] - y1) - (y2 - y1) * (point[0] - x1)) / math.hypot(x2 - x1, y2 - y1)
+
+
+def angle(line):
+    """Direction of a line, degrees from 0 to 180."""
+    x1, y1, x2, y2 = line
+    return math.degrees(math.atan2(y1 - y2, x2 - x1)) % 180
+
+
+class Overlays(PageTest):
+    def focus_on(self, place):
+        """The scene with a wide lens in focus at a place."""
+        self.open(self.scene(), "+W320", "+H180")
+        self.set_number("fStop", 0.5)
+        self.click_at(*place)
+
+    def pixels(self, places, **show):
+        """Colours of the picture."""
+        return self.run(PIXELS, show, places)
+
+    def test_the_tint_marks_what_is_sharp_and_nothing_else(self):
+        self.focus_on(MIDDLE)
+        plain, tinted = self.pixels([NEAR, MIDDLE, FAR]), self.pixels([NEAR, MIDDLE, FAR], peaking=True)
+        self.assertEqual([a == b for a, b in zip(plain, tinted)], [True, False, True])
+        # half of it the tint's own colour
+        for value, before, tint in zip(tinted[1], plain[1], (1, 0.05, 0.35)):
+            self.assertAlmostEqual(value, (before + 255 * tint) / 2, delta=2)
+
+    def test_the_blur_as_colours_has_two_sides(self):
+        self.focus_on(MIDDLE)
+        near, middle, far = self.pixels([NEAR, MIDDLE, FAR], map=True)
+        self.assertGreater(near[0], near[2] + 60, "orange before the plane")
+        self.assertGreater(far[2], far[0] + 60, "blue behind it")
+        self.assertGreater(min(middle), 200, "white where it is sharp")
+        self.press("#show-map")
+        self.assertFalse(self.run("return document.getElementById('legend').hidden"))
+        self.assertEqual(self.pixels([NEAR, MIDDLE, FAR]), [near, middle, far])
+
+    def test_the_plane_covers_what_lies_behind_it(self):
+        self.focus_on(MIDDLE)
+        plain, planes = self.pixels([NEAR, FAR]), self.pixels([NEAR, FAR], planes=True)
+        self.assertEqual(plain[0], planes[0])
+        self.assertNotEqual(plain[1], planes[1])
+        # orange limit, then white, then blue limit over it: more blue than before
+        self.assertGreater(planes[1][2], plain[1][2] + 40)
+        # a plane laid down through the floor leaves the sky side of the picture as it is
+        self.set_number("focusTilt", 80)
+        laid = self.pixels([(0, -0.45), FAR], planes=True)
+        self.assertNotEqual(laid[1], planes[1])
+
+    def test_film_lens_and_plane_meet_in_the_side_view(self):
+        self.focus_on(MIDDLE)
+        flat = self.run(SIDE)
+        self.assertIsNone(flat["meet"])
+        self.assertAlmostEqual(angle(flat["lens"][0]), 90, delta=0.01)
+        self.assertAlmostEqual(angle(flat["plane"][0]), 90, delta=0.01)
+        self.assertGreater(flat["dots"], 100)
+        for tilt in (4, 8):
+            self.set_number("tilt", tilt)
+            seen = self.run(SIDE)
+            (film,), (lens,), (plane,) = seen["film"], seen["lens"], seen["plane"]
+            for line in (film, lens, plane):
+                self.assertLess(off_line(line, seen["meet"]), 0.5)
+            self.assertAlmostEqual(angle(lens), 90 - tilt, delta=0.01)
+            self.assertNotAlmostEqual(angle(plane), 90, delta=5)
+            # the limits lie on both sides and meet the plane in the hinge line, across from the lens's middle
+            hinge = [(lens[0] + lens[2]) / 2, None]
+            x1, y1, x2, y2 = plane
+            hinge[1] = y1 + (hinge[0] - x1) * (y2 - y1) / (x2 - x1)
+            for limit in (seen["near"][0], seen["far"][0]):
+                self.assertLess(off_line(limit, hinge), 0.5)
+                self.assertGreater(abs(angle(limit) - angle(plane)), 0.01)
+
+
+if __name__ == "__main__":
+    harness.main()

@@ -1,0 +1,54 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// What tests may ask of the page. The page itself uses none of it.
+
+import { describe } from "./block.js";
+
+/// @param blur      the live picture
+/// @param complete  () -> whether the whole preview is there
+export function buildProbe(model, blur, complete) {
+    const read = (canvas, [width, height]) => {
+        const context = new OffscreenCanvas(width, height).getContext("2d");
+        context.drawImage(canvas, 0, 0, width, height);
+        return context.getImageData(0, 0, width, height).data;
+    };
+    const size = () => [blur.width, blur.height];
+    return {
+        model,
+        describe: form => describe(model, form),
+
+        /// The live picture, or null before there is one: its size, the place that its preview was taken from, whether the
+        /// whole preview is there, passes averaged so far, and whether further ones would be.
+        get live() {
+            const { frame, pass, unfinished } = blur;
+            return blur.values && frame ? { size: size(), location: frame.location, complete: complete(), passes: pass, smooth: !unfinished } : null;
+        },
+
+        /// Sum of the preview's values: colours and 1/distance.
+        previewSum: () => blur.values.reduce((a, b) => a + b),
+
+        /// Red, green, blue, alpha of the live picture, upper row first; `show` changes what is shown for this once.
+        livePixels(show = {}) {
+            const shown = blur.show;
+            blur.show = { ...shown, ...show };
+            blur.display();
+            const pixels = read(blur.canvas, size());
+            blur.show = shown;
+            blur.display();
+            return pixels;
+        },
+
+        /// The same of the true picture, at the live picture's size.
+        truePixels: () => read(document.getElementById("truth"), size()),
+
+        /// Resolves after the next time that the live picture is drawn.
+        nextDrawing() {
+            const before = blur.drawings;
+            return new Promise(done => {
+                const look = () => (blur.drawings > before ? done() : requestAnimationFrame(look));
+                requestAnimationFrame(look);
+            });
+        },
+    };
+}
