@@ -50,6 +50,8 @@ class Measure(PageTest):
         """Keeps what the browser shows."""
         shown = "const end = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(end)))"
         self.browser.execute_async_script(shown)
+        time.sleep(0.3)  # a change of the page's size draws anew
+        self.smooth()
         PICTURES.mkdir(parents=True, exist_ok=True)
         png = self.folder / "shot.png"
         self.browser.save_screenshot(str(png))

@@ -114,6 +114,16 @@ class Page(PageTest):
         self.press("#back")
         self.assertEqual(self.run("return focusPage.model.picks"), before)
 
+    def test_another_width_of_the_page_leaves_the_picture_and_draws_the_side_view_anew(self):
+        self.open(self.scene())
+        self.smooth()
+        width = "return document.getElementById('side').viewBox.baseVal.width"
+        before = self.run(width)
+        self.addCleanup(self.browser.set_window_size, 1280, 1000)
+        self.browser.set_window_size(700, 1000)
+        self.until("the side view", lambda: self.run(width) != before, 20)
+        self.assertTrue(self.run("return focusPage.live.smooth"))
+
     def test_copied_text_is_the_block(self):
         address = self.open(self.scene())
         origin = re.match(r"http://[^/]+", address).group()

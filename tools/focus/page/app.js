@@ -121,7 +121,7 @@ function hint() {
         return "Click what is to be sharp.";
     const wanted = model.third === "picked" ? 3 : model.third === "film" ? 1 : 2, missing = wanted - model.picks.length;
     if (missing > 0)
-        return `Click ${missing === wanted ? wanted : missing + " more"} place${missing === 1 ? "" : "s"} that ${wanted === 1 ? "is" : "are"} to be sharp.`;
+        return `Click ${missing === wanted ? wanted : missing + " more"} ${missing === 1 ? "place that is" : "places that are"} to be sharp.`;
     return "All of these are sharp. Drag a point, or click to move the nearest.";
 }
 
@@ -341,7 +341,7 @@ function listen() {
     };
     dark.onchange = paint;
     paint();
-    new ResizeObserver(() => model.lens && blur.values && changed()).observe(find("side"));
+    new ResizeObserver(() => model.lens && blur.values && blur.lens && showSide()).observe(find("side"));
 }
 
 try {
