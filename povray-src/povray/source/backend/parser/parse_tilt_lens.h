@@ -29,8 +29,12 @@ class TiltLensParser
     /// Parses `{ ... }` behind the word `tilt_lens`. Inside, the items hide macros of their names.
     void ParseBlock(Camera& camera);
 
-    /// Takes from the camera's own items what the lens needs, while the parser can still tell which
-    /// of them were written. Call before POV-Ray fills in the others.
+    /// Keeps a warning of the camera's own items until its end, where it is known whether the camera has `tilt_lens`: with
+    /// it, the value is an error, and a default that is not used must not be told of.
+    void WarnLater(Camera& camera, const char* text);
+
+    /// Tells the kept warnings if the camera has no `tilt_lens`; else takes from the camera's own items what the lens
+    /// needs, while the parser can still tell which of them were written. Call before POV-Ray fills in the others.
     void TakeCameraItems(Camera& camera);
 
     /// Solves the lens of a camera that is parsed and transformed, for its errors and warnings. Also other cameras

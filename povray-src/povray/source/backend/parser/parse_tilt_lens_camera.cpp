@@ -33,12 +33,21 @@ const double kSameSky = 0.7;
 
 } // namespace
 
+void TiltLensParser::WarnLater(Camera& camera, const char* text)
+{
+    camera.TiltLens.written.warnings.push_back({Here(), text});
+}
+
 void TiltLensParser::TakeCameraItems(Camera& camera)
 {
     // once asked for, they are forgotten: a default camera's items are not those of the cameras after it
     const WrittenItems written = std::exchange(camera.TiltLens.written, WrittenItems());
     if (!camera.TiltLens.given)
+    {
+        for (const WrittenItems::Warning& warning : written.warnings)
+            WarningAt(warning.place, warning.text);
         return;
+    }
     if (camera.Type != PERSPECTIVE_CAMERA)
         ErrorAt(camera.TiltLens.place, "The default camera's tilt_lens meets a camera that is not perspective. "
                                        "Only the perspective camera has a lens; remove the block from the "
@@ -104,7 +113,7 @@ void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems&
                        "blades or bokeh.", s.blades);
 }
 
-/// Where the unpatched program warns and takes the default.
+/// Where other cameras get a warning and the default.
 void TiltLensParser::RequireQuality(const Camera& camera, const WrittenItems& written)
 {
     if (!(written.variance >= 0.0 && written.variance <= 1.0))

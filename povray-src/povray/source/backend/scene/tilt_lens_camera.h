@@ -8,6 +8,9 @@
 #ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
 #define POVRAY_BACKEND_TILT_LENS_CAMERA_H
 
+#include <string>
+#include <vector>
+
 #include "backend/frame.h"
 #include "base/povms.h"
 #include "base/stringutilities.h"
@@ -34,7 +37,14 @@ struct TiltLensPlace
 struct WrittenItems
 {
     bool aperture = false;                    ///< it is written; its value may be the default, 0
-    double variance = 0.0, confidence = 0.9;  ///< as written, or allowed; what is not is left out there with a warning
+    double variance = 0.0, confidence = 0.9;  ///< as written, or allowed; the camera has the default for what is not
+
+    struct Warning
+    {
+        TiltLensPlace place;
+        std::string text;
+    };
+    std::vector<Warning> warnings;  ///< of values that are an error where the camera has `tilt_lens`
 };
 
 struct TiltLensCamera
