@@ -86,9 +86,9 @@ Statement StatementFrom(Bytes& bytes, unsigned flags)
 /// What the report and the render ask of a lens: nothing may stop or overflow.
 void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
 {
-    for (const std::string& doubt : Doubts(lens, s))
-        if (doubt.empty())
-            Fail("a doubt without words");
+    for (const std::string& warning : Warnings(lens, s))
+        if (warning.empty())
+            Fail("a warning without words");
     const double told[] = {TiltOf(lens), SwingOf(lens), FocusAngleOf(lens)};
     for (double number : told)
         if (!(number >= -90.0 && number <= 90.0))
@@ -101,7 +101,7 @@ void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
     const Aperture disc = Aperture::Disc();
     for (std::uint32_t i = 0; i < 8; i++)
     {
-        const Sample sample = sampler(i);
+        const SequencePoint sample = sampler(i);
         const AperturePoint p = disc(sample.lensU, sample.lensV);
         // the frame's corners and its inside
         const double x = i < 4 ? (i & 1 ? 0.5 : -0.5) : sample.pixelX - 0.5;

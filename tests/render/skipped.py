@@ -66,14 +66,14 @@ class Skipped(rendering.RenderTest):
         self.assertGreater(asked, 64 * 48 * 3)
         self.assertIsNone(numbers("Area lights", said_of(EVEN)))
 
-    def test_lamps_are_aimed_at_only_where_they_may_be_seen(self):
-        samples, lamps = numbers("Aimed at lamps", said_of(LAMP, "blur_samples 8, 8 variance 1/1000 "))
+    def test_emitters_are_sampled_only_where_they_may_be_seen(self):
+        samples, lamps = numbers("Emitter samples", said_of(LAMP, "blur_samples 8, 8 variance 1/1000 "))
         self.assertEqual(lamps, 1)
         self.assertGreater(samples, 0)
         self.assertLess(samples, 64 * 48)
-        self.assertIsNone(numbers("Aimed at lamps", said_of(EVEN)))
+        self.assertIsNone(numbers("Emitter samples", said_of(EVEN)))
         large = LAMP.replace("0.01 pigment", "1 pigment")
-        self.assertIsNone(numbers("Aimed at lamps", said_of(large)))
+        self.assertIsNone(numbers("Emitter samples", said_of(large)))
 
     def test_objects_away_from_the_lens_are_not_asked(self):
         away = GLASS.replace("SPHERE", "<0, 0.5, 1>, 0.3") + GLASS.replace("SPHERE", "<1, 0.5, 1>, 0.3")

@@ -33,7 +33,7 @@ struct Point
     double x, y;
 };
 
-double Coordinate(const tilt_lens::Sample& s, int dimension)
+double Coordinate(const tilt_lens::SequencePoint& s, int dimension)
 {
     const double all[] = {s.lensU, s.lensV, s.pixelX, s.pixelY};
     return all[dimension];
@@ -45,7 +45,7 @@ std::vector<Point> Projection(const PixelSampler& sampler, int d, int e, std::ui
     points.reserve(count);
     for (std::uint32_t i = 0; i < count; i++)
     {
-        const tilt_lens::Sample s = sampler(i);
+        const tilt_lens::SequencePoint s = sampler(i);
         points.push_back({Coordinate(s, d), Coordinate(s, e)});
     }
     return points;
@@ -175,7 +175,7 @@ double NeighbourCorrelation(int samples, std::uint32_t dx, std::uint32_t dy, std
             double sum = 0.0;
             for (int i = 0; i < samples; i++)
             {
-                const tilt_lens::Sample s = sampler(std::uint32_t(i));
+                const tilt_lens::SequencePoint s = sampler(std::uint32_t(i));
                 const double value = kind == 0   ? double(s.pixelX + s.pixelY > 1.0) - 0.5
                                      : kind == 1 ? double(s.lensU + s.pixelX > 1.0) - 0.5
                                                  : s.lensU * s.lensV - 0.25;

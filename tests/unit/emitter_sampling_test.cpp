@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Rays aimed at lamps: the mean stays that of plain rays, the variance falls, and only what is small and
-// bright is aimed at.
+// Emitter sampling: the mean stays that of plain samples, the variance falls, and samples are sent only at what is
+// small and bright.
 
 #include "tilt_lens/sampling/emitter_sampling.h"
 
@@ -115,12 +115,12 @@ std::vector<Case> Cases()
             {"picture", 20.0, Window(), {far, near, sharp}}};
 }
 
-/// A case ready to be sampled, with its lamps aimed at and without.
+/// A case ready to be sampled, with emitter sampling and without.
 struct Prepared
 {
     Lens lens;
     World world;
-    EmitterSampler aimed, plain;
+    EmitterSampler emitterSampled, plain;
 };
 
 Prepared Ready(const Case& one)
@@ -149,14 +149,14 @@ TEST(EmitterSampler, LeaveEveryMeanAsItIs)
 {
     for (const Case& one : Cases())
     {
-        const auto [lens, world, aimed, plain] = Ready(one);
-        ASSERT_FALSE(aimed.Empty()) << one.name;
+        const auto [lens, world, emitterSampled, plain] = Ready(one);
+        ASSERT_FALSE(emitterSampled.Empty()) << one.name;
         double squares = 0.0;
         int count = 0;
         for (const auto& [x, y] : PixelsAround(lens, one))
         {
             const std::uint32_t n = 1u << 16;
-            const Pixel a = SampleOf(aimed, lens, world, x, y, n, 1), p = SampleOf(plain, lens, world, x, y, n, 2);
+            const Pixel a = SampleOf(emitterSampled, lens, world, x, y, n, 1), p = SampleOf(plain, lens, world, x, y, n, 2);
             // low-discrepancy samples: far better than this bound for independent ones
             const double error = std::sqrt((a.variance + p.variance) / n) + 1e-9;
             EXPECT_LT(std::fabs(a.mean - p.mean), 3.5 * error) << one.name << " at " << x << ", " << y;
@@ -171,11 +171,11 @@ TEST(EmitterSampler, LowerTheVarianceOfLamps)
 {
     for (const Case& one : Cases())
     {
-        const auto [lens, world, aimed, plain] = Ready(one);
+        const auto [lens, world, emitterSampled, plain] = Ready(one);
         double with = 0.0, without = 0.0;
         for (const auto& [x, y] : PixelsAround(lens, one))
         {
-            with += SampleOf(aimed, lens, world, x, y, 1u << 14, 1).variance;
+            with += SampleOf(emitterSampled, lens, world, x, y, 1u << 14, 1).variance;
             without += SampleOf(plain, lens, world, x, y, 1u << 14, 2).variance;
         }
         EXPECT_LT(with, without / 8.0) << one.name;
@@ -187,14 +187,14 @@ TEST(EmitterSampler, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const EmitterSampler aimed(lens, Aperture::Disc(), Limits(), kWidth, kHeight, {lamp});
+    const EmitterSampler emitterSampled(lens, Aperture::Disc(), Limits(), kWidth, kHeight, {lamp});
     int reached = 0;
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
         {
-            const Pixel pixel = SampleOf(aimed, lens, {{}}, x, y, 64, 1);
+            const Pixel pixel = SampleOf(emitterSampled, lens, {{}}, x, y, 64, 1);
             EXPECT_NEAR(pixel.mean, kBackground, 0.1 * kBackground) << x << ", " << y;
-            reached += aimed.TargetsOf(x, y).share > 0.0;
+            reached += emitterSampled.TargetsOf(x, y).share > 0.0;
         }
     EXPECT_GT(reached, 4);
     EXPECT_LT(reached, 100);
@@ -204,17 +204,17 @@ TEST(EmitterSampler, ReachEveryPixelThatSeesThem)
 {
     for (const Case& one : Cases())
     {
-        const auto [lens, world, aimed, plain] = Ready(one);
+        const auto [lens, world, emitterSampled, plain] = Ready(one);
         for (std::uint32_t y = 0; y < kHeight; y++)
             for (std::uint32_t x = 0; x < kWidth; x++)
             {
                 const bool seen = SampleOf(plain, lens, world, x, y, 1024, 2).variance > 1e-9;
-                EXPECT_TRUE(!seen || aimed.TargetsOf(x, y).share > 0.0) << one.name << " at " << x << ", " << y;
+                EXPECT_TRUE(!seen || emitterSampled.TargetsOf(x, y).share > 0.0) << one.name << " at " << x << ", " << y;
             }
     }
 }
 
-TEST(EmitterSampler, AimOnlyAtWhatIsSmallAndBrightAndBefore)
+TEST(EmitterSampler, OnlyWhatIsSmallAndBrightAndBefore)
 {
     const Lens lens = LensOf(0.0);
     const auto empty = [&](const Emitter& emitter, const SamplingLimits& limits = Limits())
@@ -228,21 +228,21 @@ TEST(EmitterSampler, AimOnlyAtWhatIsSmallAndBrightAndBefore)
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}, Limits(1, 2))) << "fewer samples than a block of four";
 }
 
-TEST(EmitterSampler, AimAFixedShareOfEveryBlockOfFour)
+TEST(EmitterSampler, AFixedShareOfEveryBlockOfFour)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const EmitterSampler aimed(lens, Aperture::Disc(), Limits(8, 39), kWidth, kHeight, {lamp});
+    const EmitterSampler emitterSampled(lens, Aperture::Disc(), Limits(8, 39), kWidth, kHeight, {lamp});
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
         {
-            const EmitterSampler::Targets targets = aimed.TargetsOf(x, y);
+            const EmitterSampler::Targets targets = emitterSampled.TargetsOf(x, y);
             const PixelSampler sampler(x, y, 0);
             for (std::uint32_t from = 0; from < 40; from += 4)
             {
                 int count = 0;
                 for (std::uint32_t i = from; i < from + 4; i++)
-                    count += aimed.Generate(targets, {x, y, i}, sampler(i)).expectedEmission > 0.0;
+                    count += emitterSampled.Generate(targets, {x, y, i}, sampler(i)).expectedEmission > 0.0;
                 EXPECT_EQ(count, from + 4 > 39 ? 0 : int(4 * targets.share)) << x << ", " << y << " from " << from;
             }
         }
@@ -269,7 +269,7 @@ TEST(ApertureDensity, IsThatOfThePoints)
             }
         for (int i = 0; i < boxes * boxes; i++)
             EXPECT_NEAR(found[i], expected[i], 2e-3) << i;
-        EXPECT_LE(farthest, aperture.Rim());
+        EXPECT_LE(farthest, aperture.BoundingRadius());
     }
 }
 

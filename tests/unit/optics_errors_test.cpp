@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Statements that no lens can follow, and those that deserve a doubt. Whatever comes in, there is a
+// Statements that no lens can follow, and those that deserve a warning. Whatever comes in, there is a
 // usable lens or an error in words.
 
 #include <functional>
@@ -330,7 +330,7 @@ TEST(BadNumbers, NoneGivesALensOfNonsense)
         }
 }
 
-TEST(Doubts, TurnsPast15DegreesAndOnlyThose)
+TEST(Warnings, TurnsPast15DegreesAndOnlyThose)
 {
     Random random(9);
     for (int i = 0; i < 300; i++)
@@ -345,35 +345,35 @@ TEST(Doubts, TurnsPast15DegreesAndOnlyThose)
             {
                 Statement s = request.given;
                 s.*turn = sign * 15.0;
-                ASSERT_TRUE(Doubts(Solve(request.camera, s), s).empty());
+                ASSERT_TRUE(Warnings(Solve(request.camera, s), s).empty());
                 s.*turn = sign * 15.01;
-                ASSERT_EQ(Doubts(Solve(request.camera, s), s).size(), 1u);
+                ASSERT_EQ(Warnings(Solve(request.camera, s), s).size(), 1u);
             }
     }
     Request both = PlainRequest();
     both.given.tilt = both.given.swing = 12.0;
-    const std::vector<std::string> doubts = Doubts(Solved(both), both.given);
-    ASSERT_EQ(doubts.size(), 1u);
-    EXPECT_NE(doubts[0].find("16.7"), std::string::npos) << doubts[0];
+    const std::vector<std::string> warnings = Warnings(Solved(both), both.given);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("16.7"), std::string::npos) << warnings[0];
 }
 
-TEST(Doubts, ATiltWithoutAnAperture)
+TEST(Warnings, ATiltWithoutAnAperture)
 {
     Request request = PlainRequest();
     request.given.fStop.reset();
-    EXPECT_TRUE(Doubts(Solved(request), request.given).empty());
+    EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
     request.given.shiftUp = 8.0;
-    EXPECT_TRUE(Doubts(Solved(request), request.given).empty());
+    EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
     request.given.tilt = 1e-6;
-    const std::vector<std::string> doubts = Doubts(Solved(request), request.given);
-    ASSERT_EQ(doubts.size(), 1u);
-    EXPECT_NE(doubts[0].find("aperture"), std::string::npos);
+    const std::vector<std::string> warnings = Warnings(Solved(request), request.given);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("aperture"), std::string::npos);
     request.given.aperture = 0.1;
-    EXPECT_TRUE(Doubts(Solved(request), request.given).empty());
+    EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
 }
 
 /// The rim reaches radius * sin(turn) behind the lens centre, whichever way the lens is turned.
-TEST(Doubts, ARimThatPassesThroughTheFilm)
+TEST(Warnings, ARimThatPassesThroughTheFilm)
 {
     Random random(10);
     for (int i = 0; i < 300; i++)
@@ -389,11 +389,11 @@ TEST(Doubts, ARimThatPassesThroughTheFilm)
         const double sine = Length(pinhole.normal - Dot(pinhole.normal, pinhole.axis) * pinhole.axis);
         const double limit = 4.0 * pinhole.filmDistance / sine / request.given.scale;  // aperture: 4 radii
         request.given.aperture = 0.999 * limit;
-        EXPECT_TRUE(Doubts(Solved(request), request.given).empty());
+        EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
         request.given.aperture = 1.001 * limit;
-        const std::vector<std::string> doubts = Doubts(Solved(request), request.given);
-        ASSERT_EQ(doubts.size(), 1u);
-        EXPECT_NE(doubts[0].find("rim passes through the film"), std::string::npos) << doubts[0];
+        const std::vector<std::string> warnings = Warnings(Solved(request), request.given);
+        ASSERT_EQ(warnings.size(), 1u);
+        EXPECT_NE(warnings[0].find("rim passes through the film"), std::string::npos) << warnings[0];
     }
 }
 

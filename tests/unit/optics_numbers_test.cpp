@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 // What users read in the manual and in the message stream: signs of the angles, shifts, physical
-// units, the numbers a photographer checks, errors and doubts.
+// units, the numbers a photographer checks, errors and warnings.
 
 #include <limits>
 #include <vector>
@@ -260,7 +260,7 @@ TEST(Numbers, AParallelLensIsParallelHoweverTheCameraIsTurned)
         ASSERT_EQ(TiltOf(lens), 0.0);
         ASSERT_EQ(SwingOf(lens), 0.0);
         ASSERT_EQ(FocusAngleOf(lens), 0.0);
-        ASSERT_TRUE(Doubts(lens, request.given).empty()) << Doubts(lens, request.given)[0];
+        ASSERT_TRUE(Warnings(lens, request.given).empty()) << Warnings(lens, request.given)[0];
     }
 }
 

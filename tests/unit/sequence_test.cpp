@@ -25,7 +25,7 @@ namespace
 constexpr int dimensions = 4;
 using Point = std::array<double, dimensions>;  // lens u, lens v, pixel x, pixel y
 
-Point AsPoint(const Sample& s)
+Point AsPoint(const SequencePoint& s)
 {
     return {s.lensU, s.lensV, s.pixelX, s.pixelY};
 }

@@ -28,7 +28,7 @@ inline double Noise(const SampleId& id, std::uint32_t salt)
 }
 
 /// The sample that a Tracer is asked for.
-inline Sample SampleOf(const SampleId& id)
+inline SequencePoint SequencePointOf(const SampleId& id)
 {
     return PixelSampler(id.x, id.y, 0)(id.index);
 }
@@ -47,7 +47,7 @@ inline void WhiteNoise(const SampleId& id, SampleResult& light)
 /// A slanted edge between black and white, seen in focus.
 inline void Edge(const SampleId& id, SampleResult& light)
 {
-    const Sample s = SampleOf(id);
+    const SequencePoint s = SequencePointOf(id);
     light = Grey(0.3 * (id.x + s.pixelX) + (id.y + s.pixelY) > 20.0 ? 1.0 : 0.0);
 }
 

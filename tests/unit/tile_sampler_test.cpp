@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The sampling loop: limits, independence of order, when a pixel may stop, and the account of it.
+// The sampling loop: limits, independence of order, when a pixel may stop, and the statistics of it.
 
 #include "tilt_lens/sampling/tile_sampler.h"
 
@@ -67,11 +67,11 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     std::uint64_t calls = 0, inside = 0;
     const auto trace = [&](const SampleId& id, SampleResult& light)
     {
-        const Sample s = SampleOf(id);
+        const SequencePoint s = SequencePointOf(id);
         calls++;
         inside += tile.Has(id.x, id.y);
         seen.insert({id.x, id.y, id.index});
-        const Sample same = PixelSampler(id.x, id.y, 0)(id.index);
+        const SequencePoint same = PixelSampler(id.x, id.y, 0)(id.index);
         EXPECT_TRUE(same.lensU == s.lensU && same.lensV == s.lensV && same.pixelX == s.pixelX &&
                     same.pixelY == s.pixelY);
         Edge(id, light);
@@ -230,7 +230,7 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
     // Pixels left and right of the one that the edge crosses see it through 3 % of the lens.
     const auto trace = [](const SampleId& id, SampleResult& light)
     {
-        const Sample s = SampleOf(id);
+        const SequencePoint s = SequencePointOf(id);
         const bool crossed = id.x % 8 == 4;
         light = Grey(s.lensU < (crossed ? 0.5 : 0.03) ? 1.0 : 0.0);
     };
@@ -385,29 +385,29 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
 
 TEST(SamplingStatistics, AddsUpAndKnowsItsQuantiles)
 {
-    SamplingStatistics account, other;
-    EXPECT_EQ(account.Pixels(), 0u);
-    EXPECT_EQ(account.Samples(), 0u);
-    EXPECT_EQ(account.Most(), 0u);
-    EXPECT_EQ(account.Quantile(0.99), 0u);
-    EXPECT_EQ(account.StandardError(), 0.0);
+    SamplingStatistics statistics, other;
+    EXPECT_EQ(statistics.Pixels(), 0u);
+    EXPECT_EQ(statistics.Samples(), 0u);
+    EXPECT_EQ(statistics.Most(), 0u);
+    EXPECT_EQ(statistics.Quantile(0.99), 0u);
+    EXPECT_EQ(statistics.StandardError(), 0.0);
 
-    account.pixelsBySamples = {{8, 97}, {64, 1}};
-    account.variance = 0.005;
+    statistics.pixelsBySamples = {{8, 97}, {64, 1}};
+    statistics.variance = 0.005;
     other.pixelsBySamples = {{64, 1}, {1024, 1}};
     other.variance = 0.005;
     other.notFinite = 3;
-    account.Add(other);
-    EXPECT_EQ(account.Pixels(), 100u);
-    EXPECT_EQ(account.Samples(), 97u * 8 + 2 * 64 + 1024);
-    EXPECT_EQ(account.Most(), 1024u);
-    EXPECT_EQ(account.notFinite, 3u);
-    EXPECT_EQ(account.Quantile(0.0), 8u);
-    EXPECT_EQ(account.Quantile(0.97), 8u);
-    EXPECT_EQ(account.Quantile(0.98), 64u);
-    EXPECT_EQ(account.Quantile(0.99), 64u);
-    EXPECT_EQ(account.Quantile(1.0), 1024u);
-    EXPECT_DOUBLE_EQ(account.StandardError(), 0.01);
+    statistics.Add(other);
+    EXPECT_EQ(statistics.Pixels(), 100u);
+    EXPECT_EQ(statistics.Samples(), 97u * 8 + 2 * 64 + 1024);
+    EXPECT_EQ(statistics.Most(), 1024u);
+    EXPECT_EQ(statistics.notFinite, 3u);
+    EXPECT_EQ(statistics.Quantile(0.0), 8u);
+    EXPECT_EQ(statistics.Quantile(0.97), 8u);
+    EXPECT_EQ(statistics.Quantile(0.98), 64u);
+    EXPECT_EQ(statistics.Quantile(0.99), 64u);
+    EXPECT_EQ(statistics.Quantile(1.0), 1024u);
+    EXPECT_DOUBLE_EQ(statistics.StandardError(), 0.01);
 
     SamplingStatistics huge;
     huge.pixelsBySamples = {{1u << 31, 1ull << 20}};

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// What a pixel may have missed: how long it looks for what its neighbours met, and for a lamp that it aims at.
+// What a pixel may have missed: how long it looks for what its neighbours met, and for an emitter that it sends samples at.
 
 #include "tilt_lens/sampling/tile_sampler.h"
 
@@ -81,7 +81,7 @@ TEST(TileSamplerUndetectedError, IsNotLeftToTheReconstruction)
 /// A black line along a row of pixels that fills a sixteenth of each.
 void LineAlongRow(const SampleId& id, SampleResult& light)
 {
-    light = Grey(id.y == kBlockSide / 2 && SampleOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
+    light = Grey(id.y == kBlockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
 }
 
 // Of three pixels side by side all may have missed it with eight samples; what is seen around them is then all alike.
@@ -94,7 +94,7 @@ TEST(TileSamplerUndetectedError, WhatAllBesideAPixelHaveMissedIsLookedForWhereLi
     EXPECT_LE(results[0].samples, 64u);  // and not without end, far from the line
 }
 
-/// Every fourth sample is aimed at a lamp of so much light and meets what hides it.
+/// Every fourth sample is sent at an emitter of so much light and meets what hides it.
 Tracer HiddenLamp(double light)
 {
     return [light](const SampleId& id, SampleResult& traced)

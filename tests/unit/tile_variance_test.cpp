@@ -41,7 +41,7 @@ double BlurredEdgeMean(std::uint32_t x, std::uint32_t)
 
 void BlurredEdge(const SampleId& id, SampleResult& light)
 {
-    const Sample s = SampleOf(id);
+    const SequencePoint s = SequencePointOf(id);
     light = Grey(s.lensU * 64.0 + (s.pixelX - 0.5) < id.x % 64 + 0.5 ? 1.0 : 0.0);
 }
 
@@ -53,7 +53,7 @@ double LinearMean(std::uint32_t x, std::uint32_t)
 /// Smooth light: what stratified samples are best at.
 void Linear(const SampleId& id, SampleResult& light)
 {
-    const Sample s = SampleOf(id);
+    const SequencePoint s = SequencePointOf(id);
     light = Grey(0.5 + 0.5 * ((id.x % 8) - 3.5) / 8.0 + 0.4 * (s.lensU + s.lensV - 1.0) +
                  0.2 * (s.pixelX - 0.5));
 }
@@ -61,14 +61,14 @@ void Linear(const SampleId& id, SampleResult& light)
 /// A checker board far out of focus: half of the lens sees white, in small fields.
 void Checker(const SampleId& id, SampleResult& light)
 {
-    const Sample s = SampleOf(id);
+    const SequencePoint s = SequencePointOf(id);
     light = Grey((int(s.lensU * 6) + int(s.lensV * 6)) % 2 ? 1.0 : 0.0);
 }
 
 /// One percent of the lens sees a lamp; it lies elsewhere for each pixel.
 void Lamp(const SampleId& id, SampleResult& light)
 {
-    const Sample s = SampleOf(id);
+    const SequencePoint s = SequencePointOf(id);
     const double u = s.lensU - 0.9 * (PixelHash(id.x, id.y, 0, 5) * 0x1p-32);
     const double v = s.lensV - 0.9 * (PixelHash(id.x, id.y, 0, 6) * 0x1p-32);
     light = Grey(u >= 0 && u < 0.1 && v >= 0 && v < 0.1 ? 1.0 : 0.0);

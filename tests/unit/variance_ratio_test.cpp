@@ -19,7 +19,7 @@ namespace
 /// Smooth light, which stratified samples are good at.
 void Ramp(const SampleId& id, SampleResult& result)
 {
-    result = Grey(SampleOf(id).lensU);
+    result = Grey(SequencePointOf(id).lensU);
 }
 
 Quadrants RatiosOf(const Tracer& trace, std::uint32_t rounds)

@@ -351,7 +351,7 @@ double Aperture::Density(const AperturePoint& point) const
     return point.a * point.a + point.b * point.b <= 1 ? 1 / pi : 0.0;
 }
 
-double Aperture::Rim() const
+double Aperture::BoundingRadius() const
 {
     return shape == Shape::Picture ? std::sqrt(2.0) : 1.0;
 }

@@ -71,7 +71,7 @@ class Aperture
     double Density(const AperturePoint& point) const;
 
     /// Radius of a circle around all of the opening.
-    double Rim() const;
+    double BoundingRadius() const;
 
   private:
     enum class Shape

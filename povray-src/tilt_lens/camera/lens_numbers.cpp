@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_numbers.cpp
-/// What is told of a solved lens: the numbers that a photographer checks, blur, and doubts.
+/// What is told of a solved lens: the numbers that a photographer checks, blur, and warnings.
 
 #include <cmath>
 #include <limits>
@@ -24,10 +24,10 @@ const double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A lens turned further has so little left of its own plane that the picture is of no use; makers
 /// stop at about 10 degrees.
-const double kDoubtfulTilt = 15.0;
+const double kUnusualTilt = 15.0;
 
 /// A shift of more than so many widths of the film; makers stop at a third.
-const double kDoubtfulShift = 1.0;
+const double kUnusualShift = 1.0;
 
 double Degrees(double radians) { return radians * (180.0 / kPi); }
 
@@ -64,31 +64,31 @@ bool IsSharpBehindOnly(const Lens& lens)
 
 } // namespace
 
-std::vector<std::string> Doubts(const Lens& lens, const Statement& given)
+std::vector<std::string> Warnings(const Lens& lens, const Statement& given)
 {
-    std::vector<std::string> doubts;
+    std::vector<std::string> warnings;
     const Vec3 t = InCamera(lens, lens.normal);
     const double turn = Degrees(std::atan2(std::hypot(t.x, t.y), t.z));
-    if (turn > kDoubtfulTilt * (1.0 + kRounding))
-        doubts.push_back("The lens is turned by " + NumberBelow(turn, 90.0) + " degrees; real lenses stop at about 10. "
+    if (turn > kUnusualTilt * (1.0 + kRounding))
+        warnings.push_back("The lens is turned by " + NumberBelow(turn, 90.0) + " degrees; real lenses stop at about 10. "
                          "The picture is right, but check focal length, scene_unit and the plane of focus.");
     if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
-        doubts.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
+        warnings.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
                          "aperture or f_stop.");
     if (lens.diameter > 0.0 && IsSharpBehindOnly(lens))
-        doubts.push_back("The plane of sharp focus lies behind the camera in the whole picture, so that nothing in it can be "
+        warnings.push_back("The plane of sharp focus lies behind the camera in the whole picture, so that nothing in it can be "
                          "sharp. Compare the plane or points with location and look_at, and the sign of the plane's distance.");
-    if (std::hypot(given.shiftRight, given.shiftUp) > kDoubtfulShift * given.filmWidth)
-        doubts.push_back("The frame is shifted by <" + Number(given.shiftRight) + ", " + Number(given.shiftUp) + "> mm on a "
+    if (std::hypot(given.shiftRight, given.shiftUp) > kUnusualShift * given.filmWidth)
+        warnings.push_back("The frame is shifted by <" + Number(given.shiftRight) + ", " + Number(given.shiftUp) + "> mm on a "
                          "film " + Number(given.filmWidth) + " mm wide; real lenses stop at about a third of it. The picture "
                          "is right, but check that the shift is in millimetres of film.");
     const double radius = 0.5 * lens.diameter;
     if (radius * std::hypot(t.x, t.y) >= lens.filmDistance)
-        doubts.push_back("The turned lens is so large that its rim passes through the film: its radius is " +
+        warnings.push_back("The turned lens is so large that its rim passes through the film: its radius is " +
                          Number(radius) + " units, the film is " + Number(lens.filmDistance) + " units away. No "
                          "lens could be built so; check scene_unit, give a smaller aperture or a larger f_stop, or "
                          "turn it less.");
-    return doubts;
+    return warnings;
 }
 
 double TiltOf(const Lens& lens)

@@ -108,7 +108,7 @@ Lens Solve(const CameraFrame& camera, const Statement& given);
 
 /// Sensible pictures that are probably not what was meant: a lens tilt past 15 degrees, a tilt
 /// without an aperture, a lens whose rim passes through the film. One sentence or two each.
-std::vector<std::string> Doubts(const Lens& lens, const Statement& given);
+std::vector<std::string> Warnings(const Lens& lens, const Statement& given);
 
 /// @name Numbers a photographer checks.
 /// @{

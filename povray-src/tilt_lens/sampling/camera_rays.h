@@ -77,11 +77,11 @@ class CameraRayBatch
     {
         first = from;
         count = ahead;
-        std::array<Sample, kMost> samples;
+        std::array<SequencePoint, kMost> points;
         for (std::uint32_t i = 0; i < count; i++)
-            samples[i] = sampler(from.index + i);
+            points[i] = sampler(from.index + i);
         for (std::uint32_t i = 0; i < count; i++)
-            rays[i].sample = emitters.Generate(targets, {from.x, from.y, from.index + i}, samples[i]);
+            rays[i].sample = emitters.Generate(targets, {from.x, from.y, from.index + i}, points[i]);
         for (std::uint32_t i = 0; i < count; i++)
             rays[i].FindRay(lens);
     }

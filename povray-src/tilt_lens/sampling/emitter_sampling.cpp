@@ -61,18 +61,18 @@ bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& p
     return true;
 }
 
-/// The box around a point's disc of confusion, from points of the rim; a little more, since they are few.
+/// The box around a point's disc of confusion, from points of a circle around the opening; a little more, since they are few.
 EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
     constexpr int points = 16;
-    const double rim = aperture.Rim() / std::cos(pi / points);
+    const double radius = aperture.BoundingRadius() / std::cos(pi / points);
     Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
     whole = true;
     for (int i = 0; i < points; i++)
     {
         double x, y;
         const double turn = 2.0 * pi * i / points;
-        whole = whole && PixelPositionOf(centre, {rim * std::cos(turn), rim * std::sin(turn)}, x, y);
+        whole = whole && PixelPositionOf(centre, {radius * std::cos(turn), radius * std::sin(turn)}, x, y);
         if (!whole)
             break;
         box = {std::min(box.left, x), std::max(box.right, x), std::min(box.top, y), std::max(box.bottom, y)};
@@ -147,8 +147,8 @@ bool EmitterSampler::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t
     const FilmPoint film = FilmPointAt(x + 0.5, y + 0.5, width, height);
     const Disc part = PartOfLens(emitter, film.x, film.y);
     const double blur = std::min(box.right - box.left, box.bottom - box.top) - 2.0 * emitter.imageRadius;
-    const double halfPixel = 2.0 * aperture.Rim() * std::sqrt(0.5) / blur;
-    return std::hypot(part.centre.a, part.centre.b) < aperture.Rim() + part.radius + halfPixel;
+    const double halfPixel = 2.0 * aperture.BoundingRadius() * std::sqrt(0.5) / blur;
+    return std::hypot(part.centre.a, part.centre.b) < aperture.BoundingRadius() + part.radius + halfPixel;
 }
 
 EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t y) const
@@ -175,7 +175,7 @@ EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t
     return result;
 }
 
-void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, const Sample& point,
+void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, const SequencePoint& point,
                                     CameraSample& sample) const
 {
     if (point.lensU >= targets.share)
@@ -215,7 +215,7 @@ EmitterSampler::Disc EmitterSampler::PartOfLens(const Kept& emitter, double x, d
 }
 
 /// Sends a sample with the coordinates u, v in [0, 1) at an emitter; false if it goes past the lens or the pixel.
-bool EmitterSampler::SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const Sample& point,
+bool EmitterSampler::SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const SequencePoint& point,
                                CameraSample& sample) const
 {
     if (emitter.chooseLensPoint)

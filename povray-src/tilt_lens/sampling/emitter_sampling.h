@@ -82,7 +82,7 @@ class EmitterSampler
 
     /// @param targets  of the sample's pixel
     /// @param point    of the pixel's sequence
-    CameraSample Generate(const Targets& targets, const SampleId& id, const Sample& point) const
+    CameraSample Generate(const Targets& targets, const SampleId& id, const SequencePoint& point) const
     {
         const FilmPoint film = FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height);
         CameraSample sample{film.x, film.y, {0.0, 0.0}, 1.0, 0.0};
@@ -127,8 +127,8 @@ class EmitterSampler
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
     bool Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const;
-    void SampleEmitters(const Targets& targets, const SampleId& id, const Sample& point, CameraSample& sample) const;
-    bool SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const Sample& point,
+    void SampleEmitters(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
+    bool SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const SequencePoint& point,
                    CameraSample& sample) const;
     double Density(const Kept& emitter, const CameraSample& sample) const;
 };

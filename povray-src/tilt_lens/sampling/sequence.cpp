@@ -150,7 +150,7 @@ PixelSampler::PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     scrambleSeed[3] = static_cast<std::uint32_t>(pixel >> 32);
 }
 
-Sample PixelSampler::operator()(std::uint32_t index) const
+SequencePoint PixelSampler::operator()(std::uint32_t index) const
 {
     Lanes point{};
     for (int place = 0; index != 0; ++place, index >>= 4)

@@ -42,7 +42,7 @@ namespace tilt_lens
 {
 
 /// One point of (0, 1)^4.
-struct Sample
+struct SequencePoint
 {
     double lensU, lensV;    ///< for the aperture map
     double pixelX, pixelY;  ///< position in the pixel's square
@@ -62,7 +62,7 @@ class PixelSampler
     /// @param seed  tells replicates of the pixel apart
     PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed);
 
-    Sample operator()(std::uint32_t index) const;
+    SequencePoint operator()(std::uint32_t index) const;
 
     /// Two more numbers for a sample, as well distributed over the pixel's samples as its lens points,
     /// independent of them and of the pairs with other numbers: the sequence of the lens points in

@@ -168,8 +168,8 @@ void TiltLensParser::Check(Camera& camera)
     {
         TiltLensCamera::Solve(camera);
         if (fresh)
-            for (const std::string& doubt : Doubts(*lens.lens, lens.statement))
-                WarningAt(lens.place, doubt);
+            for (const std::string& warning : Warnings(*lens.lens, lens.statement))
+                WarningAt(lens.place, warning);
     }
     catch (const tilt_lens::OpticsError& error)
     {

@@ -213,12 +213,12 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
             pixels.push_back(ToColour(sampler.Mean(x, y)));
             effort.push_back({sampler.Samples(x, y), sampler.Variance(x, y)});
         }
-    tilt_lens::SamplingStatistics account = sampler.Statistics();
-    account.lightPoints = areaLightPoints;
-    account.lightPointsSkipped = areaLightPointsSkipped;
-    view->Add(account);
-    trace.threadData->Stats()[Number_Of_Pixels] += account.Pixels();
-    trace.threadData->Stats()[Number_Of_Samples] += account.Samples();
+    tilt_lens::SamplingStatistics statistics = sampler.Statistics();
+    statistics.lightPoints = areaLightPoints;
+    statistics.lightPointsSkipped = areaLightPointsSkipped;
+    view->Add(statistics);
+    trace.threadData->Stats()[Number_Of_Pixels] += statistics.Pixels();
+    trace.threadData->Stats()[Number_Of_Samples] += statistics.Samples();
 }
 
 void TiltLensTracer::EstimateWork(unsigned int width, unsigned int height)
@@ -228,7 +228,7 @@ void TiltLensTracer::EstimateWork(unsigned int width, unsigned int height)
     const RenderStatistics& stats = trace.threadData->Stats();
     tilt_lens::CameraRayBatch rays(view->lens, view->emitters, limits.FirstRound());
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
-    while (const auto probe = view->work.NextProbe())
+    while (const auto probe = view->progress.NextProbe())
     {
         const auto before = raysTraced();
         std::vector<Radiance> tried;
@@ -239,7 +239,7 @@ void TiltLensTracer::EstimateWork(unsigned int width, unsigned int height)
             TraceSample(rays.Sampler(), sample, camera, width, result);
             tried.push_back(result.radiance);
         }
-        view->work.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
+        view->progress.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
     }
 }
 
@@ -260,7 +260,7 @@ void TraceTask::TiltLensSampling()
                          highReproducibility && GetSceneData()->radiositySettings.radiosityEnabled, pixels);
         radiosity.AfterTile();
 
-        GetViewData()->GetTiltLens()->work.Finish(AreaOf(rect));
+        GetViewData()->GetTiltLens()->progress.Finish(AreaOf(rect));
         GetViewDataPtr()->AfterTile();
         SendLayers(rect);
         GetViewData()->CompletedRectangle(rect, serial, pixels, 1, finalTrace);

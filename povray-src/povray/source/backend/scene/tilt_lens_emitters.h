@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_emitters.h
-/// The bright objects of a scene, for the camera to aim at.
+/// The bright objects of a scene, for emitter sampling.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_EMITTERS_H
 #define POVRAY_BACKEND_TILT_LENS_EMITTERS_H
@@ -21,7 +21,7 @@ class SceneData;
 /// Every finite object that glows brighter than white by its own finish: `emission` and `ambient` with
 /// its pigment. Parts of unions count one by one, other CSG as a whole. Relative to the camera's location.
 /// Brightness is that of the brightest layer of a plain texture; texture maps are not looked into. It need
-/// not be right: it only decides how many rays are aimed.
+/// not be right: it only decides how many samples are sent at emitters.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 } // namespace pov

@@ -77,7 +77,7 @@ void TiltLensView::AddProgress(POVMS_Object& message) const
 {
     // nothing is done in a mosaic preview or in radiosity's first pass; a little more than the share, so that a
     // sum that is 1 but for rounding reads 100
-    const std::optional<double> share = work.Share();
+    const std::optional<double> share = progress.Share();
     if (share && *share > 0.0)
     {
         message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
@@ -88,19 +88,19 @@ void TiltLensView::AddProgress(POVMS_Object& message) const
 
 std::string TiltLensView::Summary(const TiltLensCost& cost) const
 {
-    boost::mutex::scoped_lock lock(accountMutex);
+    boost::mutex::scoped_lock lock(statisticsMutex);
     std::string text = "Tilt Lens Sampling\n";
     text += Line("  Time.................%.3f seconds, %.3f of CPU on ", cost.seconds, cost.cpuSeconds) +
             Count(cost.threads, "thread") + "\n";
     text += "  Rays................." + Line("%.0f", cost.rays) + ", and " + Count(cost.shadowTests, "test") + " for shadow\n";
     if (aids)
         return text + "  Samples per pixel....1, through the lens centre (focus aids)\n" + Skipped();
-    const double pixels = std::max<double>(1.0, account.Pixels());
-    text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", account.Samples() / pixels,
-                 account.Quantile(0.99), account.Most());
+    const double pixels = std::max<double>(1.0, statistics.Pixels());
+    text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", statistics.Samples() / pixels,
+                 statistics.Quantile(0.99), statistics.Most());
     if (limits.max < 2)
         return text + "  Standard error.......unknown, since one sample a pixel does not tell\n" + Skipped();
-    text += Line("  Standard error.......%.2g of white (estimated), ", account.StandardError());
+    text += Line("  Standard error.......%.2g of white (estimated), ", statistics.StandardError());
     text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance))
                                   : std::string("all samples asked for\n");
     return text + Skipped();
@@ -109,10 +109,10 @@ std::string TiltLensView::Summary(const TiltLensCost& cost) const
 /// What the render left out, had not to do or could not use, a line each.
 std::string TiltLensView::Skipped() const
 {
-    const double pixels = account.Pixels();
+    const double pixels = statistics.Pixels();
     std::string text;
-    const auto stopped = account.pixelsBySamples.find(limits.max);
-    if (limits.variance > 0.0 && stopped != account.pixelsBySamples.end())
+    const auto stopped = statistics.pixelsBySamples.find(limits.max);
+    if (limits.variance > 0.0 && stopped != statistics.pixelsBySamples.end())
     {
         const double share = 100.0 * stopped->second / pixels;
         text += "  Stopped by MAX......." + Count(stopped->second, "pixel") + " (" +
@@ -121,17 +121,17 @@ std::string TiltLensView::Skipped() const
     if (pixelsBefore > 0)
         text += "  Skipped.............." + Count(pixelsBefore, "pixel") + ", done before the render was continued\n";
     if (limits.variance > 0.0)
-        text += Line("  Ended at the minimum.%.0f of ", account.PixelsUpTo(limits.FirstRound())) + Count(pixels, "pixel") +
+        text += Line("  Ended at the minimum.%.0f of ", statistics.PixelsUpTo(limits.FirstRound())) + Count(pixels, "pixel") +
                 ", after " + Count(limits.FirstRound(), "sample") + "\n";
     if (limits.Denoises())
-        text += "  Reconstruction......." + Count(account.reconstructed, "pixel") +
-                Line(", %.0f left as they were\n", pixels - account.reconstructed);
-    if (account.lightPoints > 0)
-        text += "  Area lights.........." + Count(account.lightPoints, "point") +
-                Line(" asked, %.0f more left out\n", account.lightPointsSkipped);
+        text += "  Reconstruction......." + Count(statistics.reconstructed, "pixel") +
+                Line(", %.0f left as they were\n", pixels - statistics.reconstructed);
+    if (statistics.lightPoints > 0)
+        text += "  Area lights.........." + Count(statistics.lightPoints, "point") +
+                Line(" asked, %.0f more left out\n", statistics.lightPointsSkipped);
     if (!emitters.Empty())
-        text += "  Aimed at lamps......." + Count(account.emitterSampled, "sample") +
-                Line(", lamps in view: %.0f\n", emitters.Count());
+        text += "  Emitter samples......" + Count(statistics.emitterSampled, "sample") +
+                Line(", emitters in view: %.0f\n", emitters.Count());
     if (objectsWithInterior > 0)
     {
         const std::size_t hold = std::count_if(aroundLens.begin(), aroundLens.end(),
@@ -139,8 +139,8 @@ std::string TiltLensView::Skipped() const
         text += Line("  Around the lens......%.0f of ", aroundLens.size() - hold) + Count(objectsWithInterior, "interior") +
                 Line(" asked by each ray, %.0f hold all of it\n", hold);
     }
-    if (account.notFinite > 0)
-        text += "  Not finite..........." + Count(account.notFinite, "sample") + ", counted as black\n";
+    if (statistics.notFinite > 0)
+        text += "  Not finite..........." + Count(statistics.notFinite, "sample") + ", counted as black\n";
     return text;
 }
 

@@ -62,8 +62,8 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
                          [](ObjectPtr object) { return object->interior != NULL; });
 }
 
-/// A camera normal bends rays, so that none can be aimed.
-std::vector<tilt_lens::Emitter> EmittersToAimAt(const Camera& camera, const SceneData& scene)
+/// A camera normal bends rays, so that none can be sent at an emitter.
+std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const SceneData& scene)
 {
     return camera.Tnormal == NULL ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
 }
@@ -77,7 +77,7 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
-    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToAimAt(camera, *view.GetSceneData())),
+    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData())),
     blurPerVergence(0.5 * BlurPerVergence(lens, 1.0))
 {
 }
@@ -100,8 +100,8 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
 
 void TiltLensView::Add(const tilt_lens::SamplingStatistics& tile)
 {
-    boost::mutex::scoped_lock lock(accountMutex);
-    account.Add(tile);
+    boost::mutex::scoped_lock lock(statisticsMutex);
+    statistics.Add(tile);
 }
 
 /// A camera with `tilt_lens` gets its threads' common data, tells its numbers and takes over from all
@@ -147,10 +147,10 @@ void View::StartTiltLens(unsigned int& tracingmethod)
 void View::PlanTiltLensWork()
 {
     const POVRect& area = viewData.renderArea;
-    tilt_lens::ProgressEstimator& work = viewData.tiltLens->work;
+    tilt_lens::ProgressEstimator& progress = viewData.tiltLens->progress;
     // trying pixels would change a radiosity cache, and with it the picture
     const bool probing = !viewData.tiltLens->aids && !viewData.sceneData->radiositySettings.radiosityEnabled;
-    work.Plan({area.left, area.top, area.GetWidth(), area.GetHeight()}, probing);
+    progress.Plan({area.left, area.top, area.GetWidth(), area.GetHeight()}, probing);
 
     const std::set<unsigned int>& skipped = viewData.blockSkipList;
     for (unsigned int block = 0; block < viewData.blockWidth * viewData.blockHeight; block++)
@@ -159,7 +159,7 @@ void View::PlanTiltLensWork()
             unsigned int x, y;
             viewData.getBlockXY(block, x, y);
             const unsigned int size = viewData.blockSize, left = area.left + x * size, top = area.top + y * size;
-            work.Finish({left, top, size, size});
+            progress.Finish({left, top, size, size});
             viewData.tiltLens->pixelsBefore += std::min<std::uint64_t>(size, area.right + 1 - left) *
                                                std::min<std::uint64_t>(size, area.bottom + 1 - top);
         }

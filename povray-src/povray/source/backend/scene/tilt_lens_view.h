@@ -3,7 +3,7 @@
 
 /// @file tilt_lens_view.h
 /// What all render threads of a `tilt_lens` picture share: the solved lens, its aperture, the limits
-/// of sampling, and the account of what was spent.
+/// of sampling, and the statistics of what was spent.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_VIEW_H
 #define POVRAY_BACKEND_TILT_LENS_VIEW_H
@@ -74,11 +74,11 @@ class TiltLensView
     /// Of the scene: what would be asked for each ray if it were not known where the lens is.
     const std::size_t objectsWithInterior;
 
-    /// Small bright objects that pixels aim at.
+    /// Small bright objects that pixels send samples at.
     const tilt_lens::EmitterSampler emitters;
 
     /// How much of the work is done, for the progress display.
-    tilt_lens::ProgressEstimator work;
+    tilt_lens::ProgressEstimator progress;
 
     /// Pixels that a continued render has already; set before the first tile.
     std::uint64_t pixelsBefore = 0;
@@ -93,7 +93,7 @@ class TiltLensView
         return std::fabs(1.0 / T - w) * blurPerVergence * width;
     }
 
-    /// Adds the account of a finished tile.
+    /// Adds the statistics of a finished tile.
     void Add(const tilt_lens::SamplingStatistics& tile);
 
     /// Puts the share of the work into a message of progress, in per cent, where it is known.
@@ -109,8 +109,8 @@ class TiltLensView
 
     std::string Skipped() const;
 
-    mutable boost::mutex accountMutex;
-    tilt_lens::SamplingStatistics account;
+    mutable boost::mutex statisticsMutex;
+    tilt_lens::SamplingStatistics statistics;
 };
 
 /// The numbers of a lens that a photographer checks, one a line, for a picture `width` pixels wide; what the
