@@ -40,6 +40,8 @@ RULES = (
     ("target above V of pixels that stand out", 6, "greatestRareTarget=1"),
     ("further target of rare pixels", 6, "greatestRareTarget=1.9"),
     ("limit of the target of pixels that stand out", 6, f"greatestTarget={NEVER}"),
+    ("target in proportion to the samples", 6, f"typicalSampleVariance={ALWAYS}"),
+    ("further target only far beyond what stands out", 6, "rareDeviation=1"),
     ("search for hidden emitters", 7, "hiddenEmitterSamples=0"),
     ("faint differences", 8, "faintDifference=0"),
     ("least risk", 8, "leastRisk=0"),
@@ -64,6 +66,7 @@ EMITTER_RULES = (
     ("emitters of little light left out", 7, f"leastEmitterSquare={ALWAYS}"),
     ("choice of the film point", 7, f"lensPointBlur={ALWAYS}"),
     ("half of the samples at bright emitters", 7, f"brightEmission={NEVER}"),
+    ("a quarter of the samples at faint emitters", 7, "emitterShare=0.5"),
     ("several emitters of a pixel", 7, "emittersOfPixel=1"),
     ("emitter sampling", 7, f"leastEmitterMoment={NEVER}"),
 )

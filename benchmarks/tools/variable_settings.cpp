@@ -39,6 +39,8 @@ const std::map<std::string, Field> fields = {
     FIELD(leastEmitterSquare),
     FIELD(leastEmitterVariance),
     FIELD(lensPointBlur),
+    FIELD(emitterShare),
+    FIELD(brightEmitterShare),
     FIELD(brightEmission),
     FIELD(emittersOfPixel),
     FIELD(hiddenEmitterSamples),

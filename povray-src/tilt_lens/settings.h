@@ -3,19 +3,63 @@
 
 /// @file settings.h
 /// Every number that steers the sampler, the emitter sampling and the reconstruction, with its unit and its meaning.
-/// Sections are those of docs/sampling.md, whose last one has the evidence: what the error costs without each of them.
+/// Sections are those of docs/sampling.md, whose last one has the evidence: of the numbers of Settings, what the error costs
+/// without each of them; of the constants before it, which the compiler must know or which no picture depends on, the reason.
 
 #ifndef TILT_LENS_SETTINGS_H
 #define TILT_LENS_SETTINGS_H
 
+#include <cstddef>
 #include <cstdint>
 
 namespace tilt_lens
 {
 
-/// Side in pixels of the blocks that are sampled and reconstructed together, on a grid fixed to the whole picture. It sets
-/// the size of arrays, so that no other value is tried.
+/// @name Windows and blocks, in pixels unless said otherwise
+/// @{
+/// Side of the blocks that are sampled and reconstructed together, on a grid fixed to the whole picture.
 constexpr std::uint32_t kBlockSide = 16;
+/// Blocks from a pixel's own to the farthest that it depends on (section 10): filtering needs converged neighbours, whose
+/// stop rule needs their neighbours' first rounds.
+constexpr std::int64_t kDependencyRadius = 2;
+/// To the farthest pixels whose sample variance counts for one: 3 by 3 (sections 3 and 4).
+constexpr int kNeighbourRadius = 1;
+constexpr int kNeighbourhoodPixels = (2 * kNeighbourRadius + 1) * (2 * kNeighbourRadius + 1);
+/// To the farthest pixels that local variance ratios and residual variance ratios are pooled over: 5 by 5 (sections 3 and 8).
+constexpr int kRatioRadius = 2;
+/// From the middle of a filter to its end (section 8).
+constexpr int kFilterRadius = 4;
+/// From a pixel to the farthest whose risk counts for it: 7 by 7; and to those whose risk counts in full: 3 by 3 (section 8).
+constexpr int kRiskRadius = 3, kNearRiskRadius = 1;
+/// @}
+
+/// @name Steps and limits of computing
+/// @{
+/// Steps of the iteration for the variance ratio of the mean (section 3).
+constexpr int kRatioIterations = 4;
+/// What greater risks, and those that are no number, are taken for (section 8): sums of 49 of them are still floats.
+constexpr float kGreatestFiniteRisk = 1e12f;
+/// Camera rays that are made at a time; no picture depends on it.
+constexpr std::uint32_t kCameraRaysOfBatch = 8;
+/// Samples of the pixel of each block that the progress display tries; no picture depends on it.
+constexpr std::uint32_t kProbeSamples = 8;
+/// @}
+
+/// @name Emitter sampling (section 7)
+/// @{
+/// Radiance (1 is white) that an object must exceed by its own finish to be an emitter: what is lit by lights is
+/// seldom brighter, and samples find it as they find all else.
+constexpr double kLeastEmitterRadiance = 1.0;
+/// Samples that share one decision about their lens coordinate: the sequence has one of each aligned block of four in each
+/// quarter of it.
+constexpr std::uint32_t kEmitterStratum = 4;
+/// Points around the opening of the lens from which an emitter's disc of confusion is bounded.
+constexpr int kBlurBoxPoints = 16;
+/// Bins of pixels in a row or column of the picture, at most; their least side in pixels; and the emitters that a bin lists,
+/// the brightest.
+constexpr std::uint32_t kEmitterBins = 64, kLeastEmitterBinSide = 8;
+constexpr std::size_t kEmittersOfBin = 1024;
+/// @}
 
 struct Settings
 {
@@ -67,8 +111,9 @@ struct Settings
     double leastEmitterSquare = 0.25, leastEmitterVariance = 1e-6;
     /// Blur, in pixels, from which on the lens point is chosen and not the film point.
     double lensPointBlur = 1.5;
-    /// Expected emission in a pixel (1 is white) above which it sends a half of its samples at emitters, else a quarter.
-    double brightEmission = 0.1;
+    /// Share of a pixel's samples that is sent at emitters, and that where their expected emission in the pixel (1 is white)
+    /// is above brightEmission. Multiples of 1 / kEmitterStratum.
+    double emitterShare = 0.25, brightEmitterShare = 0.5, brightEmission = 0.1;
     /// Emitters that one pixel's samples are sent at, at most: the brightest.
     std::uint32_t emittersOfPixel = 16;
     /// Emitter samples that must have missed before the emitter is believed hidden: an object fills only a part of the

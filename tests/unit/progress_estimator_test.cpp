@@ -4,6 +4,7 @@
 // The share of the work that is done: what is expected of a pixel, and how tiles add up.
 
 #include "tilt_lens/sampling/progress_estimator.h"
+#include "tilt_lens/settings.h"
 
 #include <cmath>
 #include <limits>
@@ -95,7 +96,7 @@ TEST(ProgressEstimator, TriesAPixelOfEachBlockInThePart)
     while (const std::optional<ProgressEstimator::Probe> probe = map.NextProbe())
     {
         EXPECT_TRUE(part.Has(probe->x, probe->y)) << probe->x << ", " << probe->y;
-        blocks.insert({(probe->x - 100) / ProgressEstimator::kBlock, (probe->y - 7) / ProgressEstimator::kBlock});
+        blocks.insert({(probe->x - 100) / kBlockSide, (probe->y - 7) / kBlockSide});
     }
     EXPECT_EQ(blocks.size(), 3u * 4u);
 }

@@ -55,8 +55,6 @@ class BlockStatistics
 class PaddedBlock
 {
   public:
-    static constexpr int kFilterRadius = 4;  ///< pixels from the middle of a filter to its end
-    static constexpr int kRiskRadius = 3;    ///< pixels from a pixel to the farthest whose risk counts for it
     static constexpr int kBorder = kFilterRadius + kRiskRadius;
     static constexpr int kRows = int(kBlockSide) + 2 * kBorder;
     static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< as many, rounded up to whole vector registers

@@ -17,15 +17,9 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kColumns = PaddedBlock::kColumns, kRiskRadius = PaddedBlock::kRiskRadius;
+constexpr int kColumns = PaddedBlock::kColumns;
 constexpr int kSide = int(kBlockSide);
 constexpr int kPixels = kSide * kSide;
-
-/// Of the window whose mean risk counts in full.
-constexpr int kNearRadius = 1;
-
-/// What a pixel's risk is taken for where it is more, or no number.
-constexpr float kHugeRisk = 1e12f;
 
 using Plane = PaddedBlock::Plane;
 
@@ -109,8 +103,8 @@ class FilteredRows
         const auto filter = [](const Part& part, const Plane& from, Plane& to)
         {
             Part higher = part;
-            higher.top -= PaddedBlock::kFilterRadius;
-            higher.bottom += PaddedBlock::kFilterRadius;
+            higher.top -= kFilterRadius;
+            higher.bottom += kFilterRadius;
             higher.ForEachFour([&](int i) { Store(&to[i], Filtered<kFilter>(&from[i], 1)); });
         };
         for (int c = 0; c < kChannels; c++)
@@ -157,7 +151,7 @@ class RiskWeightedMean
             Store(&noises[i], unit * variance);
         });
         MeanAround<kRiskRadius>(noises, rows, noiseAround);
-        MeanAround<kNearRadius>(noises, rows, noiseNear);
+        MeanAround<kNearRiskRadius>(noises, rows, noiseNear);
     }
 
     /// @param candidate  linear in the pixels: its Mean(channel, i) of the four pixels at place i, the same filter's
@@ -167,7 +161,7 @@ class RiskWeightedMean
     {
         FindRisk(candidate);
         MeanAround<kRiskRadius>(limited, rows, riskAround);
-        MeanAround<kNearRadius>(risk, rows, riskNear);
+        MeanAround<kNearRiskRadius>(risk, rows, riskNear);
         wanted.ForEachFour([&](int i)
         {
             const Float4 weight = WeightOf(i);
@@ -219,7 +213,7 @@ class RiskWeightedMean
                 squares += difference * difference;
             }
             const Float4 noise = Load<Float4>(&noises[i]), all = squares * Load<Float4>(&units[i]) - noiseTaken * noise;
-            const Float4 whole = Min(all, Float4() + kHugeRisk);
+            const Float4 whole = Min(all, Float4() + kGreatestFiniteRisk);
             Store(&risk[i], whole);
             Store(&limited[i], Min(whole, settings.riskLimit * noise));
         });
@@ -244,8 +238,8 @@ BlockPlane ResidualVarianceRatio(const BlockPlane& before, const BlockPlane& aft
         for (int x = 0; x < kSide; x++)
         {
             float b = 0.0f, a = 0.0f, squared = 0.0f;
-            for (int v = std::max(0, y - 2); v <= std::min(kSide - 1, y + 2); v++)
-                for (int u = std::max(0, x - 2); u <= std::min(kSide - 1, x + 2); u++)
+            for (int v = std::max(0, y - kRatioRadius); v <= std::min(kSide - 1, y + kRatioRadius); v++)
+                for (int u = std::max(0, x - kRatioRadius); u <= std::min(kSide - 1, x + kRatioRadius); u++)
                 {
                     b += before[v * kSide + u];
                     squared += before[v * kSide + u] * before[v * kSide + u];

@@ -5,15 +5,13 @@
 
 #include <algorithm>
 
+#include "tilt_lens/settings.h"
+
 namespace tilt_lens
 {
 
 namespace
 {
-
-/// Blocks from a pixel's own to the farthest that it depends on: filtering needs converged neighbours, whose stop rule needs
-/// their neighbours' first rounds.
-constexpr std::int64_t kDependencyRadius = 2;
 
 std::uint32_t Overlap(std::uint32_t beginA, std::uint32_t endA, std::uint32_t beginB, std::uint32_t endB)
 {

@@ -14,6 +14,7 @@
 
 #include "tilt_lens/camera/ray.h"
 #include "tilt_lens/sampling/emitter_sampling.h"
+#include "tilt_lens/settings.h"
 
 namespace tilt_lens
 {
@@ -41,7 +42,7 @@ class CameraRayBatch
   public:
     /// @param first  samples that each pixel gets in its first round
     CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, std::uint32_t first) :
-        lens(lens), emitters(emitters), ahead(std::min(kMost, first))
+        lens(lens), emitters(emitters), ahead(std::min(kCameraRaysOfBatch, first))
     {
     }
 
@@ -62,8 +63,6 @@ class CameraRayBatch
     const PixelSampler& Sampler() const { return sampler; }
 
   private:
-    static constexpr std::uint32_t kMost = 8;
-
     const Lens& lens;
     const EmitterSampler& emitters;
     const std::uint32_t ahead;  ///< rays made at a time; rounds of samples are no shorter, so that none is made in vain
@@ -71,13 +70,13 @@ class CameraRayBatch
     EmitterSampler::Targets targets;
     SampleId first{};
     std::uint32_t count = 0;
-    std::array<CameraRay, kMost> rays;
+    std::array<CameraRay, kCameraRaysOfBatch> rays;
 
     void Make(const SampleId& from)
     {
         first = from;
         count = ahead;
-        std::array<SequencePoint, kMost> points;
+        std::array<SequencePoint, kCameraRaysOfBatch> points;
         for (std::uint32_t i = 0; i < count; i++)
             points[i] = sampler(from.index + i);
         for (std::uint32_t i = 0; i < count; i++)

@@ -36,7 +36,7 @@ std::vector<Radiance> VarianceAround(const BlockEstimate& estimate)
     std::vector<Radiance> variance;
     for (const PixelEstimate& pixel : estimate.pixels)
         variance.push_back(pixel.statistics.Variation().variance);
-    return WindowMeans<1>(variance, estimate.area.width);
+    return WindowMeans<kNeighbourRadius>(variance, estimate.area.width);
 }
 
 /// A candidate's variance after the reconstruction.

@@ -17,11 +17,6 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Samples that share one decision about their lens coordinate: the sequence has one of each aligned block of four in each
-/// quarter of it.
-constexpr std::uint32_t kStratum = 4;
-constexpr std::size_t kMostOfBin = 1024;  // of the brightest emitters: bounds time and memory
-
 /// Film point of a direction, as MakeRay takes it; `up` may lean against `right`.
 void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
 {
@@ -35,9 +30,9 @@ void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
 EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
                                std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all) :
     lens(itsLens), aperture(itsAperture), width(itsWidth), height(itsHeight),
-    usable(limits.max / kStratum * kStratum)
+    usable(limits.max / kEmitterStratum * kEmitterStratum)
 {
-    if (limits.FirstRound() < kStratum)
+    if (limits.FirstRound() < kEmitterStratum)
         return;
     for (const Emitter& emitter : all)
         Keep(emitter, limits.variance);
@@ -64,14 +59,13 @@ bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& p
 /// The box around a point's disc of confusion, from points of a circle around the opening; a little more, since they are few.
 EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
-    constexpr int points = 16;
-    const double radius = aperture.BoundingRadius() / std::cos(pi / points);
+    const double radius = aperture.BoundingRadius() / std::cos(pi / kBlurBoxPoints);
     Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
     whole = true;
-    for (int i = 0; i < points; i++)
+    for (int i = 0; i < kBlurBoxPoints; i++)
     {
         double x, y;
-        const double turn = 2.0 * pi * i / points;
+        const double turn = 2.0 * pi * i / kBlurBoxPoints;
         whole = whole && PixelPositionOf(centre, {radius * std::cos(turn), radius * std::sin(turn)}, x, y);
         if (!whole)
             break;
@@ -112,8 +106,7 @@ bool EmitterSampler::Keep(const Emitter& emitter, double variance)
 /// Notes for bins of pixels which emitters may be seen there, so that a pixel asks few.
 void EmitterSampler::Distribute()
 {
-    constexpr double most = 64.0;  // bins in a row or column: bounds the memory
-    binSide = std::max<std::uint32_t>(8, std::uint32_t(std::ceil(std::max(width, height) / most)));
+    binSide = std::max(kLeastEmitterBinSide, std::uint32_t(std::ceil(std::max(width, height) / kEmitterBins)));
     columns = std::uint32_t(std::ceil(width / binSide));
     const std::uint32_t rows = std::uint32_t(std::ceil(height / binSide));
     bins.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
@@ -130,7 +123,7 @@ void EmitterSampler::Distribute()
         const std::uint32_t bottom = std::uint32_t(std::min(height - 1.0, box.bottom)) / binSide;
         for (std::uint32_t row = top; row <= bottom; row++)
             for (std::uint32_t column = left; column <= right; column++)
-                if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < kMostOfBin)
+                if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < kEmittersOfBin)
                     list.push_back(i);
     }
 }
@@ -169,7 +162,7 @@ EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t
     if (result.targets.empty())
         return result;
     // the more of the pixel's light they bring, the less the rest matters
-    result.share = emission > settings.brightEmission ? 0.5 : 0.25;
+    result.share = emission > settings.brightEmission ? settings.brightEmitterShare : settings.emitterShare;
     for (Targets::Target& target : result.targets)
         target.share *= result.share / emission;
     return result;

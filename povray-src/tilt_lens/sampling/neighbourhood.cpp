@@ -37,8 +37,8 @@ SampleVariation Neighbourhood::Around(const BlockEstimate& estimate, std::size_t
     const std::int64_t left = pixel % area.width, top = pixel / area.width;
     SampleVariation around;
     int count = 0;
-    for (std::int64_t y = top - 1; y <= top + 1; y++)
-        for (std::int64_t x = left - 1; x <= left + 1; x++)
+    for (std::int64_t y = top - kNeighbourRadius; y <= top + kNeighbourRadius; y++)
+        for (std::int64_t x = left - kNeighbourRadius; x <= left + kNeighbourRadius; x++)
         {
             if (x >= 0 && x < area.width && y >= 0 && y < area.height)
                 around.Merge(estimate.pixels[y * area.width + x].statistics.Variation());

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tilt_lens/settings.h"
+
 namespace tilt_lens
 {
 
@@ -32,15 +34,15 @@ void ProgressEstimator::Plan(const Area& rendered, bool probing)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     area = rendered;
-    columns = (area.width + kBlock - 1) / kBlock;
-    const std::size_t blocks = std::size_t(columns) * ((area.height + kBlock - 1) / kBlock);
+    columns = (area.width + kBlockSide - 1) / kBlockSide;
+    const std::size_t blocks = std::size_t(columns) * ((area.height + kBlockSide - 1) / kBlockSide);
     weights.assign(blocks, 1.0);
     pixels.assign(blocks, 0);
     finished.assign(blocks, 0);
-    for (std::uint32_t y = 0; y < area.height; y += kBlock)
-        for (std::uint32_t x = 0; x < area.width; x += kBlock)
-            pixels[y / kBlock * columns + x / kBlock] =
-                std::min(kBlock, area.width - x) * std::min(kBlock, area.height - y);
+    for (std::uint32_t y = 0; y < area.height; y += kBlockSide)
+        for (std::uint32_t x = 0; x < area.width; x += kBlockSide)
+            pixels[y / kBlockSide * columns + x / kBlockSide] =
+                std::min(kBlockSide, area.width - x) * std::min(kBlockSide, area.height - y);
     given = tried = probing ? 0 : blocks;
     all = double(area.width) * area.height;
     done = 0.0;
@@ -52,8 +54,8 @@ std::optional<ProgressEstimator::Probe> ProgressEstimator::NextProbe()
     if (given == weights.size())
         return {};
     const std::size_t block = given++;
-    const auto middle = [](std::uint32_t from, std::uint32_t end) { return from + std::min(kBlock, end - from) / 2; };
-    const std::uint32_t x = block % columns * kBlock, y = block / columns * kBlock;
+    const auto middle = [](std::uint32_t from, std::uint32_t end) { return from + std::min(kBlockSide, end - from) / 2; };
+    const std::uint32_t x = block % columns * kBlockSide, y = block / columns * kBlockSide;
     return Probe{block, area.left + middle(x, area.width), area.top + middle(y, area.height)};
 }
 
@@ -73,7 +75,7 @@ void ProgressEstimator::Finish(const Area& tile)
         for (std::uint32_t x = tile.left; x < tile.Right(); x++)
             if (area.Has(x, y))
             {
-                const std::size_t block = (y - area.top) / kBlock * columns + (x - area.left) / kBlock;
+                const std::size_t block = (y - area.top) / kBlockSide * columns + (x - area.left) / kBlockSide;
                 finished[block]++;
                 done += weights[block];
             }

@@ -51,7 +51,7 @@ double VarianceRatioTerms::Ratio(double before, double prior, double pixels) con
 double RatioOfMean(double dualBufferRatio, double samples)
 {
     double ratio = std::min(1.0, dualBufferRatio);
-    for (int i = 0; i < 4 && ratio > 0.0; i++)
+    for (int i = 0; i < kRatioIterations && ratio > 0.0; i++)
         ratio = std::min(1.0, dualBufferRatio / (std::exp2(1.0 - std::log(ratio) / std::log(samples)) - 1.0));
     return ratio;
 }
@@ -76,16 +76,15 @@ void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples)
 
 std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate)
 {
-    constexpr int radius = 2;
     std::vector<VarianceRatioTerms> terms(estimate.pixels.size());
     for (std::size_t i = 0; i < terms.size(); i++)
         terms[i].Add(estimate.pixels[i].statistics);
-    terms = WindowMeans<radius>(terms, estimate.area.width);
+    terms = WindowMeans<kRatioRadius>(terms, estimate.area.width);
     std::vector<double> ratios;
     for (std::size_t i = 0; i < terms.size(); i++)
     {
         const double ofQuadrant = estimate.dualBufferRatio[estimate.QuadrantOf(i)];
-        const double around = terms[i].Ratio(ofQuadrant, settings.localRatioPrior, Square(2 * radius + 1));
+        const double around = terms[i].Ratio(ofQuadrant, settings.localRatioPrior, Square(2 * kRatioRadius + 1));
         // the dual buffers overstate all ratios of a quadrant alike
         ratios.push_back(ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, around) / ofQuadrant : 0.0);
     }

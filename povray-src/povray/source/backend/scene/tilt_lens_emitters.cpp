@@ -12,6 +12,7 @@
 #include "backend/shape/csg.h"
 #include "backend/shape/spheres.h"
 #include "backend/texture/texture.h"
+#include "tilt_lens/settings.h"
 
 #include "base/povdebug.h"
 
@@ -68,7 +69,7 @@ void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, std
     if (object->BBox.Lengths[X] > CRITICAL_LENGTH)
         return;  // infinite: nobody can miss it
     const double light = LightOf(object->Texture, scene.ambientLight);
-    if (light > 1.0)
+    if (light > tilt_lens::kLeastEmitterRadiance)
         emitters.push_back(Around(object, camera, light));
 }
 
