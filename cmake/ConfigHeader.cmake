@@ -26,7 +26,7 @@ configure_file("${CMAKE_CURRENT_LIST_DIR}/config.h.in" "${POVRAY_GENERATED}/conf
 # Printed in the list of libraries at the start of a render; unknown is spelt "" as upstream does.
 file(CONFIGURE OUTPUT "${POVRAY_GENERATED}/jversion.h" CONTENT "#define JVERSION \"${JPEG_VERSION}\"\n")
 
-# The name of this build, printed in the version lines. It is a definition of the two files that print it
+# The name of this build, printed in the version lines and noted in state files. It is a definition of the files that use it
 # and no line of config.h: a changed patch must not recompile everything.
 if(TILT_LENS_PATCHES)
     patched_source_series_hash(series_hash "${TILT_LENS_SERIES}")

@@ -6,6 +6,7 @@
 
 #include "base/file_list.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -20,6 +21,9 @@ namespace tilt_lens
 
 namespace
 {
+
+std::mutex sceneFilesMutex; // photons are loaded beside the parser
+std::vector<std::string> sceneFiles;
 
 /// Appends an entry to the list, where there is one and it has none such yet.
 void List(const std::string &entry)
@@ -50,11 +54,28 @@ void List(const std::string &entry)
 void ListFile(const std::string &name, bool found)
 {
     List((found ? '+' : '-') + name);
+    if (!found)
+        return;
+    const std::lock_guard<std::mutex> lock(sceneFilesMutex);
+    if (std::find(sceneFiles.begin(), sceneFiles.end(), name) == sceneFiles.end())
+        sceneFiles.push_back(name);
 }
 
 void ListPicture(const std::string &name)
 {
     List('=' + name);
+}
+
+void StartSceneFiles()
+{
+    const std::lock_guard<std::mutex> lock(sceneFilesMutex);
+    sceneFiles.clear();
+}
+
+std::vector<std::string> SceneFiles()
+{
+    const std::lock_guard<std::mutex> lock(sceneFilesMutex);
+    return sceneFiles;
 }
 
 }

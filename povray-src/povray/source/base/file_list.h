@@ -9,11 +9,14 @@
 /// picture could be another. So is every picture and every file of layers that was written whole. Each entry is
 /// `+` (read), `-` (missing) or `=` (written), the name as it was used (relative to the current folder), and a
 /// zero byte, so that any name is possible. Each name is listed once a run.
+///
+/// The names of the files that the present scene has read are kept as well: they belong to the key of a state file.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H
 
 #include <string>
+#include <vector>
 
 namespace tilt_lens
 {
@@ -23,6 +26,12 @@ void ListFile(const std::string &name, bool found);
 
 /// Lists a picture that was written; fails in the same way.
 void ListPicture(const std::string &name);
+
+/// The parsing of a scene begins: nothing was read for it yet.
+void StartSceneFiles();
+
+/// What was read since then, each name once, in the order of reading.
+std::vector<std::string> SceneFiles();
 
 }
 
