@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Parts of ./focus without a page: the text of scenes, messages of POV-Ray, options, the include file's lenses."""
 
+import re
 import unittest
 
 from tests.focus import harness
 from tools.focus import focus, povray, scene_text
 from tools.focus.scene_text import Doubt, with_block
+from tools.repository import ROOT
 
 BLOCK = "tilt_lens {\n  f_stop 2\n}"
 HIDDEN = """// camera { }
@@ -47,6 +49,16 @@ class SceneText(unittest.TestCase):
         ):
             with self.subTest(text), self.assertRaises(Doubt):
                 with_block(text, line, BLOCK, items)
+
+    def test_an_item_that_the_page_does_not_write_is_not_lost(self):
+        for item in scene_text.NOT_WRITTEN:
+            with self.assertRaisesRegex(Doubt, f"has {item}, which would be lost"):
+                with_block(f"camera {{ tilt_lens {{ tilt 3 {item} off }} }}", 1, BLOCK, {})
+
+    def test_each_item_of_the_language_is_written_or_kept(self):
+        source = ROOT / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp"
+        items = re.findall(r'^    \{"(\w+)", ', source.read_text(), re.MULTILINE)
+        self.assertEqual(sorted(items), sorted(scene_text.WRITTEN + scene_text.NOT_WRITTEN))
 
     def test_version(self):
         self.assertEqual(scene_text.version_of("// #version 3.5;\n#version 3.7;\n"), "3.7")

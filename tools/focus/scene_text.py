@@ -4,6 +4,11 @@
 
 import re
 
+# Items of a block that the page writes, and those that it knows nothing of.
+WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "tilt", "swing", "focus_tilt",
+           "focus_swing", "focal_plane", "focal_points")
+NOT_WRITTEN = ("denoise", "focus_peaking", "focus_map", "show_planes")
+
 
 class Doubt(Exception):
     """The block cannot be put into the text without a guess; says why."""
@@ -116,6 +121,9 @@ def with_block(text, line, block, items):
         start, inner, stop = blocks[0]
         if "#" in code[inner:stop]:
             raise Doubt("the block has directives such as #if, which would be lost")
+        lost = [item for item in NOT_WRITTEN if re.search(rf"\b{item}\b", code[inner:stop])]
+        if lost:
+            raise Doubt(f"the block has {' and '.join(lost)}, which would be lost")
         indent = line_indent(body, start) if body[:start].strip() else "  "
         before = body[:start]
         lead = re.search(r"[ \t]*$", before).group()
