@@ -6,10 +6,9 @@ point of the lens. The unpatched program has no other way to tilt the plane of s
 import concurrent.futures
 import dataclasses
 import math
-import re
 import shutil
 
-from benchmarks.lab import ACCUMULATE, TILT_LENS, Failed, digest, run_measured
+from benchmarks.lab import ACCUMULATE, TILT_LENS, Failed, cpu_of_rays, digest, run_measured
 
 PROCESSES = 16      # the program idles between frames
 
@@ -21,10 +20,10 @@ def frames(lab, shot, first, last, count, folder):
     command = [lab.stock, *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/f.exr", "+FE",
                "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"]
     messages, cpu, _ = run_measured(command, folder)
-    traced = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
+    traced = cpu_of_rays(messages)
     if len(traced) != last - first + 1:
         raise Failed(f"{shot}: {len(traced)} trace times for frames {first} to {last}")
-    return sum(map(float, traced)), cpu
+    return sum(traced), cpu
 
 
 def cpu_of_frames(lab, shot, count, folder):
@@ -39,10 +38,10 @@ def cpu_of_frames(lab, shot, count, folder):
 def measure(lab, scene, tilted):
     """(CPU seconds of the rays, RMSE) for each number of frames."""
     # untilted it is only drawn
-    count = min(64, scene.frames) if lab.quick else scene.frames if tilted else scene.frames//4
+    count = min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames//4
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)
-    key = digest("accumulation of OpenEXR", lab.hashes[lab.stock], shot.arguments()[2:], shot.sources(), reference.name, count)
+    key = digest("accumulation of OpenEXR", lab.hashes[lab.stock], shot.settings(), shot.sources(), reference.name, count)
     record = lab.runs.get((key, 0))
     if record is None:
         lab.say(f"  accumulation buffer of {count} frames")

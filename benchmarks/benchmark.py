@@ -13,16 +13,20 @@ from benchmarks import (
     accumulation,
     builds,
     camera_share,
+    comparison,
     contract,
+    cycles,
     growth,
     instructions,
     pages,
     pan_focus,
     plots,
     post,
+    preview,
     reconstruction,
     report,
     suite,
+    tables,
     tilt_cost,
     tilted,
     versus_stock,
@@ -30,9 +34,11 @@ from benchmarks import (
 from benchmarks.lab import Failed, Lab
 from tools.repository import BUILD
 
-PARTS = ("stock", "tilted", "denoise", "pan", "tilt", "instructions", "loops", "growth", "contract", "builds",
-         "ablation")
-NAMES = [scene.name for scene in suite.SCENES]
+PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "denoise", "pan", "tilt", "instructions", "loops", "growth",
+         "contract", "crops", "builds", "ablation")
+NAMES = [*[scene.name for scene in suite.SCENES], *suite.DISPLAY]
+# Parts whose short form is shown in the pages, too: the page then says so by the size of its pictures.
+SHORT = {"display", "lamps", "cycles", "preview", "crops", "ablation"}
 
 
 def chosen(text, names, what, parser):
@@ -47,7 +53,8 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="fewer settings: some CPU minutes")
     parser.add_argument("--full", dest="quick", action="store_false", help="all settings (default)")
-    parser.add_argument("--scenes", default=",".join(NAMES), help="of " + ", ".join(NAMES))
+    parser.add_argument("--scenes", help=f"of {', '.join(NAMES)}; all if not given, with --quick of the last nine only "
+                        + ",".join(suite.QUICK_DISPLAY))
     parser.add_argument("--parts", help=f"of {', '.join(PARTS)}; all if not given, with --quick only stock,tilted")
     parser.add_argument("--ours", type=pathlib.Path, default=BUILD / "bin" / "povray", help="the patched program")
     parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray", help="the unpatched program")
@@ -62,10 +69,16 @@ def arguments():
     parser.add_argument("--update-docs", action="store_true", help="keep the results in docs/benchmarks and show them in the pages of docs/")
     parser.add_argument("--pages", action="store_true", help="measure nothing; write the pages from docs/benchmarks")
     args = parser.parse_args()
-    args.scenes = chosen(args.scenes, NAMES, "scene", parser)
+    usual = args.scenes is None
+    args.scenes = NAMES if usual else chosen(args.scenes, NAMES, "scene", parser)
+    args.display = [name for name in suite.DISPLAY
+                    if name in (suite.QUICK_DISPLAY if usual and args.quick else args.scenes)]
     args.parts = chosen(args.parts or ("stock,tilted" if args.quick else ",".join(PARTS)), PARTS, "part", parser)
-    if args.update_docs and (args.quick and args.parts != ["ablation"] or args.scenes != NAMES):
-        parser.error("--update-docs takes all settings and all scenes, not --scenes, and --quick only with --parts ablation")
+    if args.update_docs and (args.quick and not {*args.parts} <= SHORT or not usual):
+        parser.error("--update-docs takes all settings and all scenes, not --scenes, and --quick only with --parts "
+                     + ",".join(sorted(SHORT)))
+    if "display" in args.parts and not args.display:
+        parser.error(f"part display needs one of the scenes {', '.join(suite.DISPLAY)}")
     if args.pages:
         return args
     programs = [args.ours, args.stock] + [args.unpatched] * ("instructions" in args.parts) + [args.fast] * ("builds" in args.parts)
@@ -79,9 +92,9 @@ def measure_scenes(lab, args, results, runs):
     """Parts stock and tilted, scene by scene; comparisons into results, records into runs."""
     for scene in (scene for scene in suite.SCENES if scene.name in args.scenes):
         untilted = versus_stock.measure(lab, scene)
-        lines = versus_stock.compare(untilted)
+        lines = versus_stock.compare(scene, untilted)
         for line in lines:
-            lab.say(f"  as stock with {line['target']}: {report.ratio_cell(line)}")
+            lab.say(f"  as stock with {line['target']}: {tables.ratio_cell(line)}")
         if "stock" in args.parts:
             runs += untilted + accumulation.measure(lab, scene, 0) + post.measure(lab, scene, 0)
             results.setdefault("stock", {})[scene.name] = lines
@@ -99,6 +112,18 @@ def measure(lab, args):
     if {"stock", "tilted"} & set(args.parts):
         measure_scenes(lab, args, results, runs)
     scenes = [scene for scene in suite.SCENES if scene.name in args.scenes]
+    if "display" in args.parts:
+        results["display"], of_display = comparison.display(lab, args.display)
+        runs += of_display
+    if "lamps" in args.parts:
+        results["lamps"], of_lamps = comparison.compare(lab, [scene for scene in scenes if scene.name in suite.LAMPS])
+        runs += [] if {"stock", "tilted"} & set(args.parts) else of_lamps
+    if "cycles" in args.parts:
+        found = cycles.measure(lab)
+        if found:
+            results["cycles"] = found
+    if "preview" in args.parts:
+        results["preview"] = preview.measure(lab)
     if "denoise" in args.parts:
         results["denoise"] = [row for scene in scenes for row in reconstruction.measure(lab, scene)]
     if "pan" in args.parts:
@@ -116,6 +141,9 @@ def measure(lab, args):
         results["growth"] = growth.measure(lab)
     if "contract" in args.parts:
         results["contract"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt)]
+    if "crops" in args.parts:
+        results["crops"] = [row for scene in scenes for tilt in (0, 1)
+                            for row in contract.measure(lab, scene, tilt, contract.CROP)]
     if "builds" in args.parts:
         results["builds"] = builds.measure(lab, scenes, args.fast.resolve())
     if "ablation" in args.parts:
@@ -126,7 +154,7 @@ def measure(lab, args):
 def draw(folder, results, runs):
     """Plots, and the records of all runs."""
     for name in sorted({record["scene"] for record in runs} & set(NAMES)):
-        for tilt, title in ((0, report.TITLES[name]), (1, report.TITLES[name] + ", tilted")):
+        for tilt, title in ((0, tables.TITLES[name]), (1, tables.TITLES[name] + ", tilted")):
             records = [record for record in runs if record["scene"] == name and record.get("tilted", 0) == tilt]
             if records:
                 plots.errors(folder / f"{name}{'_tilted' if tilt else ''}.svg", title, records)
@@ -134,7 +162,7 @@ def draw(folder, results, runs):
         rows = [row for row in results["growth"] if row["series"] == name]
         plots.growth(folder / f"growth_{name.replace(' ', '_')}.svg", name, rows)
     if runs:
-        report.write_csv(folder / "runs.csv", runs)
+        tables.write_csv(folder / "runs.csv", runs)
 
 
 def update_docs(folder, program, results):

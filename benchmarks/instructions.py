@@ -22,7 +22,7 @@ CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
 def count(lab, binary, shot, times=1, within=None):
     """Instructions of a whole run, or of a function with all its callees. The count varies slightly where threads wait for
     each other; the result is the least of several runs."""
-    key = digest("callgrind", binary.read_bytes(), shot.arguments()[2:], shot.sources(), *filter(None, [within]))
+    key = digest("callgrind", binary.read_bytes(), shot.settings(), shot.sources(), *filter(None, [within]))
     record = lab.runs.get((key, 0))
     if record is None:
         with tempfile.TemporaryDirectory() as folder:

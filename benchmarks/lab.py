@@ -16,6 +16,7 @@ import time
 from tools.repository import ROOT
 
 SCENES = ROOT / "benchmarks" / "scenes"
+INCLUDE = ROOT / "scenes" / "include"
 PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # Form of scenes/camera.inc
 
 
@@ -49,6 +50,16 @@ def run_measured(command, cwd, low_priority=False):
 
 
 @dataclasses.dataclass(frozen=True)
+class Part:
+    """A part of a larger picture: where it begins, and the size of the whole."""
+
+    left: int
+    top: int
+    columns: int
+    rows: int
+
+
+@dataclasses.dataclass(frozen=True)
 class Shot:
     """One render: the values of its command line."""
 
@@ -59,13 +70,28 @@ class Shot:
     declare: tuple = ()         # (name, value) pairs
     options: tuple = ()         # further options of the program
     threads: int = 1
+    part: Part = None           # what larger picture this is a part of
+    folder: pathlib.Path = SCENES
 
     def arguments(self):
-        width, height = self.size
-        settings = (("Form", self.form), ("Tilted", self.tilted), *self.declare)
-        return [f"+I{SCENES / self.scene}.pov", f"+L{SCENES}", f"+W{width}", f"+H{height}", "-D", "-P",
-                "-C", "-A", f"+WT{self.threads}", *[f"Declare={name}={value}" for name, value in settings],
-                *self.options]
+        return [f"+I{self.folder / self.scene}.pov", f"+L{SCENES}", f"+L{INCLUDE}", *self.settings()]
+
+    def settings(self):
+        """The arguments that name no file. A part is a picture of its own with a camera that sees nothing else; but stock
+        turns its lens with `direction`, so that it renders some rows and columns of the whole picture."""
+        (width, height), part = self.size, self.part
+        settings, options = (("Form", self.form), ("Tilted", self.tilted), *self.declare), self.options
+        if part and self.form == STOCK:
+            options = (f"+SC{part.left + 1}", f"+EC{part.left + width}", f"+SR{part.top + 1}", f"+ER{part.top + height}", *options)
+            width, height = part.columns, part.rows
+        elif part:
+            settings += (("Columns", part.columns), ("Rows", part.rows), ("Left", part.left), ("Top", part.top))
+        return [f"+W{width}", f"+H{height}", "-D", "-P", "-C", "-A", f"+WT{self.threads}",
+                *[f"Declare={name}={value}" for name, value in settings], *options]
+
+    def place(self):
+        """Options of the tool `noise`: where the picture is in what the program writes."""
+        return ["--at", f"{self.part.left},{self.part.top}"] if self.part and self.form == STOCK else []
 
     def independent(self, number):
         """The same picture with samples that are independent of those of other numbers (1 and more): the inner part of a
@@ -77,12 +103,13 @@ class Shot:
                      f"+ER{border + height}"))
 
     def sources(self):
-        """The texts of the scene and of the files that it includes from this folder."""
+        """The texts of the scene and of the files of this project that it includes."""
         found, wanted = {}, [f"{self.scene}.pov"]
         while wanted:
             name = wanted.pop()
-            if name not in found and (SCENES / name).is_file():
-                found[name] = (SCENES / name).read_bytes()
+            path = next((folder / name for folder in (self.folder, SCENES, INCLUDE) if (folder / name).is_file()), None)
+            if name not in found and path:
+                found[name] = path.read_bytes()
                 wanted += re.findall(r'#include\s+"([^"]+)"', found[name].decode())
         return b"".join(found[name] for name in sorted(found))
 
@@ -154,7 +181,7 @@ class Lab:
         if shot.form == PINHOLE:     # a lens of almost no diameter: as sharp as a pinhole, with many samples
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples//2 if self.quick else samples
-        name = digest(shot.arguments()[2:], shot.sources(), batches, samples)
+        name = digest(shot.settings(), shot.sources(), batches, samples)
         path = self.work / "references" / f"{shot.scene}-{name}.exr"
         if path.is_file():
             return path
@@ -174,35 +201,28 @@ class Lab:
             picture.unlink()
         return path
 
-    def run(self, binary, shot, reference=None, repetition=0, limits=(), more_than=0, **about):
-        """A measured render, taken from the journal if it was made before. `about` goes into the record. With
-        `more_than`, which needs a shot with +N, the pixels that took more samples are evaluated separately."""
-        key = digest(self.hashes[binary], shot.arguments()[2:], shot.sources(),
-                     str(reference.name if reference else ""), list(limits))
+    def run(self, binary, shot, reference=None, repetition=0, **about):
+        """A measured render, taken from the journal if it was made before. `about` goes into the record."""
+        key = digest(self.hashes[binary], shot.settings(), shot.sources(), str(reference.name if reference else ""))
         record = self.runs.get((key, repetition))
         if record is None:
             picture = self.work / "pictures" / f"{key}.png"
-            layers = picture.with_suffix(".layers.exr")
             messages, cpu, seconds = self.render(binary, shot, picture)
             record = {"key": key, "repetition": repetition, "cpu": round(cpu, 4),
-                      "seconds": round(seconds, 4), **samples_spent(messages)}
+                      "seconds": round(seconds, 4), "rays": sum(cpu_of_rays(messages)), **samples_spent(messages)}
             if reference and repetition == 0:
-                arguments = ["--limits", ",".join(map(str, limits))] if limits else []
-                arguments += ["--layers", layers, "--more-than", more_than] if more_than else []
-                figures, = self.tool("noise", "errors", reference, picture, *arguments)
+                figures, = self.tool("noise", "errors", reference, picture, *shot.place())
                 record.update({name: value for name, value in figures.items() if name != "picture"})
             picture.unlink()
-            layers.unlink(missing_ok=True)
             self.keep(record)
         return {**record, **about}
 
-    def interleaved(self, programs_and_shots, repetitions, reference=None, limits=()):
+    def interleaved(self, programs_and_shots, repetitions, reference=None):
         """Every shot several times, in turn; records of the first time with median CPU seconds."""
-        rounds = [[self.run(binary, shot, reference, repetition, limits) for binary, shot in programs_and_shots]
+        rounds = [[self.run(binary, shot, reference, repetition) for binary, shot in programs_and_shots]
                   for repetition in range(repetitions)]
-        return [{**records[0], "cpu": statistics.median(record["cpu"] for record in records),
-                 "seconds": statistics.median(record["seconds"] for record in records)}
-                for records in zip(*rounds)]
+        return [{**records[0], **{name: statistics.median(record[name] for record in records)
+                                  for name in ("cpu", "seconds", "rays")}} for records in zip(*rounds)]
 
     def keep(self, record):
         self.runs[record["key"], record["repetition"]] = record
@@ -217,6 +237,12 @@ class Lab:
     def one_pixel(shot):
         """The second pixel of the second row, because the program reads +EC1 as 100 % of the picture."""
         return dataclasses.replace(shot, options=(*shot.options, "+SC2", "+EC2", "+SR2", "+ER2"))
+
+
+def cpu_of_rays(messages):
+    """CPU seconds of each picture of one thread without start and parsing, as the program reports them."""
+    found = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
+    return list(map(float, found))
 
 
 def samples_spent(messages):

@@ -6,25 +6,27 @@ A page shows a part, such as the part `stock`, between the lines `<!-- benchmark
 `<!-- end of benchmark -->`. Any page of docs/ may have such places, each part has exactly one. Each part is kept with the
 program and the machine that measured it, so that parts may be measured on different days.
 
-To add a part, add a measuring module, its call in benchmark.py, a section in report.py, and a place in a page.
+A place whose part was not measured yet says so. To add a part, add a measuring module, its call in benchmark.py, a section in
+report.py, and a place in a page.
 """
 
 import json
 import re
 
-from benchmarks import report
+from benchmarks import report, tables
 from tools.repository import ROOT
 
 DOCS = ROOT / "docs"
 PLACE = re.compile(r"(?P<begin><!-- benchmark: (?P<name>\w+) -->\n).*?(?P<end><!-- end of benchmark -->)", re.DOTALL)
-SUMMARIES = {"overview": (("stock", "tilted"), report.overview), "goals": (tuple(report.GOALS), report.goals)}
+SUMMARIES = {"overview": (("stock", "tilted"), report.overview), "large": (("display",), report.overview_display),
+             "goals": (tuple(report.GOALS), report.goals)}
 
 
 def save(part, rows, program, docs=DOCS):
     """Keeps the rows of a part."""
     folder = docs / "benchmarks"
     folder.mkdir(parents=True, exist_ok=True)
-    kept = {"program": program, "machine": report.machine(), "rows": rows}
+    kept = {"program": program, "machine": tables.machine(), "rows": rows}
     (folder / f"{part}.json").write_text(json.dumps(kept, indent=1) + "\n")
 
 
@@ -41,25 +43,21 @@ def origin(parts):
 
 def block(name, kept):
     """The text for one place."""
-    if name in SUMMARIES:
-        parts, write = SUMMARIES[name]
-        found = {part: kept[part] for part in parts if part in kept}
-        made = write({part: stored["rows"] for part, stored in found.items()})
-    else:
-        found = {name: kept[name]}
-        made = report.section(name, kept[name]["rows"])
+    parts, write = SUMMARIES.get(name, ((name,), lambda rows: report.section(name, rows[name])))
+    found = {part: kept[part] for part in parts if part in kept}
+    if not found:
+        return "\nNot measured yet.\n\n"
+    made = write({part: stored["rows"] for part, stored in found.items()})
     return f"\n{made}\n\n{origin(found.values())}\n\n"
 
 
 def faults(docs=DOCS):
-    """Places of unknown parts, and parts that are kept but not shown in exactly one place."""
-    known, kept = {*report.SECTIONS, *SUMMARIES}, load(docs)
+    """Places of unknown parts, and parts that are not shown in exactly one place."""
+    known = [*report.SECTIONS, *SUMMARIES]
     shown = [match["name"] for page in sorted(docs.glob("*.md")) for match in PLACE.finditer(page.read_text())]
     wrong = [f"a page has a place for {name}, which is no part of the benchmark" for name in shown if name not in known]
-    wrong += [f"a page has a place for {name}, of which docs/benchmarks keeps no result"
-              for name in shown if name in known - {*SUMMARIES} - {*kept}]
     return wrong + [f"{name} is shown in {shown.count(name)} places of the pages, not in one"
-                    for name in [*kept, *SUMMARIES] if shown.count(name) != 1]
+                    for name in known if shown.count(name) != 1]
 
 
 def written(page, kept):

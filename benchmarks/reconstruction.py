@@ -23,7 +23,7 @@ def error_and_bias(lab, scene, shot):
     """RMSE of one picture, and the bias that all independent pictures share. With a squared bias b and a variance v of each
     picture, the mean square error of the mean of k pictures is b + v/k, and that of one picture b + v."""
     reference = lab.reference(scene.shot(TILT_LENS, size=SIZE), *scene.reference)
-    key = digest("bias beside the reference", lab.hashes[lab.ours], shot.arguments()[2:], shot.sources(), reference.name, PICTURES)
+    key = digest("bias beside the reference", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES)
     record = lab.runs.get((key, 0))
     if record is None:
         pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]

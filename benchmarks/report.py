@@ -6,111 +6,12 @@ A section is a function of the rows that a part of the benchmark measured; it re
 all. `benchmarks/pages.py` puts them into the pages.
 """
 
-import csv
-import dataclasses
-import pathlib
-import re
-
 from benchmarks import suite
 from benchmarks.front import geometric_mean
 from benchmarks.reconstruction import PICTURES, compare
-
-COLUMNS = ("program", "scene", "tilted", "setting", "cpu", "start_up", "runs", "rmse", "mean", "samples",
-           "samples_99", "samples_most")
-TITLES = {scene.name: scene.title for scene in suite.SCENES} | {"wall": "a textured wall"}
-
-
-@dataclasses.dataclass(frozen=True)
-class Goal:
-    """One figure that the project aims at, and what was measured."""
-
-    figure: str
-    wanted: str
-    measured: str
-    reached: bool
-
-    @property
-    def verdict(self):
-        """In one word."""
-        return "reached" if self.reached else "missed"
-
-    def sentence(self):
-        """For below a table."""
-        return f"Goal: {self.figure}: {self.wanted}. Measured: {self.measured} ({self.verdict})."
-
-
-def write_csv(path, rows):
-    """The records of all runs, for other programs."""
-    with path.open("w", newline="") as out:
-        writer = csv.DictWriter(out, COLUMNS, extrasaction="ignore", lineterminator="\n")
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({name: f"{value:.6g}" if isinstance(value, float) else value
-                             for name, value in row.items() if name in COLUMNS})
-
-
-def machine():
-    """The processor's name."""
-    found = re.search(r"^model name\s*:\s*(.+)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M)
-    return found.group(1) if found else "an unnamed processor"
-
-
-def table(header, rows):
-    """A table in Markdown."""
-    lines = ["| " + " | ".join(header) + " |", "| " + " | ".join(["---"] * len(header)) + " |"]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
-
+from benchmarks.tables import TITLES, Goal, both_sections, plots_of, ratio_goals, ratio_section, table
 
 # CPU time at equal error
-
-def ratio_cell(line):
-    """How many times less CPU time ours takes, and the error compared at."""
-    if line["ratio"] is None:
-        return f"not reached ({line['rmse']:.4f})"
-    least = "at least " if line.get("at_least") else ""
-    return f"{least}{line['ratio']:.1f} ({line['rmse']:.4f})"
-
-
-def ratios(comparisons):
-    """A table of scenes by errors; its last line is the geometric mean of each column."""
-    targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
-    rows = [[TITLES[scene], *[ratio_cell(line) for line in lines]] for scene, lines in comparisons.items()]
-    means = [geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines
-                            if line["target"] == target and line["ratio"]) for target in targets]
-    rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
-    return table(["scene", *[f"error of stock with {target} samples" for target in targets]], rows)
-
-
-def found_ratios(comparisons):
-    """(ratio, scene, line) of all errors that ours reached."""
-    return [(line["ratio"], scene, line) for scene, found in comparisons.items() for line in found if line["ratio"]]
-
-
-def ratio_goals(comparisons, other, wanted):
-    """The geometric mean over all scenes and errors."""
-    found = found_ratios(comparisons)
-    mean = geometric_mean(ratio for ratio, _, _ in found)
-    if not found:
-        return []
-    return [Goal(f"CPU seconds of {other} over those of `tilt_lens` at equal error, geometric mean", f"at least {wanted}",
-                 f"{mean:.1f}", mean >= wanted)]
-
-
-def ratio_section(comparisons, goals):
-    """Table, goal, the least ratio, and what was not reached."""
-    found = found_ratios(comparisons)
-    missing = sum(line["ratio"] is None for lines in comparisons.values() for line in lines)
-    paragraphs = [ratios(comparisons), *[goal.sentence() for goal in goals]]
-    if found:
-        least, scene, line = min(found, key=lambda entry: entry[0])
-        paragraphs.append(f"The least ratio is {least:.2f} ({TITLES[scene]}, at an RMSE of {line['rmse']:.4f}).")
-    return paragraphs + ([f"{missing} errors were not reached with any setting tried."] if missing else [])
-
-
-def plots_of(tilted):
-    """The plots of all scenes."""
-    return "\n".join(f"![{scene.title}{', tilted' if tilted else ''}: error against CPU time]"
-                     f"(pictures/benchmarks/{scene.name}{'_tilted' if tilted else ''}.svg)" for scene in suite.SCENES)
 
 
 def goals_stock(comparisons):
@@ -118,7 +19,7 @@ def goals_stock(comparisons):
 
 
 def section_stock(comparisons):
-    return [*ratio_section(comparisons, goals_stock(comparisons)), plots_of(False)]
+    return [*ratio_section(comparisons, goals_stock(comparisons)), plots_of(comparisons, False)]
 
 
 def goals_tilted(comparisons):
@@ -126,7 +27,53 @@ def goals_tilted(comparisons):
 
 
 def section_tilted(comparisons):
-    return [*ratio_section(comparisons, goals_tilted(comparisons)), plots_of(True)]
+    return [*ratio_section(comparisons, goals_tilted(comparisons)), plots_of(comparisons, True)]
+
+
+def goals_display(found):
+    where = " in large pictures"
+    return [*ratio_goals(found["untilted"], "stock focal blur", 8, 4, where),
+            *ratio_goals(found["tilted"], "the accumulation buffer", 8, 4, where)]
+
+
+def section_display(found):
+    width, height, columns, rows = found["part"]
+    return [f"The part of {width} by {height} pixels in the middle of pictures of {columns} by {rows}.",
+            *both_sections(found, goals_display(found), plots=True)]
+
+
+def overview_display(results):
+    """The scenes of the gallery, as in overview."""
+    return overview({"stock": results["display"]["untilted"], "tilted": results["display"]["tilted"]})
+
+
+def goals_lamps(found):
+    dim = {"dim": found["untilted"].get("dim", [])}
+    return ratio_goals(dim, "stock focal blur", 6, where=" with lamps that are not brighter than white")
+
+
+def section_lamps(found):
+    return both_sections(found, goals_lamps(found))
+
+
+def section_cycles(found):
+    return [f"{found['version']}, on the CPU. CPU seconds for a picture of {suite.SCENES[0].title}, at the error that Cycles reaches with"
+            " so many samples in each pixel; Cycles takes its best setting for that error.",
+            table(["samples of Cycles", "RMSE", "Cycles, CPU s", "tilt_lens, CPU s", "ratio"],
+                  [[f"{line['target']}", f"{line['rmse']:.4f}", f"{line['cycles']:.2f}",
+                    f"{line['tilt_lens']:.2f}" if line["tilt_lens"] else "-", f"{line['ratio']:.1f}" if line["ratio"] else "not reached"]
+                   for line in found["lines"]])]
+
+
+def goals_preview(rows):
+    worst = max(row["cpu"] for row in rows)
+    return [Goal("CPU seconds of the gallery's town at 1280 by 720 with `blur_samples 1`", "at most 3", f"{worst:.1f}", worst <= 3.0)]
+
+
+def section_preview(rows):
+    cells = [[TITLES[row["scene"]], f"{row['cpu']:.2f}", f"{row['cpu'] - row['rays']:.2f}", f"{row['rays']:.2f}"] for row in rows]
+    return [table(["scene, 1280 by 720", "CPU s with `blur_samples 1`", "of these start and parsing", "rays and reconstruction"], cells),
+            *[goal.sentence() for goal in goals_preview(rows)]]
 
 
 # The reconstruction
@@ -255,23 +202,51 @@ def verdict(row):
     return "**no**"
 
 
-def goals_contract(rows):
-    held = sum(verdict(row) == "yes" for row in rows)
+def held(rows, where=""):
+    """The goals of pictures of some size."""
+    good = sum(verdict(row) == "yes" for row in rows)
     went_on = [row for row in rows if row["more"]]
     thrifty = sum(row["share_of_more"] >= 0.25 for row in went_on)
-    return [Goal("Pictures with `variance V` whose MSE is at most 1.2 V and of whose pixels at most 5 % are off by more than"
-                 " 2 sqrt(V)", f"all {len(rows)}", f"{held}", held == len(rows)),
-            Goal("Pictures in which the pixels with more than the least samples have an MSE of at least V/4, so that no rays"
-                 " are wasted", f"all {len(went_on)}", f"{thrifty}", thrifty == len(went_on))]
+    return [Goal(f"Pictures with `variance V` whose MSE is at most 1.2 V and of whose pixels at most 5 % are off by more than"
+                 f" 2 sqrt(V){where}", f"all {len(rows)}", f"{good}", good == len(rows)),
+            Goal(f"Pictures in which the pixels with more than the least samples have an MSE of at least V/4, so that no rays"
+                 f" are wasted{where}", f"all {len(went_on)}", f"{thrifty}", thrifty == len(went_on)),
+            *told(rows, where)]
+
+
+def told(rows, where):
+    """The goal of the standard error that the program estimates."""
+    ratios_of = [row["estimated"]/row["true"] for row in rows if row.get("true")]
+    good = sum(0.8 <= ratio <= 1.2 for ratio in ratios_of)
+    return [Goal(f"Pictures whose estimated standard error is 0.8 to 1.2 times the true one{where}", f"all {len(ratios_of)}",
+                 f"{good}; {min(ratios_of):.2f} to {max(ratios_of):.2f}", good == len(ratios_of))] if ratios_of else []
+
+
+def goals_contract(rows):
+    return held(rows)
+
+
+def goals_crops(rows):
+    return held(rows, ", parts of large pictures")
+
+
+def contract_table(rows, goals_of):
+    cells = [[TITLES[row["scene"]] + (", tilted" if row["tilted"] else ""), f"{row['variance']:g}",
+              f"{row['share']:.2f}", f"{100*row['beyond']:.1f} %", f"{row['samples'] or 0:.0f}", verdict(row),
+              f"{row['share_of_more']:.2f} of {100*row['more']:.0f} %" if row["more"] else "-",
+              f"{row['estimated']/row['true']:.2f}" if row.get("true") else "-"] for row in rows]
+    return [table(["scene", "V", "MSE/V", "pixels off by more than 2 sqrt(V)", "samples per pixel", "holds",
+                   "MSE/V of the pixels with more than the least samples, and their share",
+                   "estimated over true standard error"], cells),
+            *[goal.sentence() for goal in goals_of]]
 
 
 def section_contract(rows):
-    cells = [[TITLES[row["scene"]] + (", tilted" if row["tilted"] else ""), f"{row['variance']:g}",
-              f"{row['share']:.2f}", f"{100*row['beyond']:.1f} %", f"{row['samples'] or 0:.0f}", verdict(row),
-              f"{row['share_of_more']:.2f} of {100*row['more']:.0f} %" if row["more"] else "-"] for row in rows]
-    return [table(["scene", "V", "MSE/V", "pixels off by more than 2 sqrt(V)", "samples per pixel", "holds",
-                   "MSE/V of the pixels with more than the least samples, and their share"], cells),
-            *[goal.sentence() for goal in goals_contract(rows)]]
+    return contract_table(rows, goals_contract(rows))
+
+
+def section_crops(rows):
+    return contract_table(rows, goals_crops(rows))
 
 
 # Rules of the sampler
@@ -297,6 +272,10 @@ def section_ablation(rows):
 SECTIONS = {
     "stock": ("Untilted: stock focal blur's CPU seconds over those of tilt_lens", section_stock),
     "tilted": ("Tilted: the accumulation buffer's CPU seconds over those of tilt_lens", section_tilted),
+    "display": ("At the size that people look at", section_display),
+    "lamps": ("Small lamps, brighter than white and not", section_lamps),
+    "cycles": ("Cycles of Blender", section_cycles),
+    "preview": ("The quickest picture", section_preview),
     "denoise": ("What the reconstruction brings", section_denoise),
     "pan": ("Pictures without blur, against a pinhole's anti-aliasing", section_pan),
     "tilt": ("What a tilt costs at equal blur", section_tilt),
@@ -305,10 +284,12 @@ SECTIONS = {
     "loops": ("Inner loops", section_loops),
     "growth": ("How cost grows", section_growth),
     "contract": ("Whether `variance V` is kept", section_contract),
+    "crops": ("Whether `variance V` is kept in large pictures", section_crops),
     "builds": ("The program of `cmake/build-fast`", section_builds),
     "ablation": ("What each rule of the sampler is worth", section_ablation),
 }
-GOALS = {"contract": goals_contract, "stock": goals_stock, "tilted": goals_tilted, "denoise": goals_denoise, "pan": goals_pan,
+GOALS = {"contract": goals_contract, "crops": goals_crops, "display": goals_display, "lamps": goals_lamps,
+         "preview": goals_preview, "stock": goals_stock, "tilted": goals_tilted, "denoise": goals_denoise, "pan": goals_pan,
          "tilt": goals_tilt, "instructions": goals_instructions, "camera": goals_camera}
 
 

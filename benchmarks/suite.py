@@ -3,8 +3,14 @@
 """The scenes and the settings that are tried."""
 
 import dataclasses
+import pathlib
 
-from benchmarks.lab import STOCK, TILT_LENS, Shot
+from benchmarks.lab import SCENES as SCENE_FOLDER
+from benchmarks.lab import STOCK, TILT_LENS, Part, Shot
+
+
+# The errors compared at are those of stock with these numbers of samples in each pixel.
+TARGETS = (37, 100, 400, 1600)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -15,9 +21,18 @@ class Scene:
     frames: int = 1024      # of the accumulation buffer
     size: tuple = (200, 150)
     contract: int = 4       # times as many samples for the references of part contract, whose error must be small against 1e-6
+    quick_frames: int = 64
+    targets: tuple = TARGETS
+    part: Part = None       # what larger picture is meant; the picture that is rendered stands for it
+    folder: pathlib.Path = SCENE_FOLDER
 
     def shot(self, form, tilted=0, **more):
-        return Shot(self.name, form, tilted, **{"size": self.size, **more})
+        return Shot(self.name, form, tilted, **{"size": self.size, "part": self.part, "folder": self.folder, **more})
+
+    def seconds(self, record):
+        """CPU seconds that are compared. A part is compared by its rays, beside which start and parsing count for little in
+        the whole picture."""
+        return record["rays"] if self.part else record["cpu"]
 
 
 SCENES = [
@@ -26,20 +41,39 @@ SCENES = [
     Scene("town", "town in sunlight", (2, 1024)),
     Scene("glass", "mirrors and glass", (2, 1024), contract=16),
     Scene("lights", "lights in the dark", (2, 2048)),
+    Scene("dim", "lamps in the dim", (2, 2048)),
     Scene("shadows", "5 by 5 area light", (2, 512), 512, (100, 75)),
     Scene("interior", "room with radiosity", (2, 512), 512, (100, 75), contract=8),
     Scene("landscape", "landscape", (2, 1024)),
 ]
+LAMPS = ("lights", "dim")
 
-# The errors compared at are those of stock with these numbers of samples in each pixel.
-TARGETS = (37, 100, 400, 1600)
+# The gallery's scenes at the size that people look at. A strip from the upper to the lower edge has all distances in it.
+DISPLAY = {"miniature_town": "town", "miniature_harbour": "harbour", "miniature_railway": "railway", "miniature_stadium": "stadium",
+           "facade_by_shift": "facade", "chess_by_swing": "chess", "watch_on_table": "watch", "city_lights": "city lights",
+           "forest_reverse_tilt": "forest"}
+DISPLAY_SIZE = (1280, 720)
+STRIP, QUICK_STRIP = (160, 720), (64, 360)      # in the middle of the picture
+QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")     # scenes that are parsed in a second
+
+
+def of_gallery(name, folder, quick):
+    size = QUICK_STRIP if quick else STRIP
+    part = Part((DISPLAY_SIZE[0] - size[0])//2, (DISPLAY_SIZE[1] - size[1])//2, *DISPLAY_SIZE)
+    return Scene(name, DISPLAY[name], (2, 512), frames=256, size=size, quick_frames=32, targets=(16, 37, 100, 400), part=part,
+                 folder=folder)
+
+
 # Settings for the best of stock: a minimum that prevents most early stops, and a variance that fits it.
 STOCK_ADAPTIVE = [(16, 100, 1e-2), (16, 400, 1e-3), (24, 200, 5e-3), (32, 400, 3e-3), (64, 800, 1e-3),
                   (64, 1600, 1e-3), (128, 1600, 3e-4), (128, 1600, 1e-4)]
+STOCK_SPARING = [(8, 37, 2e-2), (8, 100, 5e-3), (12, 64, 1e-2)]      # for the larger errors of a large picture
 STOCK_CONFIDENCE = [(32, 400, 1e-3, 0.99), (64, 1600, 3e-4, 0.99), (32, 400, 3e-3, 0.5)]
 VARIANCES = (3e-2, 1e-2, 4e-3, 1.5e-3, 6e-4, 2.5e-4, 1e-4, 4e-5, 1.5e-5, 6e-6, 2.5e-6, 1e-6, 4e-7)
 # Least number of samples, variances.
-OURS = {"quick": [(8, VARIANCES)], "full": [(8, VARIANCES), (2, VARIANCES[:5]), (4, VARIANCES[:7]), (16, VARIANCES[2:6])]}
+OURS = {"quick": [(8, VARIANCES)], "full": [(8, VARIANCES), (2, VARIANCES[:5]), (4, VARIANCES[:7]), (16, VARIANCES[2:6])],
+        "part quick": [(8, VARIANCES), (2, VARIANCES[:4])],
+        "part full": [(8, VARIANCES), (1, VARIANCES[:4]), (2, VARIANCES[:6]), (4, VARIANCES[:7]), (16, VARIANCES[2:6])]}
 
 
 def limits(least, most, variance, confidence=0.9):
@@ -48,8 +82,9 @@ def limits(least, most, variance, confidence=0.9):
 
 def stock_shots(scene, quick):
     """(name, shot) of stock focal blur; first those that define the errors compared at."""
-    settings = [(samples, samples, 0, 0.9) for samples in (TARGETS[:3] if quick else TARGETS)]
-    settings += [(*setting, 0.9) for setting in STOCK_ADAPTIVE if not quick or setting[0] <= 64]
+    settings = [(samples, samples, 0, 0.9) for samples in (scene.targets[:3] if quick else scene.targets)]
+    adaptive = STOCK_SPARING + STOCK_ADAPTIVE if scene.part else STOCK_ADAPTIVE
+    settings += [(*setting, 0.9) for setting in adaptive if not quick or setting[0] <= (32 if scene.part else 64)]
     settings += [] if quick else STOCK_CONFIDENCE
     return [(str(setting[0]) if setting[2] == 0 else "{},{} {:g} {:g}".format(*setting),
              scene.shot(STOCK, declare=limits(*setting))) for setting in settings]
@@ -58,4 +93,4 @@ def stock_shots(scene, quick):
 def ours_chains(scene, tilted, quick):
     """Lists of (name, shot) of tilt_lens, each from the roughest to the finest."""
     return [[(f"{least} {variance:g}", scene.shot(TILT_LENS, tilted, declare=limits(least, 16384, variance)))
-             for variance in variances] for least, variances in OURS["quick" if quick else "full"]]
+             for variance in variances] for least, variances in OURS[("part " if scene.part else "") + ("quick" if quick else "full")]]

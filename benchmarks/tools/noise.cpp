@@ -5,13 +5,16 @@
 /// How far pictures are from their reference, in linear light between 0 and 1.
 ///
 ///     noise reference OUT.exr PICTURE...    mean of independent pictures and its standard error
-///     noise errors REFERENCE PICTURE...     each picture against it; with --layers FILE --more-than N one
-///                                           picture, and its pixels that took more than N samples apart
+///     noise errors REFERENCE PICTURE...     each picture against it
+///     noise claims REFERENCE PICTURE... --variance V --more-than N    independent pictures with the layers beside them
+///                                           (NAME.layers.exr): whether they keep V, their pixels that took more
+///                                           than N samples apart, and whether their standard error is true
 ///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first so many pictures
 ///
 /// A reference made of several pictures knows its own mean square error, which is independent of the
 /// picture's and is taken off; a result below zero is given as zero. Pictures that are larger than the
-/// reference by a border of the same width on all sides are cut to size. One JSON object a line.
+/// reference by a border of the same width on all sides are cut to size; with --at LEFT,TOP, the part that
+/// begins there is taken. One JSON object a line.
 
 #include <algorithm>
 #include <cmath>
@@ -46,18 +49,21 @@ Picture Clipped(Picture picture)
     return picture;
 }
 
-Picture Inner(const Picture& picture, int width, int height)
+/// The part of a picture that begins at `at` (left, top); without it, what is within a border.
+Picture Inner(const Picture& picture, int width, int height, const std::vector<int>& at = {})
 {
     const int border = (picture.width - width) / 2;
-    if (border < 0 || picture.width - width != 2 * border || picture.height - height != 2 * border)
+    const int left = at.empty() ? border : at.at(0), top = at.empty() ? border : at.at(1);
+    if (at.empty() ? border < 0 || picture.width - width != 2 * border || picture.height - height != 2 * border
+                   : left < 0 || top < 0 || left + width > picture.width || top + height > picture.height)
         throw std::runtime_error("a picture of " + std::to_string(picture.width) + " x " +
                                  std::to_string(picture.height) + " is no " + std::to_string(width) + " x " +
-                                 std::to_string(height) + " with a border");
+                                 std::to_string(height) + (at.empty() ? " with a border" : " from there on"));
     Picture inner{width, height, {}};
     inner.values.reserve(3 * std::size_t(width) * height);
-    for (int y = border; y < border + height; ++y)
+    for (int y = top; y < top + height; ++y)
     {
-        const auto row = picture.values.begin() + 3 * (std::ptrdiff_t(y) * picture.width + border);
+        const auto row = picture.values.begin() + 3 * (std::ptrdiff_t(y) * picture.width + left);
         inner.values.insert(inner.values.end(), row, row + 3 * width);
     }
     return inner;
@@ -71,57 +77,112 @@ double MeanSquare(const Picture& picture)
     return sum / picture.Size();
 }
 
-/// The figures of a picture; `limits` are values V for which the share of pixels is wanted that are off
-/// by more than 2 sqrt(V) in any channel.
-json Errors(const Picture& picture, const Reference& reference, const std::vector<double>& limits)
+json Errors(const Picture& picture, const Reference& reference)
 {
     const double own = MeanSquare(reference.error);
     double squares = 0.0, sum = 0.0;
-    std::vector<double> worst;
     for (std::size_t i = 0; i < picture.Size(); ++i)
     {
         const double off = picture.values[i] - reference.mean.values[i];
         squares += off * off;
         sum += off;
-        if (i % 3 == 0)
-            worst.push_back(std::fabs(off));
-        else
-            worst.back() = std::max(worst.back(), std::fabs(off));
     }
-    json result{{"mse", std::max(0.0, squares / picture.Size() - own)},
-                {"mean", sum / picture.Size()},
-                {"reference_mse", own}};
-    for (const double limit : limits)
-        result["beyond"].push_back(
-            std::count_if(worst.begin(), worst.end(), [&](double off) { return off > 2.0 * std::sqrt(limit); }) /
-            double(worst.size()));
-    return result;
+    return {{"mse", std::max(0.0, squares / picture.Size() - own)},
+            {"mean", sum / picture.Size()},
+            {"reference_mse", own}};
 }
 
-/// The mean square error of the pixels that took more than `least` samples, and how many they are.
-json ErrorsOfMore(const Picture& picture, const Reference& reference, const Picture& samples, double least)
+/// What pictures of one scene promise, and what they keep.
+class Claims
 {
-    double squares = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < picture.Size(); ++i)
-        if (samples.values[i] > least)
+public:
+    Claims(const Reference& reference, double variance, double moreThan)
+        : m_reference(reference), m_variance(variance), m_moreThan(moreThan), m_squares(2, std::vector<double>(reference.mean.Size()))
+    {
+    }
+
+    void Add(const Picture& picture, const Picture& samples, const Picture& standardError)
+    {
+        for (std::size_t pixel = 0; pixel < picture.Size(); pixel += 3)
         {
-            const double off = picture.values[i] - reference.mean.values[i], own = reference.error.values[i];
-            squares += off * off - own * own;
-            ++count;
+            double worst = 0.0, sum = 0.0;
+            for (std::size_t i = pixel; i < pixel + 3; ++i)
+            {
+                const double off = picture.values[i] - m_reference.mean.values[i], own = m_reference.error.values[i];
+                worst = std::max(worst, std::fabs(off));
+                sum += off * off - own * own;
+                m_squares[m_pictures % 2][i] += off * off - own * own;
+            }
+            m_sum += sum;
+            m_beyond += worst > 2.0 * std::sqrt(m_variance);
+            if (samples.values[pixel] > m_moreThan)
+            {
+                m_sumOfMore += sum;
+                m_more += 3;
+            }
+            if (IsBelowWhite(pixel))
+                m_estimated += standardError.values[pixel] * standardError.values[pixel];
         }
-    return {{"mse_more", count == 0 ? 0.0 : std::max(0.0, squares / count)},
-            {"share_more", count / double(picture.Size())}};
-}
+        ++m_pictures;
+    }
+
+    json Found() const
+    {
+        const double values = double(m_reference.mean.Size()) * m_pictures;
+        return {{"mse", std::max(0.0, m_sum / values)},
+                {"reference_mse", MeanSquare(m_reference.error)},
+                {"beyond", m_beyond / (values / 3.0)},
+                {"share_more", m_more / values},
+                {"mse_more", m_more == 0.0 ? 0.0 : std::max(0.0, m_sumOfMore / m_more)},
+                {"estimated", PerPixel(m_estimated)},
+                {"true", PerPixel(TrueSquares())}};
+    }
+
+private:
+    /// The standard error of what is above white is relative to its brightness, and errors there are clipped.
+    bool IsBelowWhite(std::size_t pixel) const
+    {
+        const auto first = m_reference.mean.values.begin() + std::ptrdiff_t(pixel);
+        return *std::max_element(first, first + 3) < 0.9;
+    }
+
+    /// The standard error is that of a pixel's worst channel. Which one that is, is taken from the other half of the pictures:
+    /// the worst of three measured errors would be more than the error of the worst channel.
+    double TrueSquares() const
+    {
+        double sum = 0.0;
+        for (std::size_t pixel = 0; pixel < m_reference.mean.Size(); pixel += 3)
+            for (int half = 0; half < 2 && IsBelowWhite(pixel); ++half)
+            {
+                const auto other = m_squares[1 - half].begin() + std::ptrdiff_t(pixel);
+                sum += m_squares[half][pixel + (std::max_element(other, other + 3) - other)];
+            }
+        return sum;
+    }
+
+    double PerPixel(double sum) const
+    {
+        std::size_t pixels = 0;
+        for (std::size_t pixel = 0; pixel < m_reference.mean.Size(); pixel += 3)
+            pixels += IsBelowWhite(pixel);
+        return pixels == 0 ? 0.0 : std::sqrt(std::max(0.0, sum / (double(pixels) * m_pictures)));
+    }
+
+    const Reference& m_reference;
+    double m_variance, m_moreThan;
+    std::vector<std::vector<double>> m_squares;     ///< of every second picture
+    int m_pictures = 0;
+    double m_sum = 0.0, m_beyond = 0.0, m_sumOfMore = 0.0, m_more = 0.0, m_estimated = 0.0;
+};
 
 struct Arguments
 {
-    std::string reference, picture, out, layers;
+    std::string reference, out;
     std::vector<std::string> pictures;
-    std::vector<double> limits;
+    std::vector<int> at;
     std::vector<std::size_t> counts;
     int width = 0, height = 0;
-    double moreThan = 0.0;
+    double variance = 0.0, moreThan = 0.0;
 };
 
 void MakeReference(const Arguments& arguments)
@@ -137,15 +198,25 @@ void PrintErrors(const Arguments& arguments)
     const Reference reference = witness::ReadReference(arguments.reference);
     for (const std::string& path : arguments.pictures)
     {
-        const Picture picture =
-            Inner(Clipped(witness::ReadPicture(path)), reference.mean.width, reference.mean.height);
-        json line = Errors(picture, reference, arguments.limits);
+        json line = Errors(Inner(Clipped(witness::ReadPicture(path)), reference.mean.width, reference.mean.height, arguments.at),
+                           reference);
         line["picture"] = path;
-        if (!arguments.layers.empty())
-            line.update(ErrorsOfMore(picture, reference, Inner(witness::ReadChannel(arguments.layers, "samples"),
-                                                               picture.width, picture.height), arguments.moreThan));
         std::cout << line.dump() << '\n';
     }
+}
+
+void PrintClaims(const Arguments& arguments)
+{
+    const Reference reference = witness::ReadReference(arguments.reference);
+    const auto inner = [&](const Picture& picture) { return Inner(picture, reference.mean.width, reference.mean.height); };
+    Claims claims(reference, arguments.variance, arguments.moreThan);
+    for (const std::string& path : arguments.pictures)
+    {
+        const std::string layers = path.substr(0, path.rfind('.')) + ".layers.exr";
+        claims.Add(inner(Clipped(witness::ReadPicture(path))), inner(witness::ReadChannel(layers, "samples")),
+                   inner(witness::ReadChannel(layers, "standardError")));
+    }
+    std::cout << claims.Found().dump() << '\n';
 }
 
 void PrintPrefixes(const Arguments& arguments)
@@ -163,7 +234,7 @@ void PrintPrefixes(const Arguments& arguments)
         Picture mean = sum;
         for (double& value : mean.values)
             value /= double(i + 1);
-        json line = Errors(Clipped(std::move(mean)), reference, {});
+        json line = Errors(Clipped(std::move(mean)), reference);
         line["count"] = i + 1;
         std::cout << line.dump() << '\n';
     }
@@ -186,9 +257,12 @@ int main(int argc, char** argv)
     CLI::App* errors = app.add_subcommand("errors", "each picture against the reference");
     errors->add_option("reference", arguments.reference)->required();
     errors->add_option("pictures", arguments.pictures)->required();
-    errors->add_option("--limits", arguments.limits, "values of variance, for shares of pixels")->delimiter(',');
-    CLI::Option* layers = errors->add_option("--layers", arguments.layers, "what +N wrote beside the picture");
-    errors->add_option("--more-than", arguments.moreThan, "samples")->needs(layers);
+    errors->add_option("--at", arguments.at, "where the part begins that is compared")->delimiter(',')->expected(2);
+    CLI::App* claims = app.add_subcommand("claims", "whether independent pictures keep what they promise");
+    claims->add_option("reference", arguments.reference)->required();
+    claims->add_option("pictures", arguments.pictures)->required()->expected(2, 1000);
+    claims->add_option("--variance", arguments.variance)->required();
+    claims->add_option("--more-than", arguments.moreThan, "samples")->required();
     CLI::App* prefixes = app.add_subcommand("prefixes", "means of the first pictures");
     prefixes->add_option("reference", arguments.reference)->required();
     prefixes->add_option("pictures", arguments.pictures)->required();
@@ -201,6 +275,8 @@ int main(int argc, char** argv)
             MakeReference(arguments);
         else if (*errors)
             PrintErrors(arguments);
+        else if (*claims)
+            PrintClaims(arguments);
         else
             PrintPrefixes(arguments);
     }

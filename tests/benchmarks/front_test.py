@@ -4,7 +4,7 @@
 
 import unittest
 
-from benchmarks import versus_stock
+from benchmarks import suite, versus_stock
 from benchmarks.front import error_after, geometric_mean, pareto, seconds_for
 
 
@@ -50,12 +50,12 @@ class Comparison(unittest.TestCase):
     def test_stock_is_taken_at_its_best_setting_for_the_error(self):
         records = [self.record("stock", "100", 10.0, 0.02), self.record("stock", "64,1600 0.001 0.9", 4.0, 0.02),
                    self.record("tilt_lens", "8 0.001", 2.0, 0.02)]
-        line, = versus_stock.compare(records)
+        line, = versus_stock.compare(suite.SCENES[0], records)
         self.assertEqual((line["target"], line["rmse"], line["ratio"]), (100, 0.02, 2.0))
 
     def test_an_error_that_tilt_lens_does_not_reach_is_no_ratio(self):
         records = [self.record("stock", "100", 10.0, 0.02), self.record("tilt_lens", "8 0.001", 2.0, 0.03)]
-        self.assertIsNone(versus_stock.compare(records)[0]["ratio"])
+        self.assertIsNone(versus_stock.compare(suite.SCENES[0], records)[0]["ratio"])
 
 
 if __name__ == "__main__":

@@ -50,33 +50,58 @@ class Noise(unittest.TestCase):
         line, = self.tool("errors", self.reference(1.5, 1.5), self.grey("a", 3.0))
         self.assertEqual(line["mse"], 0.0)
 
-    def test_share_of_pixels_beyond_a_limit(self):
-        line, = self.tool("errors", self.reference(0.5, 0.5), self.grey("a", 0.625), "--limits", "1e-3,1e-2")
-        self.assertEqual(line["beyond"], [1.0, 0.0])
-
     def test_a_border_is_cut_off(self):
         line, = self.tool("errors", self.reference(0.5, 0.5), self.grey("a", 0.5, (32, 24)))
         self.assertEqual(line["mse"], 0.0)
         self.assertIn("16 x 8", self.tool("errors", self.reference(0.5, 0.5), self.grey("b", 0.5, (18, 8)),
                                          fails=True))
 
+    def test_a_part_is_taken_from_its_place(self):
+        """Two halves of different brightness; the reference is of the right one."""
+        halves = [self.grey("l", 0.5, (16, 8)), self.grey("r", 0.625, (16, 8))]
+        whole = self.folder / "whole.exr"
+        subprocess.run(["oiiotool", *map(str, halves), "--mosaic", "2x1", "-o", str(whole)], check=True)
+        for at, mse in (("16,0", 0.125**2), ("0,0", 0.0)):
+            line, = self.tool("errors", self.reference(0.5, 0.5), whole, "--at", at)
+            self.assertAlmostEqual(line["mse"], mse, places=7)
+        self.assertIn("from there on", self.tool("errors", self.reference(0.5, 0.5), whole, "--at", "17,0", fails=True))
+
+    def halves(self, name, left, right):
+        """A picture of two values with layers beside it: 8 samples in its left half, 32 in its right, standard error 0.2."""
+        paths = [self.grey(f"{name}{side}", value, (8, 8)) for side, value in (("l", left), ("r", right))]
+        picture = self.folder / f"{name}.exr"
+        subprocess.run(["oiiotool", *map(str, paths), "--mosaic", "2x1", "-o", str(picture)], check=True)
+        subprocess.run(["oiiotool", "--pattern", "constant:color=8,0.2", "8x8", "2", "--pattern", "constant:color=32,0.2", "8x8",
+                        "2", "--mosaic", "2x1", "--chnames", "samples,standardError", "-d", "float", "-o",
+                        str(self.folder / f"{name}.layers.exr")], check=True)
+        return picture
+
+    def claims(self, *pictures, more_than=8, reference=(0.5, 0.5)):
+        line, = self.tool("claims", self.reference(*reference), *pictures, "--variance", 1e-2, "--more-than", more_than)
+        return line
+
     def test_pixels_that_took_more_samples(self):
-        """The left half of the picture took 8 samples and is right, the right half took 32 and is off by 0.25."""
-        halves = [self.folder / "left.pfm", self.folder / "right.pfm"]
-        for path, name, value in zip(halves, ("l", "r"), (0.5, 0.75)):
-            self.grey(name, value, (8, 8)).rename(path)
-        picture, layers = self.folder / "both.exr", self.folder / "both.layers.exr"
-        subprocess.run(["oiiotool", *map(str, halves), "--mosaic", "2x1", "-o", str(picture)], check=True)
-        subprocess.run(["oiiotool", "--pattern", "constant:color=8", "8x8", "1", "--pattern", "constant:color=32", "8x8", "1",
-                        "--mosaic", "2x1", "--chnames", "samples", "-d", "float", "-o", str(layers)], check=True)
-        arguments = ("errors", self.reference(0.5, 0.5), picture, "--layers", layers, "--more-than")
-        line, = self.tool(*arguments, 8)
+        pictures = [self.halves("a", 0.5, 0.75), self.halves("b", 0.5, 0.25)]
+        line = self.claims(*pictures)
+        self.assertAlmostEqual(line["mse"], 0.03125, places=6)
         self.assertAlmostEqual(line["mse_more"], 0.0625, places=6)
-        self.assertEqual(line["share_more"], 0.5)
-        line, = self.tool(*arguments, 32)
+        self.assertEqual((line["share_more"], line["beyond"]), (0.5, 0.5))
+        line = self.claims(*pictures, more_than=32)
         self.assertEqual((line["mse_more"], line["share_more"]), (0.0, 0.0))
-        self.assertIn("no channel samples", self.tool("errors", self.reference(0.5, 0.5), picture, "--layers", picture,
-                                                      fails=True))
+
+    def test_standard_error_beside_the_true_one(self):
+        line = self.claims(self.halves("a", 0.25, 0.75), self.halves("b", 0.75, 0.25))
+        self.assertAlmostEqual(line["estimated"], 0.2, places=6)
+        self.assertAlmostEqual(line["true"], 0.25, places=6)
+
+    def test_standard_error_of_white_is_left_out(self):
+        line = self.claims(self.halves("a", 0.75, 0.75), self.halves("b", 0.75, 0.75), reference=(0.95, 0.95))
+        self.assertEqual((line["estimated"], line["true"]), (0.0, 0.0))
+
+    def test_claims_need_the_layers(self):
+        pictures = [self.grey("a", 0.5), self.grey("b", 0.5)]
+        self.assertIn("a.layers.exr", self.tool("claims", self.reference(0.5, 0.5), *pictures, "--variance", 1e-2, "--more-than", 8,
+                                                fails=True))
 
     def test_means_of_the_first_pictures(self):
         pictures = [self.grey("a", 0.25), self.grey("b", 0.75), self.grey("c", 0.5)]

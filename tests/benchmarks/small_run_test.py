@@ -7,14 +7,19 @@ import copy
 import dataclasses
 import math
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 from benchmarks import (
     accumulation,
     camera_share,
+    comparison,
     contract,
+    cycles,
+    gallery,
     instructions,
     pan_focus,
     plots,
@@ -25,11 +30,12 @@ from benchmarks import (
     tilted,
     versus_stock,
 )
-from benchmarks.lab import TILT_LENS, Lab
+from benchmarks.lab import STOCK, TILT_LENS, Lab, Part
 
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (40, 30)
-SCENE = dataclasses.replace(suite.SCENES[0], reference=(2, 512), frames=64, size=SIZE)
+SCENE = dataclasses.replace(suite.SCENES[0], reference=(2, 512), frames=64, size=SIZE, targets=(37, 100))
+LARGE = Part(80, 60, 200, 150)      # the middle of the scene's usual picture
 
 
 class SmallRun(unittest.TestCase):
@@ -39,11 +45,10 @@ class SmallRun(unittest.TestCase):
         cls.addClassCleanup(cls.folder.cleanup)
         cls.lab = Lab(PROGRAM, pathlib.Path("/usr/bin/povray"), TOOLS, pathlib.Path(cls.folder.name), quick=True)
         cls.lab.say = lambda text: None
-        suite.TARGETS = (37, 100)
         suite.STOCK_ADAPTIVE = suite.STOCK_ADAPTIVE[:1]
         suite.OURS["quick"] = [(8, (1e-2, 1e-3, 1e-4))]
         cls.records = versus_stock.measure(cls.lab, SCENE)
-        cls.lines = versus_stock.compare(cls.records)
+        cls.lines = versus_stock.compare(SCENE, cls.records)
 
     def test_tilt_lens_and_stock_approach_the_same_picture(self):
         stock = {record["setting"]: record["rmse"] for record in self.records if record["program"] == "stock"}
@@ -75,6 +80,52 @@ class SmallRun(unittest.TestCase):
             self.assertLess(records[-1]["rmse"], 0.5*records[0]["rmse"], f"tilted {tilt}")
             wrong = accumulation.measure(mistaken, SCENE, tilt)
             self.assertGreater(wrong[-1]["mse"] - records[-1]["mse"], 0.25*self.apart(), f"tilted {tilt}")
+
+    def test_a_part_is_that_part_of_the_whole(self):
+        """For all programs: the picture of a part differs from the whole picture's reference by no more than its noise."""
+        scene = dataclasses.replace(SCENE, part=LARGE)
+        whole = self.lab.reference(dataclasses.replace(scene.shot(TILT_LENS), size=(200, 150), part=None), 2, 256)
+        cut = whole.with_name("cut.exr")
+        subprocess.run(["oiiotool", str(whole), "--cut", "{2}x{3}+{0}+{1}".format(LARGE.left, LARGE.top, *SIZE), "-o", str(cut)],
+                       check=True)
+        many = suite.limits(256, 256, 0)
+        for binary, form in ((self.lab.ours, TILT_LENS), (self.lab.stock, STOCK)):
+            record = self.lab.run(binary, scene.shot(form, declare=many), cut)
+            self.assertLess(record["mse"], 5e-4, form)     # that of the noise of stock
+            self.assertGreater(record["rays"], 0.0)
+        wrong = dataclasses.replace(LARGE, left=LARGE.left + 3)
+        moved = self.lab.run(self.lab.ours, dataclasses.replace(scene, part=wrong).shot(TILT_LENS, declare=many), cut)
+        self.assertGreater(moved["mse"], 1e-2)
+
+    def test_gallery_at_the_size_that_people_look_at(self):
+        """The camera of a gallery scene in all its forms: shifted, with swing."""
+        folder = gallery.copy(self.lab, "city_lights")
+        scene = dataclasses.replace(suite.of_gallery("city_lights", folder, True), reference=(2, 128), size=(24, 16), targets=(16, 37),
+                                    quick_frames=32)
+        found, runs = comparison.compare(self.lab, [scene])
+        for name in ("untilted", "tilted"):
+            lines = found[name]["city_lights"]
+            self.assertEqual([line["target"] for line in lines], [16, 37])
+            self.assertTrue(all(line["tilt_lens"] for line in lines), lines)
+            self.assertLess(lines[1]["rmse"], 0.9*lines[0]["rmse"])
+        self.assertEqual({run["program"] for run in runs}, {"stock", "tilt_lens", "accumulation"})
+        results = {"display": {"part": [24, 16, 1280, 720], **found}, "lamps": {"untilted": {"dim": self.lines}, "tilted": {}}}
+        for words in ("city lights", "24 by 16 pixels", "in large pictures", "not brighter than white"):
+            self.assertIn(words, report.text(results) + report.goals(results))
+
+    def test_cycles_is_compared_at_its_own_errors(self):
+        lines = cycles.compare([{"setting": "16", "cpu": 4.0, "rmse": 0.02}, {"setting": "8,64 0.1", "cpu": 2.0, "rmse": 0.02}],
+                               [{"cpu": 0.5, "rmse": 0.02}])
+        self.assertEqual([(line["target"], line["ratio"]) for line in lines], [(16, 4.0)])
+        self.assertIn("| 16 | 0.0200 | 2.00 | 0.50 | 4.0 |", report.section("cycles", {"version": "Blender 0", "lines": lines}))
+
+    def test_cycles_is_skipped_without_blender(self):
+        said = []
+        lab = copy.copy(self.lab)
+        lab.say = said.append
+        with unittest.mock.patch.object(cycles, "installed", lambda: None):
+            self.assertIsNone(cycles.measure(lab))
+        self.assertIn("Blender is not installed", said[0])
 
     def test_blur_after_the_fact_resembles_the_picture(self):
         for tilt in (0, 1):
@@ -112,9 +163,12 @@ class SmallRun(unittest.TestCase):
         results = {"stock": {"checks": self.lines},
                    "tilted": {"checks": tilted.compare(records, errors)},
                    "pan": pan_focus.compare(pan_focus.measure(self.lab, SCENE)),
-                   "contract": contract.measure(self.lab, dataclasses.replace(SCENE, reference=(2, 128)), 0)}
+                   "contract": contract.measure(self.lab, dataclasses.replace(SCENE, reference=(2, 128)), 0),
+                   "crops": contract.measure(self.lab, dataclasses.replace(SCENE, reference=(2, 128)), 1, contract.CROP)}
+        self.assertTrue(all(0.3 < row["estimated"]/row["true"] < 3.0 for row in results["contract"]), results["contract"])
         text = report.text(results) + report.overview(results) + report.goals(results)
         for words in ("error of stock with 100 samples", "geometric mean: at least 8", "at most 1.3. Measured", "MSE/V",
+                      "parts of large pictures", "0.8 to 1.2 times the true one",
                       "| all |", "| figure | goal |"):
             self.assertIn(words, text)
         plots.errors(self.lab.work / "plot.svg", "checks", self.records)

@@ -1,0 +1,28 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Both comparisons of some scenes: untilted with stock focal blur, tilted with the accumulation buffer. The part `display`
+compares in the gallery's scenes at the size that people look at, the part `lamps` in the scenes with small lamps."""
+
+from benchmarks import gallery, suite, tables, tilted, versus_stock
+
+
+def compare(lab, scenes):
+    """The lines of both comparisons by scene, and the records of all runs."""
+    found, runs = {"untilted": {}, "tilted": {}}, []
+    for scene in scenes:
+        untilted = versus_stock.measure(lab, scene)
+        lines = versus_stock.compare(scene, untilted)
+        for line in lines:
+            lab.say(f"  as stock with {line['target']}: {tables.ratio_cell(line)}")
+        errors = {line["target"]: line["rmse"] for line in lines}
+        leaning = tilted.measure(lab, scene, errors)
+        found["untilted"][scene.name], found["tilted"][scene.name] = lines, tilted.compare(leaning, errors)
+        runs += [*untilted, *leaning]
+    return found, runs
+
+
+def display(lab, names):
+    """Parts of the gallery's scenes, as many pixels as there is time for."""
+    scenes = [suite.of_gallery(name, gallery.copy(lab, name), lab.quick) for name in names]
+    found, runs = compare(lab, scenes)
+    return {"part": [*scenes[0].size, scenes[0].part.columns, scenes[0].part.rows], **found}, runs

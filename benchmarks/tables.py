@@ -1,0 +1,122 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What the sections of report.py are made of: tables, goals, and the comparison of CPU seconds at equal error."""
+
+import csv
+import dataclasses
+import pathlib
+import re
+
+from benchmarks import suite
+from benchmarks.front import geometric_mean
+
+COLUMNS = ("program", "scene", "tilted", "setting", "cpu", "start_up", "runs", "rmse", "mean", "samples",
+           "samples_99", "samples_most")
+TITLES = {scene.name: scene.title for scene in suite.SCENES} | suite.DISPLAY | {"wall": "a textured wall"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Goal:
+    """One figure that the project aims at, and what was measured."""
+
+    figure: str
+    wanted: str
+    measured: str
+    reached: bool
+
+    @property
+    def verdict(self):
+        """In one word."""
+        return "reached" if self.reached else "missed"
+
+    def sentence(self):
+        """For below a table."""
+        return f"Goal: {self.figure}: {self.wanted}. Measured: {self.measured} ({self.verdict})."
+
+
+def write_csv(path, rows):
+    """The records of all runs, for other programs."""
+    with path.open("w", newline="") as out:
+        writer = csv.DictWriter(out, COLUMNS, extrasaction="ignore", lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({name: f"{value:.6g}" if isinstance(value, float) else value
+                             for name, value in row.items() if name in COLUMNS})
+
+
+def machine():
+    """The processor's name."""
+    found = re.search(r"^model name\s*:\s*(.+)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M)
+    return found.group(1) if found else "an unnamed processor"
+
+
+def table(header, rows):
+    """A table in Markdown."""
+    lines = ["| " + " | ".join(header) + " |", "| " + " | ".join(["---"] * len(header)) + " |"]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+# CPU time at equal error
+
+def ratio_cell(line):
+    """How many times less CPU time ours takes, and the error compared at."""
+    if line["ratio"] is None:
+        return f"not reached ({line['rmse']:.4f})"
+    least = "at least " if line.get("at_least") else ""
+    return f"{least}{line['ratio']:.1f} ({line['rmse']:.4f})"
+
+
+def ratios(comparisons):
+    """A table of scenes by errors; its last line is the geometric mean of each column."""
+    targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
+    rows = [[TITLES[scene], *[ratio_cell(line) for line in lines]] for scene, lines in comparisons.items()]
+    means = [geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines
+                            if line["target"] == target and line["ratio"]) for target in targets]
+    rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
+    return table(["scene", *[f"error of stock with {target} samples" for target in targets]], rows)
+
+
+def found_ratios(comparisons):
+    """(ratio, scene, line) of all errors that ours reached."""
+    return [(line["ratio"], scene, line) for scene, found in comparisons.items() for line in found if line["ratio"]]
+
+
+def ratio_goals(comparisons, other, wanted, least=None, where=""):
+    """The geometric mean over all scenes and errors, and the least ratio."""
+    found = [ratio for ratio, _, _ in found_ratios(comparisons)]
+    if not found:
+        return []
+    what = f"CPU seconds of {other} over those of `tilt_lens` at equal error{where}"
+    mean = geometric_mean(found)
+    goals_of = [Goal(f"{what}, geometric mean", f"at least {wanted}", f"{mean:.1f}", mean >= wanted)]
+    if least:
+        missing = sum(not line["ratio"] for lines in comparisons.values() for line in lines)
+        goals_of.append(Goal(f"{what}, in each scene at each error", f"at least {least}", f"{min(found):.1f} at the least" + (
+            f", and {missing} errors not reached" if missing else ""), min(found) >= least and not missing))
+    return goals_of
+
+
+def ratio_section(comparisons, goals):
+    """Table, goal, the least ratio, and what was not reached."""
+    found = found_ratios(comparisons)
+    missing = sum(line["ratio"] is None for lines in comparisons.values() for line in lines)
+    paragraphs = [ratios(comparisons), *[goal.sentence() for goal in goals]]
+    if found:
+        least, scene, line = min(found, key=lambda entry: entry[0])
+        paragraphs.append(f"The least ratio is {least:.2f} ({TITLES[scene]}, at an RMSE of {line['rmse']:.4f}).")
+    return paragraphs + ([f"{missing} errors were not reached with any setting tried."] if missing else [])
+
+
+def plots_of(comparisons, tilted):
+    """The plots of all scenes."""
+    return "\n".join(f"![{TITLES[scene]}{', tilted' if tilted else ''}: error against CPU time]"
+                     f"(pictures/benchmarks/{scene}{'_tilted' if tilted else ''}.svg)" for scene in comparisons)
+
+
+def both_sections(found, goals_of, plots=False):
+    """Untilted and tilted; the goals of both are below the tables."""
+    paragraphs = []
+    for tilted, (name, words) in enumerate((("untilted", "Untilted, CPU seconds of stock focal blur over those of `tilt_lens`:"),
+                                            ("tilted", "Tilted, CPU seconds of the accumulation buffer over those of `tilt_lens`:"))):
+        paragraphs += [words, *ratio_section(found[name], []), *([plots_of(found[name], tilted)] if plots else [])]
+    return paragraphs + [goal.sentence() for goal in goals_of]
