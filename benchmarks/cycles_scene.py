@@ -11,8 +11,11 @@ import pathlib
 import resource
 import sys
 
-import bpy
-import mathutils
+try:
+    import bpy
+    import mathutils
+except ImportError:     # not within Blender, where it can only be looked at
+    bpy = mathutils = None
 
 # Edges of this sphere are within 2e-4 of its radius.
 SUBDIVISIONS = 6
