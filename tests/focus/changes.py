@@ -38,6 +38,7 @@ class Changes(PageTest):
         before = self.run("return focusPage.previewSum()")
         (self.folder / "more.inc").write_text("background { rgb 1 } plane { y, 2.9 hollow pigment { rgb <0, 0, 1> } }\n")
         self.until("the new preview", lambda: self.drawn() and abs(self.run("return focusPage.previewSum()") - before) > 1000)
+        self.assertEqual(self.text("status"), "more.inc changed: this is the new preview.")
         self.assertAlmostEqual(self.run("return focusPage.model.numbers().tilt"), 5)
 
     def test_a_scene_with_a_lens_begins_with_it(self):
@@ -71,6 +72,19 @@ class Changes(PageTest):
                 self.assertEqual([p.name for p in self.folder.iterdir() if "before-focus" in p.name], [])
                 self.end()
 
+    def test_items_that_the_page_does_not_write_stay_in_the_block(self):
+        scene = self.with_lens("tilt_lens { f_stop 2 denoise off focus_peaking rgb <1, 0, 0>, 2 }")
+        self.open(scene)
+        self.set_number("tilt", 3)
+        for item in ("denoise off", "focus_peaking rgb <1, 0, 0>, 2"):
+            self.assertIn(f"\n  {item}\n", self.text("block"))
+        self.press("#write")
+        self.until("the change", lambda: "Written" in self.text("file-said"))
+        self.assertIn("denoise off\n    focus_peaking rgb <1, 0, 0>, 2\n  }", scene.read_text())
+        self.true_picture(160)  # with denoise, without the tint
+        self.smooth()
+        self.assertLess(self.run(harness.DIFFERENCE)["rmse"], 0.05)
+
     def test_undo_keeps_what_somebody_else_has_changed(self):
         scene = self.scene()
         self.open(scene)
@@ -92,6 +106,17 @@ class Changes(PageTest):
         self.until("the other camera", lambda: self.drawn() and self.run("return focusPage.model.camera.location[2]") == -7)
         self.until("its preview", lambda: self.run("return focusPage.live.location[2]") == -7)
         self.assertEqual(self.console(), [])
+
+    def test_a_camera_that_is_gone_is_no_longer_shown(self):
+        second = "camera { location <6, 2, -6> look_at <0, 0.5, 0> right x*image_width/image_height angle 50 }\n"
+        scene = self.scene(SCENE + second)
+        self.open(scene)
+        self.choose("camera", 1)
+        self.until("the other camera", lambda: self.drawn() and self.run("return focusPage.live.location[2]") == -6)
+        scene.write_text(SCENE)
+        self.until("the camera that is left", lambda: self.drawn() and self.run("return focusPage.live.location[2]") == -7)
+        self.press("#write")
+        self.until("the change", lambda: "Written" in self.text("file-said"))
 
     def test_the_clock_moves_the_scene(self):
         self.open(self.scene(SCENE + "sphere { <0, 1, -3>, 0.1 + 0.6*clock pigment { rgb x } }\n"))

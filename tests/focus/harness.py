@@ -3,6 +3,7 @@
 """What the tests of ./focus share: scenes, calls of the command, a browser that looks at its page."""
 
 import argparse
+import asyncio
 import contextlib
 import os
 import pathlib
@@ -14,6 +15,7 @@ import tempfile
 import unittest
 
 from tests.waiting import WaitingTest
+from tools.focus.povray import Render
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None, cases=None)
@@ -73,15 +75,15 @@ class FocusTest(WaitingTest):
         path.write_text(text)
         return path
 
-    def start(self, scene, *words, idle=120):
-        """Calls ./focus; returns the address that it prints."""
-        command = [str(ROOT / "focus"), str(scene), "--no-browser", "--idle", str(idle), "--povray", SETTINGS.povray]
+    def start(self, scene, *words, idle=120, **variables):
+        """Calls ./focus, with more environment variables; returns the address that it prints."""
+        command = [str(ROOT / "focus"), str(scene), "--idle", str(idle), "--povray", SETTINGS.povray]
         said = open(self.folder / "errors", "wb")
         self.addCleanup(said.close)
         self.process = subprocess.Popen(
             [*command, *words],
             cwd=self.folder,
-            env=dict(environment(), TMPDIR=str(self.folder / "tmp")),
+            env=dict(environment(), TMPDIR=str(self.folder / "tmp"), **variables),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=said,
@@ -110,6 +112,24 @@ class FocusTest(WaitingTest):
             code = self.process.wait()
         self.process.stdout.close()
         return code
+
+
+def rendered(scene, folder, size, *words):
+    """Colours and layers of a render of this scene: name -> rows, columns and, of "colours", red, green, blue."""
+    import numpy
+
+    found = {}
+
+    async def take(tile):
+        parts = {"colours": tile.colours} if tile.layers is None else tile.layers
+        for name, part in parts.items():
+            place = found.setdefault(name, numpy.full((size[1], size[0], *part.shape[2:]), numpy.nan))
+            place[tile.top : tile.top + part.shape[0], tile.left : tile.left + part.shape[1]] = part
+
+    render = Render(SETTINGS.povray, folder, "rendered")
+    library = f"+L{ROOT / 'scenes' / 'include'}"
+    asyncio.run(render.run(render.words(scene, [library, "-A", *words], size), False, take))
+    return found
 
 
 def open_browser(size=(1280, 1000)):

@@ -13,6 +13,24 @@ from tests.focus.harness import ROOT, SETTINGS, PageTest
 CASES = 4000
 
 
+# Whether knobs and points show one lens: knobs that show another number than the lens has, and how far points are off the
+# plane of sharp focus. While a wanted lens cannot be, the last one is shown, and the points wait.
+ONE_LENS = """
+const model = focusPage.model, { lens, block } = model, found = model.numbers(), wrong = [];
+const numbers = {
+    tilt: found.tilt, swing: found.swing, focusTilt: found.focus.tilt, focusSwing: found.focus.swing, angle: found.angle,
+    focalLength: found.focalLength, ...(model.error ? {} : { fStop: lens.focalLength / lens.diameter, sceneUnit: 1 / lens.millimetre }),
+};
+for (const [id, value] of Object.entries(numbers)) {
+    const shown = Number(document.getElementById(id).value);
+    if (Math.abs(shown - value) > 0.06 + 1e-3 * Math.abs(value))
+        wrong.push(`${id} shows ${shown} for ${value}`);
+}
+const wanted = model.picks.length >= model.wantedPicks && !model.error ? model.picks : [];
+return [...wrong, ...wanted.map(p => model.offPlane(p)).filter(off => !(Math.abs(off) < 1e-6)).map(off => `a point is off by ${off}`)];
+"""
+
+
 class Knobs(PageTest):
     def test_formulas_are_those_of_the_program(self):
         done = subprocess.run([SETTINGS.cases, "1", str(CASES)], capture_output=True, text=True, check=True)
@@ -74,6 +92,42 @@ class Knobs(PageTest):
         self.assertIn("f/3.5", self.run(said, "fStop"))
         self.assertEqual(self.console(), [])
 
+    def test_a_plane_through_the_lens_is_said_beside_the_points(self):
+        self.open(self.scene())
+        self.press("input[name=mode][value=three]")
+        self.choose("third", "upright")
+        # straight before the camera: an upright plane through both holds the lens
+        self.run("focusPage.model.pick([0, 0, 1])")
+        before = self.run("return focusPage.model.lens.focus")
+        self.run("focusPage.model.pick([0, 0, -1])")
+        said = "return document.querySelector('[data-said=points]').textContent"
+        self.assertIn("passes through the lens", self.run(said))
+        self.assertTrue(self.run("return [...document.querySelectorAll('#points button')].every(p => p.className === 'bad')"))
+        self.assertEqual(self.run("return focusPage.model.lens.focus"), before, "the picture stays that of the last lens")
+        self.click_at(0.3, -0.3)
+        self.assertEqual(self.run(said), "")
+        self.assertNotEqual(self.run("return focusPage.model.lens.focus"), before)
+        self.assertEqual(self.run(ONE_LENS), [])
+
+    def test_sliders_and_lists_turn_the_lens_too(self):
+        self.open(self.scene())
+        slide = """
+        const slider = document.getElementById(arguments[0]).previousElementSibling, before = focusPage.model.lens;
+        slider.value = Number(slider.min) + 0.7 * (slider.max - slider.min);
+        slider.dispatchEvent(new Event("input"));
+        slider.dispatchEvent(new Event("change"));
+        return JSON.stringify(before) !== JSON.stringify(focusPage.model.lens);
+        """
+        for knob in ("tilt", "swing", "fStop", "angle", "focalLength", "focusTilt", "focusSwing", "sceneUnit", "shiftRight", "shiftUp"):
+            with self.subTest(knob):
+                self.assertTrue(self.run(slide, knob))
+                self.assertEqual(self.run(ONE_LENS), [])
+        for name, value, width in (("film", 7, 127), ("real", 1, 36)):
+            self.choose(name, value)
+            self.assertAlmostEqual(self.run("return focusPage.model.block.filmWidth"), width, places=6)
+            self.assertEqual(self.run(f"return document.getElementById('{name}').value"), str(value))
+        self.assertAlmostEqual(self.run("return focusPage.model.numbers().focalLength"), 24, places=9)
+
     def test_nothing_is_asked_of_another_host(self):
         address = self.open(self.scene())
         names = self.run("return performance.getEntriesByType('resource').map(e => e.name)")
@@ -116,6 +170,7 @@ class Knobs(PageTest):
                 self.press(chance.choice([f"input[name=form][value={form}]" for form in ("points", "plane", "angles")]))
             finite = self.run("return [...focusPage.model.lens.focus, focusPage.model.lens.diameter].every(Number.isFinite)")
             self.assertTrue(finite)
+            self.assertEqual(self.run(ONE_LENS), [])
             self.assertNotRegex(self.text("block"), r"NaN|undefined|Infinity|null")
         self.assertEqual(self.console(), [])
         self.assertEqual(self.message_of_page(), "")

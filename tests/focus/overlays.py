@@ -5,9 +5,13 @@
 import math
 
 from tests.focus import harness
-from tests.focus.harness import PageTest
+from tests.focus.harness import SCENE, PageTest
+from tools.focus.picture import display
 
 NEAR, MIDDLE, FAR = (-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3)  # on the fronts of the three towers
+
+# What the page can lay over the picture -> the focus aid that does the same
+AIDS = {"peaking": "focus_peaking rgb <1, 0.05, 0.35>", "map": "focus_map", "planes": "show_planes"}
 
 # Red, green, blue at places of the picture, with something shown.
 PIXELS = """
@@ -24,7 +28,7 @@ const found = {};
 for (const line of document.querySelectorAll("#side line"))
     (found[line.getAttribute("class")] ??= []).push(["x1", "y1", "x2", "y2"].map(name => Number(line.getAttribute(name))));
 const meet = document.querySelector("#side circle.meet");
-const dots = document.querySelectorAll("#side circle.surface").length;
+const dots = document.querySelector("#side path.surface").getAttribute("d").split("M").length - 1;
 return { ...found, meet: meet && [Number(meet.getAttribute("cx")), Number(meet.getAttribute("cy"))], dots };
 """
 
@@ -49,16 +53,14 @@ class Overlays(PageTest):
         self.click_at(*place)
 
     def pixels(self, places, **show):
-        """Colours of the picture."""
+        """Colours of the picture at rest."""
+        self.smooth()
         return self.run(PIXELS, show, places)
 
     def test_the_tint_marks_what_is_sharp_and_nothing_else(self):
         self.focus_on(MIDDLE)
         plain, tinted = self.pixels([NEAR, MIDDLE, FAR]), self.pixels([NEAR, MIDDLE, FAR], peaking=True)
         self.assertEqual([a == b for a, b in zip(plain, tinted)], [True, False, True])
-        # half of it the tint's own colour
-        for value, before, tint in zip(tinted[1], plain[1], (1, 0.05, 0.35)):
-            self.assertAlmostEqual(value, (before + 255 * tint) / 2, delta=2)
 
     def test_the_blur_as_colours_has_two_sides(self):
         self.focus_on(MIDDLE)
@@ -82,8 +84,41 @@ class Overlays(PageTest):
         laid = self.pixels([(0, -0.45), FAR], planes=True)
         self.assertNotEqual(laid[1], planes[1])
 
+    def test_tint_colours_and_planes_are_those_of_the_focus_aids(self):
+        scene, size = self.scene(), (320, 180)
+        self.open(scene, "+W320", "+H180")
+        for knob, value in (("fStop", 1.4), ("tilt", 3), ("swing", -2)):
+            self.set_number(knob, value)
+        self.press("#write")
+        self.until("the change", lambda: "Written" in self.text("file-said"))
+        self.until("the new preview", lambda: "new preview" in self.text("status"))
+        self.until("smooth edges", lambda: self.run("const sum = focusPage.previewSum(), same = sum === window.sum; window.sum = sum; return same"))
+        self.smooth()
+        written = scene.read_text()
+        live = {name: self.live({name: True} if name else {}) for name in ("", *AIDS)}
+        # edges are smooth in the preview alone
+        same = self.other(live[""], self.scene(SCENE, "plain.pov"), size) <= 1
+        self.assertGreater(same.mean(), 0.8)
+        for name, item in AIDS.items():
+            with self.subTest(item):
+                copy = self.scene(written.replace("tilt_lens {", f"tilt_lens {{\n    {item}"), "aid.pov")
+                self.assertGreater(abs(live[name] - live[""]).max(2).mean(), 2, "nothing is laid over the picture")
+                self.assertLess((self.other(live[name], copy, size)[same] > 2).mean(), 0.005)
+
+    def other(self, live, scene, size):
+        """The largest difference in each pixel between a live picture and the program's, without the scale of colours."""
+        return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
+
+    def live(self, show):
+        """The live picture without blur but with something shown, as an array of the upper rows."""
+        import numpy
+
+        values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)
+        return numpy.array(values).reshape(180, 320, 4)[:150, :, :3]
+
     def test_film_lens_and_plane_meet_in_the_side_view(self):
         self.focus_on(MIDDLE)
+        self.smooth()
         flat = self.run(SIDE)
         self.assertIsNone(flat["meet"])
         self.assertAlmostEqual(angle(flat["lens"][0]), 90, delta=0.01)
@@ -91,6 +126,7 @@ class Overlays(PageTest):
         self.assertGreater(flat["dots"], 100)
         for tilt in (4, 8):
             self.set_number("tilt", tilt)
+            self.smooth()
             seen = self.run(SIDE)
             (film,), (lens,), (plane,) = seen["film"], seen["lens"], seen["plane"]
             for line in (film, lens, plane):

@@ -2,31 +2,12 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The main path of the page: click three points, take the block, write it, render it, and find these points sharp."""
 
-import asyncio
 import re
 
 from tests.focus import harness
-from tests.focus.harness import SCENE, SETTINGS, PageTest
-from tools.focus.povray import Render
+from tests.focus.harness import ROOT, SCENE, PageTest
 
 PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
-
-
-def blur_layer(scene, folder, size):
-    """Blur in pixels, rows and columns, as the program finds it in a scene."""
-    import numpy
-
-    values = numpy.full((size[1], size[0]), numpy.nan)
-
-    async def take(tile):
-        if tile.layers is not None:
-            part = tile.layers["blur"]
-            values[tile.top : tile.top + part.shape[0], tile.left : tile.left + part.shape[1]] = part
-
-    render = Render(SETTINGS.povray, folder, "layers")
-    words = render.words(scene, ["+N", "-A"], size)
-    asyncio.run(render.run(words, False, take))
-    return values
 
 
 class Page(PageTest):
@@ -56,7 +37,7 @@ class Page(PageTest):
                 self.until("the change", lambda: "Written" in self.text("file-said") or "Not" in self.text("file-said"))
                 self.assertIn("Written", self.text("file-said"))
                 size = (800, 450)
-                blur = blur_layer(scene, self.folder, size)
+                blur = harness.rendered(scene, self.folder, size, "+N")["blur"]
                 for x, y in PLACES:
                     found = blur[round((0.5 - y) * size[1]), round((x + 0.5) * size[0])]
                     self.assertLess(abs(found), 0.5, f"{x}, {y}")

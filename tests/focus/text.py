@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Parts of ./focus without a page: the text of scenes, messages of POV-Ray, options, the include file's lenses."""
 
+import pathlib
 import re
+import tempfile
 import unittest
 
 from tests.focus import harness
 from tools.focus import focus, povray, scene_text
-from tools.focus.scene_text import Doubt, with_block
+from tools.focus.options import Options
+from tools.focus.scene_text import EditError, with_block
 from tools.repository import ROOT
 
 BLOCK = "tilt_lens {\n  f_stop 2\n}"
@@ -47,18 +50,23 @@ class SceneText(unittest.TestCase):
             ("camera { angle Wide*2 }", 1, {"angle": "50"}),
             ("camera { location 0", 1, {}),
         ):
-            with self.subTest(text), self.assertRaises(Doubt):
+            with self.subTest(text), self.assertRaises(EditError):
                 with_block(text, line, BLOCK, items)
 
-    def test_an_item_that_the_page_does_not_write_is_not_lost(self):
-        for item in scene_text.NOT_WRITTEN:
-            with self.assertRaisesRegex(Doubt, f"has {item}, which would be lost"):
-                with_block(f"camera {{ tilt_lens {{ tilt 3 {item} off }} }}", 1, BLOCK, {})
+    def test_an_item_that_the_page_does_not_write_is_kept(self):
+        before = "camera {\n  tilt_lens {\n    tilt 3 denoise off // quick\n    focus_peaking\n      rgb <1, 0, 0>, 2 f_stop Stop\n  }\n}\n"
+        after = "camera {\n  tilt_lens {\n    f_stop 2\n    denoise off\n    focus_peaking rgb <1, 0, 0>, 2\n  }\n}\n"
+        self.assertEqual(with_block(before, 7, BLOCK, {}), after)
+        for item in scene_text.KEPT:
+            text = f"camera {{ tilt_lens {{ tilt 3 {item} (1 + 1) /* f_stop 4 */ scene_unit 10 }} }}"
+            self.assertEqual(scene_text.kept_at(text, 1), [f"{item} (1 + 1)"])
+        self.assertEqual(scene_text.kept_at("camera { tilt_lens { tilt 3 } }", 1), [])
+        self.assertIsNone(scene_text.kept_at("camera { angle 40 }", 1))
 
     def test_each_item_of_the_language_is_written_or_kept(self):
         source = ROOT / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp"
         items = re.findall(r'^    \{"(\w+)", ', source.read_text(), re.MULTILINE)
-        self.assertEqual(sorted(items), sorted(scene_text.WRITTEN + scene_text.NOT_WRITTEN))
+        self.assertEqual(sorted(items), sorted(scene_text.WRITTEN + scene_text.KEPT))
 
     def test_version(self):
         self.assertEqual(scene_text.version_of("// #version 3.5;\n#version 3.7;\n"), "3.7")
@@ -78,15 +86,38 @@ class Messages(unittest.TestCase):
         self.assertEqual(povray.with_quotes("Declare=A=1 + 2"), "Declare=A=1 + 2")
 
 
-class Options(unittest.TestCase):
+class Settings(unittest.TestCase):
     def test_size(self):
-        for options, size in (
+        for words, size in (
             ([], ((960, 540), False)),
             (["+W640", "+H480"], ((640, 480), True)),
             (["Width=320"], ((320, 180), False)),
             (["+A0.3", "+h90"], ((160, 90), False)),
         ):
-            self.assertEqual(focus.size_in(options), size)
+            found = Options(words)
+            self.assertEqual((found.size, found.size_given), size)
+
+    def test_clock(self):
+        for words, clock, clocks in (
+            ([], None, (0, 1)),
+            (["+K0.25"], 0.25, (0, 1)),
+            (["Clock=-2", "Declare=Clock=7"], -2, (-2, 1)),
+            (["+KI1", "+KF5", "+K2"], 2, (1, 5)),
+            (["+KFI1", "+KFF48", "+KI10", "+KF-10"], 10, (-10, 10)),
+            (["Initial_Clock=3", "final_clock=4"], None, (3, 4)),
+        ):
+            with self.subTest(words):
+                found = Options(words)
+                self.assertEqual((found.clock, found.clocks), (clock, clocks))
+
+    def test_ini_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ini = pathlib.Path(folder) / "film.ini"
+            ini.write_text("; a film\nFinal_Frame = 24 ; frames\n+W320 +H200\n[slow]\nFinal_Clock=9\n[fast]\nFinal_Clock=2\n")
+            found = Options([f"{ini}[Slow]", "+H100"])
+            self.assertEqual((found.size, found.size_given, found.clock, found.clocks), ((320, 100), True, 0, (0, 9)))
+            self.assertEqual(Options([f"{ini}"]).clocks, (0, 1))
+            self.assertEqual(Options(["nowhere.ini"]).clocks, (0, 1))
 
     def test_lenses_and_films_are_those_of_the_include_file(self):
         found = focus.real_lenses()

@@ -66,7 +66,7 @@ class Truth(PageTest):
 
     def test_it_grows_and_stops(self):
         self.open(self.scene(SLOW), *harness.SMALL)
-        self.choose("width", 3840)
+        self.choose("width", 1920)
         self.press("#render")
         self.until("a part of the picture", lambda: self.run("return document.getElementById('progress').value > 0"))
         grown = "return focusPage.truePixels().some((x, i) => i % 4 === 3 && x > 0)"

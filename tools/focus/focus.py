@@ -15,10 +15,10 @@ import tempfile
 import webbrowser
 
 from tools.focus import wrapper
+from tools.focus.options import Options
 
 HELP = """Options of POV-Ray may follow, as for ./render: +W1280 +H720 Declare=Tilt=4
 Press Ctrl-C to end. See docs/focus.md."""
-WIDTH, HEIGHT = 960, 540
 
 
 def port(text):
@@ -56,21 +56,6 @@ def parser():
     )
     top.add_argument("--povray", default=os.environ.get("FOCUS_POVRAY"), metavar="PROGRAM", help=argparse.SUPPRESS)
     return top
-
-
-def size_in(options):
-    """Width and height that the options of POV-Ray give, and whether they do."""
-    size = {"w": None, "h": None}
-    for option in options:
-        found = re.fullmatch(r"[-+]([wWhH])(\d+)|(Width|Height)=(\d+)", option, re.IGNORECASE)
-        if found:
-            size[(found[1] or found[3])[0].lower()] = max(2, int(found[2] or found[4]))
-    width, height = size["w"], size["h"]
-    if width and height:
-        return (width, height), True
-    if width or height:
-        return (width or round(height * WIDTH / HEIGHT), height or round(width * HEIGHT / WIDTH)), False
-    return (WIDTH, HEIGHT), False
 
 
 def real_lenses():
@@ -135,15 +120,14 @@ def main(words):
     if not os.access(settings.scene, os.R_OK) or not os.path.isfile(settings.scene):
         print(f"focus: there is no readable scene file {settings.scene}", file=sys.stderr)
         return 1
-    settings.options = options
+    settings.options = Options(options)
     settings.program = os.path.abspath(settings.povray)
-    settings.size, settings.size_given = size_in(options)
     settings.lenses = real_lenses()
     with tempfile.TemporaryDirectory(prefix="focus-") as folder:
         try:
             asyncio.run(serve(settings, pathlib.Path(folder)))
         except OSError as error:
-            print(f"focus: cannot listen on port {settings.port}: {error.strerror}", file=sys.stderr)
+            print(f"focus: cannot listen on port {settings.port}: {os.strerror(error.errno)}", file=sys.stderr)
             return 1
     return 0
 

@@ -6,6 +6,8 @@ import json
 import math
 import re
 
+from tools.focus.scene_text import with_items
+
 LARGEST = 16384  # pixels of a side
 QUALITIES = (
     "blur_samples 8, 32",
@@ -66,15 +68,15 @@ def items(value):
     return value
 
 
-def picture(message):
-    """A request for the true picture, as the session takes it."""
+def picture(message, kept):
+    """A request for the true picture; `kept` are further items of the block."""
     size = message.get("size")
     need(isinstance(size, list) and len(size) == 2 and all(isinstance(n, int) and 2 <= n <= LARGEST for n in size))
     quality = message.get("quality")
     need(quality in range(len(QUALITIES)))
     text = block(message.get("block"))
     more = [f"{name} {value}" for name, value in items(message.get("items")).items() if value and name == "focal_point"]
-    inside = "\n".join([QUALITIES[quality], *more, text])
+    inside = "\n".join([QUALITIES[quality], *more, with_items(text, kept)])
     return {"size": size, "camera": camera(message.get("camera")), "inside": inside}
 
 

@@ -11,6 +11,7 @@ import signal
 from tools.focus import tiles
 
 STEP = 0.05  # seconds between two looks at what a render has done
+BACKGROUND = 10  # niceness of a render that nobody waits for
 
 
 class RenderError(Exception):
@@ -52,10 +53,11 @@ def with_quotes(option):
 
 
 class Render:
-    """One run. `run` returns when it is over; `stop` ends it."""
+    """One run. `run` returns when it is over; `stop` ends it. One in the background leaves the processors to the page."""
 
-    def __init__(self, program, folder, name):
+    def __init__(self, program, folder, name, background=False):
         self.program, self.folder, self.name = program, folder, name
+        self.niceness = BACKGROUND if background else 0
         self.process = None
         self.stopped = False
         self.file_list = None  # where the program lists the files that it reads
@@ -79,6 +81,8 @@ class Render:
             "-C",
             "+SP1",
             "+EP1",
+            "+KFI1",
+            "+KFF1",
         ]
 
     def environment(self, preview):
@@ -102,6 +106,8 @@ class Render:
         try:
             with open(log, "wb") as stream:
                 self.process = await asyncio.create_subprocess_exec(
+                    "nice",
+                    f"-n{self.niceness}",
                     "setpriv",
                     "--pdeathsig",
                     "KILL",

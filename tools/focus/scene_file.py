@@ -8,7 +8,7 @@ import re
 import shutil
 
 from tools.focus import scene_text
-from tools.focus.scene_text import Doubt
+from tools.focus.scene_text import EditError
 
 ENCODING = "latin-1"  # every byte is a character, so that what is not changed stays as it was
 
@@ -91,10 +91,6 @@ class SceneFile:
         """Whether the scene asks for the clock."""
         return bool(re.search(r"\bclock\b", scene_text.blanked(self.text())))
 
-    def with_block(self, line, block, items):
-        """The text with another block; see scene_text.with_block."""
-        return scene_text.with_block(self.text(), line, block, items)
-
     def replace(self, text):
         """Writes the file whole, after a copy of it was kept; returns the copy's name."""
         number = 1
@@ -124,9 +120,9 @@ class SceneFile:
     def undo(self):
         """Puts the kept copy back."""
         if self.kept is None:
-            raise Doubt("there is no change to take back")
+            raise EditError("there is no change to take back")
         if digest(self.bytes()) != self.written:
-            raise Doubt("the file was changed by somebody else since; the copy is kept as " + os.path.basename(self.kept))
+            raise EditError("the file was changed by somebody else since; the copy is kept as " + os.path.basename(self.kept))
         with open(self.kept, "rb") as stream:
             self.put(stream.read())
         os.unlink(self.kept)

@@ -4,14 +4,16 @@
 
 import re
 
-# Items of a block that the page writes, and those that it knows nothing of.
+# Items of a block that the page writes anew, those that it keeps as they are, and of these the focus aids, which the true
+# picture leaves out.
 WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "tilt", "swing", "focus_tilt",
            "focus_swing", "focal_plane", "focal_points")
-NOT_WRITTEN = ("denoise", "focus_peaking", "focus_map", "show_planes")
+AIDS = ("focus_peaking", "focus_map", "show_planes")
+KEPT = ("denoise", *AIDS)
 
 
-class Doubt(Exception):
-    """The block cannot be put into the text without a guess; says why."""
+class EditError(Exception):
+    """A scene's file that is not changed, since that would need a guess; says why."""
 
 
 def blanked(text):
@@ -52,7 +54,7 @@ def closing(code, opening):
         depth += 1 if found.group() == "{" else -1
         if depth == 0:
             return found.start()
-    raise Doubt("the braces of the scene do not match")
+    raise EditError("the braces of the scene do not match")
 
 
 def statements(code, word, start=0, end=None):
@@ -68,7 +70,7 @@ def camera_at(text, line):
     code = blanked(text)
     ends = [s for s in statements(code, "camera") if code.count("\n", 0, s[2]) + 1 == line]
     if len(ends) != 1:
-        raise Doubt("the camera comes from a macro, an identifier or another file")
+        raise EditError("the camera comes from a macro, an identifier or another file")
     return ends[0]
 
 
@@ -97,13 +99,49 @@ def with_item(body, item, value):
     return body[: found.start()] + f"{item} {value}" + body[found.end() :]
 
 
+def kept_items(inside):
+    """Items between the braces of a block that the page does not write, as text, one each.
+    @throws EditError  where the text holds more than items"""
+    code = blanked(inside)
+    if "#" in code:
+        raise EditError("the block has directives such as #if, which would be lost")
+    words = list(re.finditer(rf"\b(?:{'|'.join(WRITTEN + KEPT)})\b", code))
+    ends = [word.start() for word in words[1:]] + [len(code)]
+    items = [(word.group(), " ".join(code[word.start() : end].split())) for word, end in zip(words, ends)]
+    return [text for word, text in items if word in KEPT]
+
+
+def block_in(body):
+    """Where a camera's text has its block: (word's place, opening, closing), or None.
+    @throws EditError"""
+    blocks = statements(blanked(body), "tilt_lens")
+    if len(blocks) > 1:
+        raise EditError("the camera has more than one tilt_lens block in its text")
+    return blocks[0] if blocks else None
+
+
+def kept_at(text, line):
+    """kept_items of the camera whose closing brace stands in a line; None where its text has no block."""
+    _, opening, end = camera_at(text, line)
+    body = text[opening + 1 : end]
+    block = block_in(body)
+    return kept_items(body[block[1] + 1 : block[2]]) if block else None
+
+
+def with_items(block, items):
+    """A block's text with more items at its end."""
+    return block.removesuffix("}") + "".join(f"  {item}\n" for item in items) + "}"
+
+
 def with_block(text, line, block, items):
     """The scene's text with this block in the camera whose closing brace stands in a line.
 
-    `items` are items of the camera itself that go with the block: name -> value, or None for one that must go.
-    @throws Doubt"""
+    `items` are items of the camera itself that go with the block: name -> value, or None for one that must go. What the
+    old block has besides what the page writes is kept.
+    @throws EditError"""
     word, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
+    block = with_items(block, kept_at(text, line) or [])
     for item, value in items.items():
         if not re.search(rf"\b{item}\b", blanked(body)):
             if value is not None:
@@ -111,29 +149,22 @@ def with_block(text, line, block, items):
             continue
         changed = with_item(body, item, value)
         if changed is None:
-            raise Doubt(f"the camera's {item} is an expression")
+            raise EditError(f"the camera's {item} is an expression")
         body = changed
-    code = blanked(body)
-    blocks = statements(code, "tilt_lens")
-    if len(blocks) > 1:
-        raise Doubt("the camera has more than one tilt_lens block in its text")
-    if blocks:
-        start, inner, stop = blocks[0]
-        if "#" in code[inner:stop]:
-            raise Doubt("the block has directives such as #if, which would be lost")
-        lost = [item for item in NOT_WRITTEN if re.search(rf"\b{item}\b", code[inner:stop])]
-        if lost:
-            raise Doubt(f"the block has {' and '.join(lost)}, which would be lost")
-        indent = line_indent(body, start) if body[:start].strip() else "  "
-        before = body[:start]
-        lead = re.search(r"[ \t]*$", before).group()
-        replacement = indented(block, indent)
-        if before.endswith("\n" + lead) or not before:
-            before = before[: len(before) - len(lead)]
-        else:
-            replacement = replacement.lstrip()
-        body = before + replacement + body[stop + 1 :]
+    return text[: opening + 1] + with_block_in(body, block, line_indent(text, word)) + text[end:]
+
+
+def with_block_in(body, block, indent):
+    """A camera's text with another block, or with one more; `indent` is that of the camera's line."""
+    old = block_in(body)
+    if old is None:
+        return body.rstrip() + "\n" + indented(block, indent + "  ") + "\n" + indent
+    start, _, stop = old
+    before = body[:start]
+    replacement = indented(block, line_indent(body, start) if before.strip() else "  ")
+    lead = re.search(r"[ \t]*$", before).group()
+    if before.endswith("\n" + lead) or not before:
+        before = before[: len(before) - len(lead)]
     else:
-        indent = line_indent(text, word)
-        body = body.rstrip() + "\n" + indented(block, indent + "  ") + "\n" + indent
-    return text[: opening + 1] + body + text[end:]
+        replacement = replacement.lstrip()
+    return before + replacement + body[stop + 1 :]

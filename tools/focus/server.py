@@ -114,7 +114,7 @@ class Server:
 
     async def picture(self, _request):
         """The true picture, to be saved."""
-        path = self.session.picture_file
+        path = self.session.picture.file
         if not path or not path.exists():
             raise web.HTTPNotFound(text="There is no finished picture.\n")
         name = pathlib.Path(self.session.settings.scene).stem
@@ -182,17 +182,17 @@ class Server:
     async def do_render(self, message):
         """The true picture."""
         messages.need(self.session.record)
-        self.session.start_picture(messages.picture(message))
+        self.session.picture.start(messages.picture(message, self.session.kept_in_picture()))
 
     async def do_stop(self, _message):
         """Stops the true picture."""
-        self.session.stop_picture()
+        self.session.picture.stop()
 
     async def do_write(self, message):
         """Writes the block into the scene."""
         messages.need(self.session.record)
-        await self.session.write(messages.change(message))
+        await self.session.editor.write(messages.change(message))
 
     async def do_undo(self, _message):
         """Takes the last change of the scene back."""
-        await self.session.undo()
+        await self.session.editor.undo()

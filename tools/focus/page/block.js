@@ -99,7 +99,8 @@ export function describe(model, form) {
 }
 
 /// The text to copy: camera items, then the block.
-export function copyText({ items, block }) {
+/// @param kept  further items of the block, as text
+export function copyText({ items, block }, kept = []) {
     const lines = Object.entries(items).filter(([, value]) => value !== null).map(([name, value]) => `${name} ${value}`);
-    return [...lines, block].join("\n");
+    return [...lines, block.replace(/}$/, [...kept.map(item => `  ${item}\n`), "}"].join(""))].join("\n");
 }

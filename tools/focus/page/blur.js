@@ -6,33 +6,23 @@
 /// A change draws one pass at once, at a size that the machine manages in time; while nothing changes, further passes
 /// at full size are averaged, until the picture is smooth.
 
-import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
-import { axisFocusOf, blurPerVergence, planeOfBlur } from "./lens.js";
-import { DISPLAY, EVERYWHERE, GATHER, LIST } from "./shaders.js";
+import { along, cross, dot, length, times, unit } from "./vector.js";
+import { axisFocusOf, blurPerVergence, frameMap, inFrame, planeOfBlur } from "./lens.js";
+import { newProgram, newTarget, newTexture, setSize } from "./gl.js";
+import { Reach, TILE } from "./reach.js";
+import { DISPLAY, GATHER, LIST } from "./shaders.js";
 
-const TILE = 16;           // side of a tile of the preview, pixels
-const WANTED = 33;         // milliseconds that a picture may take while something moves
+const WANTED = 24;         // milliseconds that a picture may take while something moves: with the rest of the page 30 in a second
 const SMALLEST = 0.125;    // of the full size, while something moves
+const SIZES = 16;          // steps of that size: a change of it takes time
 const MOVING_TAPS = 16, RESTING_TAPS = 32;
 const PASSES = 24;         // until the picture is smooth
-const STRIP = 30;          // milliseconds for a part of a pass at full size, so that the page stays awake
+const STRIP = 20;          // milliseconds for a part of a pass at full size, after which a click is seen
 const LEAST_STRIPS = 16;   // a pass has at most so many parts
 const PATIENCE = 15000;    // milliseconds of work after which a picture is smooth enough, whatever the passes
 const PEAKING = [1, 0.05, 0.35];
-
-/// Coordinates of a vector across the axis in the frame's right and up.
-function inFrame(lens, v) {
-    const rr = dot(lens.right, lens.right), ru = dot(lens.right, lens.up), uu = dot(lens.up, lens.up);
-    const r = dot(v, lens.right), u = dot(v, lens.up), det = rr * uu - ru * ru;
-    return [(r * uu - u * ru) / det, (u * rr - r * ru) / det];
-}
-
-/// From the film of one frame to that of another of the same camera: [offset x, y, factor x, y].
-export function frameMap(lens, frame) {
-    const far = v => dot(v, lens.axis), ratio = far(frame.direction) / far(lens.direction);
-    const offset = inFrame({ right: frame.right, up: frame.up }, subtract(times(ratio, lens.direction), frame.direction));
-    return [...offset, ratio * length(lens.right) / length(frame.right), ratio * length(lens.up) / length(frame.up)];
-}
+/// Of the near limit, the plane of sharp focus and the far limit, as displayed: those of show_planes.
+const TINTS = [[0.95, 0.50, 0.05], [1, 1, 1], [0.05, 0.30, 0.95]];
 
 /// Points of the diaphragm, then of the disc around it: two uniform numbers of a sequence that fills the square evenly
 /// (Roberts's R2), taken to the shape.
@@ -64,12 +54,12 @@ class Blur {
     constructor(gl, canvas) {
         this.gl = gl;
         this.canvas = canvas;
-        this.programs = { gather: this.program(GATHER), display: this.program(DISPLAY) };
-        this.preview = this.texture();
-        this.reach = this.texture();
-        this.lensPoints = this.texture();
-        this.small = this.target();                  // while something moves
-        this.means = [this.target(), this.target()]; // the mean of the passes so far, and the next
+        this.programs = {};
+        this.preview = newTexture(gl);
+        this.reachTexture = newTexture(gl);
+        this.lensPoints = newTexture(gl);
+        this.small = newTarget(gl);                  // while something moves
+        this.means = [newTarget(gl), newTarget(gl)]; // the mean of the passes so far, and the next
         this.shown = this.small;
         this.scale = 0.25;
         this.restart();
@@ -88,6 +78,7 @@ class Blur {
     /// Forgets the passes so far.
     restart() {
         this.pass = this.row = this.spent = 0;
+        this.undisplayed = false; // whether a pass is complete that is not shown yet
     }
 
     // ---- what is drawn ----
@@ -96,11 +87,10 @@ class Blur {
     begin(width, height) {
         this.width = width;
         this.height = height;
-        this.canvas.width = width;
-        this.canvas.height = height;
+        this.canvas.style.aspectRatio = `${width} / ${height}`;
         this.rows = Math.ceil(height / LEAST_STRIPS);
         this.values = new Float32Array(width * height * 4);
-        this.ranges = new Float32Array(Math.ceil(width / TILE) * Math.ceil(height / TILE) * 2);
+        this.reach = new Reach(width, height, this.values);
         const gl = this.gl;
         gl.bindTexture(gl.TEXTURE_2D, this.preview);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, this.values);
@@ -113,7 +103,7 @@ class Blur {
         const gl = this.gl;
         gl.bindTexture(gl.TEXTURE_2D, this.preview);
         gl.texSubImage2D(gl.TEXTURE_2D, 0, left, top, width, height, gl.RGBA, gl.FLOAT, values);
-        this.noteRanges(left, top, width, height);
+        this.reach.note(left, top, width, height);
         this.reachOf = null;
         this.restart();
     }
@@ -126,62 +116,11 @@ class Blur {
         return inside ? this.values[(row * this.width + column) * 4 + 3] : NaN;
     }
 
-    /// Smallest and largest 1/distance of each tile that a rectangle touches.
-    noteRanges(left, top, width, height) {
-        const columns = Math.ceil(this.width / TILE);
-        for (let ty = Math.floor(top / TILE); ty * TILE < top + height; ty++)
-            for (let tx = Math.floor(left / TILE); tx * TILE < left + width; tx++) {
-                let least = Infinity, most = -Infinity;
-                for (let y = ty * TILE; y < Math.min(this.height, (ty + 1) * TILE); y++)
-                    for (let x = tx * TILE; x < Math.min(this.width, (tx + 1) * TILE); x++) {
-                        const value = this.values[(y * this.width + x) * 4 + 3];
-                        least = Math.min(least, value);
-                        most = Math.max(most, value);
-                    }
-                this.ranges.set([least, most], (ty * columns + tx) * 2);
-            }
-    }
-
-    /// The largest vergence difference whose blur may reach each tile.
+    /// Tells the shader how far blur reaches.
     updateReach() {
-        const columns = Math.ceil(this.width / TILE), rows = Math.ceil(this.height / TILE), { lens } = this;
-        const far = dot(lens.direction, lens.axis), own = new Float32Array(columns * rows);
-        const [ox, oy, fx, fy] = frameMap(lens, this.frame);
-        for (let y = 0; y < rows; y++)
-            for (let x = 0; x < columns; x++) {
-                const at = y * columns + x;
-                let largest = 0;
-                for (const cx of [x, x + 1])
-                    for (const cy of [y, y + 1]) {
-                        const px = (cx * TILE / this.width - 0.5 - ox) / fx, py = (0.5 - cy * TILE / this.height - oy) / fy;
-                        const w = lens.focusMiddle + px * lens.focusRight + py * lens.focusUp;
-                        largest = Math.max(largest, Math.abs(far * this.ranges[at * 2] - w), Math.abs(far * this.ranges[at * 2 + 1] - w));
-                    }
-                own[at] = largest;
-            }
-        const reach = this.dilated(own, columns, rows, 0.5 * blurPerVergence(lens, this.width) * fx / TILE);
-        const gl = this.gl;
-        gl.bindTexture(gl.TEXTURE_2D, this.reach);
-        gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, columns, rows, 0, gl.RED, gl.FLOAT, reach);
-    }
-
-    /// Each tile gets the largest of those values that reach it; `tiles` is the reach of a value of 1.
-    dilated(own, columns, rows, tiles) {
-        let values = own;
-        for (const [step, count, across] of [[1, columns, rows], [columns, rows, columns]]) {
-            const next = values.slice();
-            for (let line = 0; line < across; line++) {
-                const start = line * (step === 1 ? columns : 1);
-                for (let i = 0; i < count; i++) {
-                    const value = values[start + i * step], reach = Math.min(count, Math.ceil(value * tiles * 1.1));
-                    for (let j = Math.max(0, i - reach); j <= Math.min(count - 1, i + reach); j++)
-                        if (next[start + j * step] < value)
-                            next[start + j * step] = value;
-                }
-            }
-            values = next;
-        }
-        return values;
+        const gl = this.gl, { columns, rows } = this.reach;
+        gl.bindTexture(gl.TEXTURE_2D, this.reachTexture);
+        gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, columns, rows, 0, gl.RED, gl.FLOAT, this.reach.of(this.lens, this.frame));
     }
 
     /// The lens to draw with, and the frame that the preview was taken with.
@@ -203,7 +142,7 @@ class Blur {
     get unfinished() {
         if (!this.values || !this.lens)
             return false;
-        return this.blurs ? this.pass === 0 || (this.pass < PASSES && this.spent < PATIENCE) : this.pass === 0;
+        return this.undisplayed || this.pass === 0 || (this.blurs && this.pass < PASSES && this.spent < PATIENCE);
     }
 
     /// Draws: all at once and small while something moves, else a part of one more pass at full size.
@@ -215,22 +154,37 @@ class Blur {
             this.updateReach();
             this.reachOf = this.lens;
         }
+        const part = !moving && this.blurs && !this.undisplayed;
+        if (part)
+            this.drawStrip();
+        else
+            this.drawWhole(moving);
+        this.wait(part);
+        this.adapt(moving, part, performance.now() - begun);
+        this.drawings++;
+    }
+
+    drawWhole(moving) {
         if (!this.blurs)
             this.pass = 1;
         else if (moving)
             this.drawSmall();
-        else
-            this.drawStrip();
-        if (!this.blurs || moving || this.row === 0)
-            this.display();
-        this.wait(this.blurs && !moving && this.row > 0);
-        const time = performance.now() - begun, change = Math.min(1.5, Math.max(0.5, (moving ? WANTED : STRIP) / time));
-        if (this.blurs && moving)
+        this.display();
+        this.undisplayed = false;
+    }
+
+    /// Lets the next picture or part take the time that it may.
+    adapt(moving, part, time) {
+        // the first picture after a rest also pays for the change of size
+        const usual = this.wasMoving || time > 2 * WANTED;
+        this.work = time;
+        this.wasMoving = moving;
+        const change = Math.min(1.5, Math.max(0.5, (moving ? WANTED : STRIP) / time));
+        if (this.blurs && moving && usual)
             this.scale = Math.min(1, Math.max(SMALLEST, this.scale * Math.sqrt(change)));
-        else if (this.blurs)
+        else if (part)
             this.rows = Math.ceil(Math.min(this.height, Math.max(this.height / LEAST_STRIPS, this.rows * change)));
-        this.spent += moving ? 0 : time;
-        this.drawings++;
+        this.spent += part ? time : 0;
     }
 
     /// Returns when the graphics processor is done: with a part of a pass (`inside`), or with the picture.
@@ -241,7 +195,7 @@ class Blur {
 
     drawSmall() {
         this.restart();
-        const size = [this.width, this.height].map(n => Math.ceil(n * this.scale));
+        const scale = Math.ceil(this.scale * SIZES) / SIZES, size = [this.width, this.height].map(n => Math.ceil(n * scale));
         this.gather(this.small, this.means[0], size, MOVING_TAPS, 0, size[1]);
         this.shown = this.small;
     }
@@ -255,29 +209,29 @@ class Blur {
             this.pass++;
             this.means.reverse();
             this.shown = this.means[0];
+            this.undisplayed = true;
         }
     }
 
     /// Some rows, from below, of a pass; `before` is the mean of the passes before.
     gather(target, before, size, taps, from, to) {
         const gl = this.gl;
-        if (target.size[0] !== size[0] || target.size[1] !== size[1]) {
-            gl.bindTexture(gl.TEXTURE_2D, target.texture);
-            gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, ...size, 0, gl.RGBA, gl.FLOAT, null);
-            target.size = size;
-        }
+        setSize(gl, target, size);
         gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
         gl.viewport(0, 0, ...size);
         gl.enable(gl.SCISSOR_TEST);
         gl.scissor(0, from, size[0], to - from);
-        const set = this.use("gather", size);
-        set({ reach: [1, this.reach], mean: [2, before.texture], lensPoints: [3, this.lensPoints] });
+        const bladed = this.blades[0] >= 3;
+        const set = this.use(GATHER, bladed ? ["BLADES"] : [], size);
+        set({ reach: [1, this.reachTexture], mean: [2, before.texture], lensPoints: [3, this.lensPoints] });
         gl.uniform1f(set.at("tile"), TILE);
         gl.uniform1f(set.at("pixelsPerVergence"), 0.5 * blurPerVergence(this.lens, size[0]));
         gl.uniform1i(set.at("taps"), taps);
         gl.uniform1i(set.at("pass"), this.pass);
-        gl.uniform1f(set.at("corners"), this.blades[0]);
-        gl.uniform1f(set.at("turn"), this.blades[1]);
+        if (bladed) {
+            gl.uniform1f(set.at("corners"), this.blades[0]);
+            gl.uniform1f(set.at("turn"), this.blades[1]);
+        }
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         gl.disable(gl.SCISSOR_TEST);
     }
@@ -292,27 +246,38 @@ class Blur {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, LIST, 1, 0, gl.RGBA, gl.FLOAT, lensPointList(corners, turn));
     }
 
+    /// Shows what was drawn last, at its size, and what is laid over it.
     display() {
-        const gl = this.gl, { lens, show } = this, size = [this.width, this.height];
+        const gl = this.gl, { lens, show, canvas } = this, size = this.blurs ? this.shown.size : [this.width, this.height];
+        if (canvas.width !== size[0] || canvas.height !== size[1])
+            [canvas.width, canvas.height] = size;
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         gl.viewport(0, 0, ...size);
-        const set = this.use("display", size);
+        const planes = show.planes && lens.diameter > 0;
+        const parts = { BLURRED: this.blurs, GAMMA: this.gamma !== 0, MAP: show.map, PEAKING: show.peaking, PLANES: planes };
+        const set = this.use(DISPLAY, Object.keys(parts).filter(name => parts[name]), size);
         set({ mean: [2, this.shown.texture] });
-        gl.uniform1i(set.at("blurred"), this.blurs ? 1 : 0);
         gl.uniform1f(set.at("gamma"), this.gamma);
-        gl.uniform1f(set.at("pixelsOfBlur"), blurPerVergence(lens, size[0]));
-        for (const name of ["peaking", "map", "planes"])
-            gl.uniform1i(set.at(name), show[name] ? 1 : 0);
+        gl.uniform1f(set.at("pixelsOfBlur"), blurPerVergence(lens, this.width));
         gl.uniform3fv(set.at("peakingColour"), PEAKING);
         gl.uniform3fv(set.at("empty"), this.empty);
-        if (show.planes && lens.diameter > 0) {
+        if (planes) {
             const form = v => [dot(v, lens.direction), dot(v, lens.right), dot(v, lens.up)];
-            gl.uniform3fv(set.at("limits"), [1, 0, -1].flatMap(blur => form(planeOfBlur(lens, blur, size[0]))));
+            gl.uniform3fv(set.at("tints"), TINTS.flat().map(shown => this.sceneValue(shown)));
+            gl.uniform3fv(set.at("limits"), [1, 0, -1].flatMap(blur => form(planeOfBlur(lens, blur, this.width))));
             const { x, y } = this.grid();
             gl.uniform3fv(set.at("gridX"), [...form(x), 0, 0, 0, 0, 0, 0]);
             gl.uniform3fv(set.at("gridY"), [...form(y), 0, 0, 0, 0, 0, 0]);
         }
         gl.drawArrays(gl.TRIANGLES, 0, 3);
+    }
+
+    /// A value as displayed -> the scene's value that is displayed so.
+    sceneValue(shown) {
+        if (this.gamma === 0)
+            return shown;
+        const light = shown <= 0.04045 ? shown / 12.92 : ((shown + 0.055) / 1.055) ** 2.4;
+        return light ** (1 / this.gamma);
     }
 
     /// Directions in the plane of sharp focus, of the length of one cell's inverse: 1, 2 or 5 times a power of ten.
@@ -327,43 +292,10 @@ class Blur {
         return { x: times(1 / this.gridSpacing, x), y: times(1 / this.gridSpacing, cross(normal, x)) };
     }
 
-    // ---- WebGL ----
-
-    program(fragment) {
-        const gl = this.gl, program = gl.createProgram();
-        for (const [kind, text] of [[gl.VERTEX_SHADER, EVERYWHERE], [gl.FRAGMENT_SHADER, fragment]]) {
-            const shader = gl.createShader(kind);
-            gl.shaderSource(shader, text);
-            gl.compileShader(shader);
-            if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
-                throw new Error(gl.getShaderInfoLog(shader));
-            gl.attachShader(program, shader);
-        }
-        gl.linkProgram(program);
-        if (!gl.getProgramParameter(program, gl.LINK_STATUS))
-            throw new Error(gl.getProgramInfoLog(program));
-        return { program, places: {} };
-    }
-
-    texture() {
-        const gl = this.gl, texture = gl.createTexture();
-        gl.bindTexture(gl.TEXTURE_2D, texture);
-        for (const [name, value] of [["MIN_FILTER", "NEAREST"], ["MAG_FILTER", "NEAREST"], ["WRAP_S", "CLAMP_TO_EDGE"], ["WRAP_T", "CLAMP_TO_EDGE"]])
-            gl.texParameteri(gl.TEXTURE_2D, gl[`TEXTURE_${name}`], gl[value]);
-        return texture;
-    }
-
-    target() {
-        const gl = this.gl, texture = this.texture(), framebuffer = gl.createFramebuffer();
-        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 1, 1, 0, gl.RGBA, gl.FLOAT, null);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-        return { texture, framebuffer, size: [1, 1] };
-    }
-
-    /// Takes a program, with all that both know set; returns what sets textures and finds uniforms.
-    use(name, size) {
-        const gl = this.gl, { program, places } = this.programs[name], { lens } = this;
+    /// Takes a shader with these parts, with all that both shaders know set; returns what sets textures and finds uniforms.
+    use(shader, parts, size) {
+        const gl = this.gl, name = [shader === GATHER ? "gather" : "display", ...parts].join(" "), { lens } = this;
+        const { program, places } = (this.programs[name] ??= newProgram(gl, shader, parts));
         gl.useProgram(program);
         const at = uniform => (places[uniform] ??= gl.getUniformLocation(program, uniform));
         const set = textures => {

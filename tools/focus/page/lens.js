@@ -234,11 +234,22 @@ export function planeOf(lens) {
 /// Where a world point lies in the picture: x, y in [-0.5, 0.5], right and up, and its distance along the axis.
 export function project(lens, point) {
     const X = subtract(point, lens.location), depth = dot(X, lens.axis);
-    const far = dot(lens.direction, lens.axis), across = along(times(far / depth, X), -1, lens.direction);
-    // right and up need not be at right angles
+    const [x, y] = inFrame(lens, along(times(dot(lens.direction, lens.axis) / depth, X), -1, lens.direction));
+    return { x, y, depth };
+}
+
+/// Coordinates of a vector across the axis in the frame's right and up, which need not be at right angles.
+export function inFrame(lens, v) {
     const rr = dot(lens.right, lens.right), ru = dot(lens.right, lens.up), uu = dot(lens.up, lens.up);
-    const r = dot(across, lens.right), u = dot(across, lens.up), det = rr * uu - ru * ru;
-    return { x: (r * uu - u * ru) / det, y: (u * rr - r * ru) / det, depth };
+    const r = dot(v, lens.right), u = dot(v, lens.up), det = rr * uu - ru * ru;
+    return [(r * uu - u * ru) / det, (u * rr - r * ru) / det];
+}
+
+/// From the film of one frame to that of another of the same camera: [offset x, y, factor x, y].
+export function frameMap(lens, frame) {
+    const far = v => dot(v, lens.axis), ratio = far(frame.direction) / far(lens.direction);
+    const offset = inFrame({ right: frame.right, up: frame.up }, subtract(times(ratio, lens.direction), frame.direction));
+    return [...offset, ratio * length(lens.right) / length(frame.right), ratio * length(lens.up) / length(frame.up)];
 }
 
 /// World point at x, y of the picture at a distance along the axis.

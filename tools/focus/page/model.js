@@ -163,19 +163,23 @@ export class Model {
         if (this.mode === "one") {
             this.picks = [point];
         } else {
-            const wanted = this.third === "picked" ? 3 : this.third === "film" ? 1 : 2;
-            if (this.picks.length < wanted)
+            if (this.picks.length < this.wantedPicks)
                 this.picks.push(point);
             else
-                this.picks[this.nearestPick(point, wanted)] = point;
+                this.picks[this.nearestPick(point)] = point;
         }
         this.usePicks();
         this.remember();
     }
 
-    nearestPick(point, count) {
+    /// How many points determine the plane.
+    get wantedPicks() {
+        return this.mode === "one" || this.third === "film" ? 1 : this.third === "picked" ? 3 : 2;
+    }
+
+    nearestPick(point) {
         const at = project(this.lens, point);
-        const far = this.picks.slice(0, count).map(p => {
+        const far = this.picks.map(p => {
             const there = project(this.lens, p);
             return Math.hypot(there.x - at.x, there.y - at.y);
         });
@@ -191,9 +195,9 @@ export class Model {
     /// Points that the plane is to hold: picked, and made by the choice of the third.
     planePoints() {
         const { picks } = this;
-        if (this.mode === "one" || picks.length < 2 || this.third === "film")
+        if (this.wantedPicks === 1 || picks.length < 2)
             return null;
-        if (this.third === "picked" && picks.length === 3)
+        if (picks.length === 3)
             return picks;
         const { axis, right } = axesOf(this.camera), sky = unit(this.camera.sky);
         const across = cross(sky, axis), level = length(across) > 1e-6 ? unit(across) : right;
@@ -230,7 +234,7 @@ export class Model {
 
     setThird(third) {
         this.third = third;
-        this.picks = this.picks.slice(0, third === "picked" ? 3 : third === "film" ? 1 : 2);
+        this.picks = this.picks.slice(0, this.wantedPicks);
         this.usePicks();
         if (!this.picks.length)
             this.resolve();

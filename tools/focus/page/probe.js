@@ -19,10 +19,16 @@ export function buildProbe(model, blur, complete) {
         describe: form => describe(model, form),
 
         /// The live picture, or null before there is one: its size, the place that its preview was taken from, whether the
-        /// whole preview is there, passes averaged so far, and whether further ones would be.
+        /// whole preview is there, passes averaged so far, whether further ones would be, and the milliseconds that the last
+        /// drawing took.
         get live() {
-            const { frame, pass, unfinished } = blur;
-            return blur.values && frame ? { size: size(), location: frame.location, complete: complete(), passes: pass, smooth: !unfinished } : null;
+            const { frame, pass, unfinished, work } = blur;
+            return blur.values && frame ? { size: size(), location: frame.location, complete: complete(), passes: pass, smooth: !unfinished, work } : null;
+        },
+
+        /// How often it was drawn.
+        get drawings() {
+            return blur.drawings;
         },
 
         /// Sum of the preview's values: colours and 1/distance.

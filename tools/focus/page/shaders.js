@@ -3,6 +3,8 @@
 
 /// The programs of the graphics processor. Pixels of the picture count from its upper left corner; "film" is the
 /// place in the frame, x and y in [-0.5, 0.5], right and up. docs/focus.md describes the method.
+///
+/// What is not always needed is compiled in by #ifdef: a processor that does graphics computes both sides of a branch.
 
 export const EVERYWHERE = `#version 300 es
 void main() {
@@ -49,7 +51,9 @@ uniform sampler2D reach;    // for each tile of the preview: largest |vergence d
 uniform float tile;         // side of such a tile, pixels of the preview
 uniform float pixelsPerVergence; // radius of the blur
 uniform int taps, pass;
-uniform float corners, turn; // of the diaphragm; 0 corners: round
+#ifdef BLADES
+uniform float corners, turn; // of the diaphragm
+#endif
 uniform sampler2D lensPoints; // LIST points of the diaphragm (xy) and of the disc around it (zw)
 uniform sampler2D mean;     // of the passes before
 out vec4 result;
@@ -66,10 +70,12 @@ int startAt(vec2 p) {
 vec4 lensPoint(int i) { return texelFetch(lensPoints, ivec2(i & (LIST - 1), 0), 0); }
 
 bool inDiaphragm(vec2 p) {
-    if (corners < 3.0)
-        return dot(p, p) <= 1.0;
+#ifdef BLADES
     float half_ = PI / corners, angle = mod(atan(p.y, p.x) - turn, 2.0 * half_) - half_;
     return length(p) * cos(angle) <= cos(half_);
+#else
+    return dot(p, p) <= 1.0;
+#endif
 }
 
 vec4 surfaceAt(vec2 pixel, out float difference) {
@@ -121,7 +127,11 @@ void main() {
     if (widest * pixelsPerVergence > 1.0) {
         vec4 front = vec4(0.0);
         mat2 back = inverse(span);
-        float area = corners < 3.0 ? 1.0 : corners / (2.0 * PI) * sin(2.0 * PI / corners);
+#ifdef BLADES
+        float area = corners / (2.0 * PI) * sin(2.0 * PI / corners);
+#else
+        float area = 1.0;
+#endif
         for (int i = 0; i < taps; i++) {
             vec2 offset = span * lensPoint(start + i).zw * widest;
             float difference;
@@ -143,12 +153,11 @@ void main() {
 
 export const DISPLAY = SCENE + `
 uniform sampler2D mean;     // the blurred picture, of another size perhaps
-uniform bool blurred;       // whether it is shown, or the sharp preview
-uniform float gamma;        // of the scene's colours; 0: shown as they are
+uniform float gamma;        // of the scene's colours
 uniform float pixelsOfBlur; // diameter per unit of vergence
-uniform int peaking, map, planes;
-uniform vec3 peakingColour;
+uniform vec3 peakingColour; // among the scene's colours
 uniform vec3 limits[3];     // w of the near limit, the plane of sharp focus, the far limit
+uniform vec3 tints[3];      // of these, among the scene's colours
 uniform vec3 gridX[3], gridY[3]; // chief ray (middle, right, up) along the plane's own directions
 uniform vec3 empty;         // colour where there is no picture yet
 out vec4 result;
@@ -166,10 +175,11 @@ vec3 meanAt(vec2 pixel) {
 
 vec3 displayed(vec3 colour) {
     colour = clamp(colour, 0.0, 1.0);
-    if (gamma == 0.0)
-        return colour;
+#ifdef GAMMA
     vec3 light = pow(colour, vec3(gamma));
-    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
+    colour = mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
+#endif
+    return colour;
 }
 
 // the colours of focus_map (povray-src/tilt_lens/camera/focus_aids.cpp)
@@ -210,20 +220,27 @@ void main() {
     }
     vec4 surface = texelFetch(preview, here, 0);
     float vergence = axisLength * surface.a, blur = (vergence - focusAt(film)) * pixelsOfBlur;
-    vec3 colour = displayed(blurred ? meanAt(pixel) : surface.rgb);
-    if (map == 1)
-        colour = mapColour(blur);
-    if (peaking == 1 && abs(blur) < 1.0)
+#ifdef MAP
+    result = vec4(mapColour(blur), 1.0);
+    return;
+#endif
+#ifdef BLURRED
+    vec3 colour = meanAt(pixel);
+#else
+    vec3 colour = surface.rgb;
+#endif
+#ifdef PEAKING
+    if (abs(blur) < 1.0)
         colour = mix(colour, peakingColour, 0.5);
-    if (planes == 1) {
-        // from behind: far limit, plane of sharp focus, near limit, each where it is nearer than the surface
-        vec3 tints[3] = vec3[3](vec3(0.95, 0.50, 0.05), vec3(1.0), vec3(0.05, 0.30, 0.95));
-        float opacity[3] = float[3](0.25, onGridLine(pixel) ? 0.75 : 0.20, 0.50);
-        for (int i = 2; i >= 0; i--) {
-            float w = linear(limits[i], film);
-            if (w > 0.0 && w > vergence)
-                colour = mix(colour, tints[i], opacity[i]);
-        }
+#endif
+#ifdef PLANES
+    // from behind: far limit, plane of sharp focus, near limit, each where it is nearer than the surface
+    float opacity[3] = float[3](0.25, onGridLine(pixel) ? 0.75 : 0.20, 0.50);
+    for (int i = 2; i >= 0; i--) {
+        float w = linear(limits[i], film);
+        if (w > 0.0 && w > vergence)
+            colour = mix(colour, tints[i], opacity[i]);
     }
-    result = vec4(colour, 1.0);
+#endif
+    result = vec4(displayed(colour), 1.0);
 }`;

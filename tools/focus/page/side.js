@@ -72,10 +72,7 @@ export function drawSide(svg, lens, surfaces) {
         const [x, y] = at(point), tx = Math.min(width - 8, Math.max(8, x + dx)), ty = Math.min(height - 6, Math.max(14, y + dy));
         svg.append(shape("text", { x: tx, y: ty, "text-anchor": anchor }, text));
     };
-    for (const [x, y] of surfaces) {
-        const [cx, cy] = at([x, y]);
-        svg.append(shape("circle", { class: "surface", cx, cy, r: 1.1 }));
-    }
+    svg.append(shape("path", { class: "surface", d: surfaces.map(p => `M${at(p).map(x => x.toFixed(1))}h0`).join("") }));
     line("axis", [-s, 0], [box.right + size, 0]);
     if (turned) {
         endless("line", [1, 0], -s);

@@ -11,10 +11,12 @@ const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
 
 const clamp = x => Math.min(0.5, Math.max(-0.5, x));
 
-/// @param on  { pointAt(x, y) -> world point or null, moved(), done(), nothing() }
+/// @param on  { pointAt(x, y) -> world point or null, done(), nothing() there is no surface,
+///              entered() the keyboard has come to the picture or has left it }
 export function buildStage(model, on) {
     const picture = document.getElementById("picture"), points = document.getElementById("points");
     const cross = document.getElementById("cross"), truth = document.getElementById("truth"), wipe = document.getElementById("wipe");
+    const wipeLine = document.getElementById("wipe-line");
     const at = [0, 0]; // of the cross
 
     const filmOf = event => {
@@ -41,8 +43,10 @@ export function buildStage(model, on) {
         const step = event.shiftKey ? LARGE_STEP : STEP;
         const moves = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] };
         const move = moves[event.key];
-        if (event.key === "Enter" || event.key === " ")
+        if (event.key === "Enter" || event.key === " ") {
+            cross.hidden = false;
             pick(at);
+        }
         else if (event.key === "Escape")
             cross.hidden = true;
         else if (!move)
@@ -55,14 +59,20 @@ export function buildStage(model, on) {
             place(cross, at);
         }
     };
-    picture.onblur = () => (cross.hidden = true);
+    picture.onfocus = () => {
+        cross.hidden = !picture.matches(":focus-visible");
+        on.entered();
+    };
+    picture.onblur = () => {
+        cross.hidden = true;
+        on.entered();
+    };
+    place(cross, at);
 
     const moveTo = (index, film) => {
         const point = on.pointAt(...film);
-        if (point) {
+        if (point)
             model.move(index, point);
-            on.moved();
-        }
     };
     const button = index => {
         const made = document.createElement("button");
@@ -89,10 +99,16 @@ export function buildStage(model, on) {
         return made;
     };
 
-    const showWipe = () => (truth.style.clipPath = `inset(0 0 0 ${wipe.value}%)`);
+    const showWipe = () => {
+        truth.style.clipPath = `inset(0 0 0 ${wipe.value}%)`;
+        wipeLine.style.left = `${wipe.value}%`;
+    };
     wipe.oninput = showWipe;
 
     return {
+        /// Whether keys move the cross.
+        byKeys: () => !cross.hidden,
+
         /// Puts the points where the lens sees them.
         show() {
             while (points.children.length > model.picks.length)
@@ -109,7 +125,7 @@ export function buildStage(model, on) {
         },
         /// Shows the true picture beside the live one, or hides it.
         showTruth(shown) {
-            truth.hidden = wipe.hidden = !shown;
+            truth.hidden = wipe.hidden = wipeLine.hidden = !shown;
             showWipe();
         },
     };

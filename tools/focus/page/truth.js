@@ -3,12 +3,15 @@
 
 /// The true picture: asks the program for it, shows it as it grows, over the live one.
 
+import { describe } from "./block.js";
+
 const WIDTHS = [320, 640, 960, 1280, 1920, 2560, 3840];
 
 const time = seconds => (seconds < 90 ? `${seconds.toFixed(seconds < 9.5 ? 1 : 0)} s` : `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`);
 
-/// @param current  () -> { block, items, lens, size } of the lens that is shown now
-export function buildTruth(find, stage, current, ask) {
+/// @param previewSize  () -> [width, height] of the preview, whose proportions the picture has
+/// @param ask          sends a message to the program
+export function buildTruth(find, stage, model, previewSize, ask) {
     const canvas = find("truth"), said = find("true-said");
     let number = 0, waiting = [];
 
@@ -19,11 +22,11 @@ export function buildTruth(find, stage, current, ask) {
         return option;
     }));
     find("render").onclick = () => {
-        const { block, items, lens, size } = current(), width = Number(find("width").value);
-        const { location, right, up } = lens;
+        const { block, items } = describe(model, "plane"), width = Number(find("width").value), size = previewSize();
+        const { location, right, up, unshifted } = model.lens;
         ask({
             do: "render", size: [width, Math.max(2, Math.round(width * size[1] / size[0]))], quality: Number(find("quality").value),
-            camera: { location, direction: lens.unshifted, right, up }, block, items,
+            camera: { location, direction: unshifted, right, up }, block, items,
         });
     };
     find("stop").onclick = () => ask({ do: "stop" });

@@ -1,0 +1,89 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Puts the page's block into the scene's file, only where the program then finds the page's lens in it."""
+
+import os
+
+from tools.focus import scene_file, scene_text
+from tools.focus.povray import Render, RenderError
+from tools.focus.scene_text import EditError
+
+
+class Editor:
+    """Writes and undoes for one session."""
+
+    def __init__(self, session):
+        self.session = session
+
+    async def write(self, request):
+        """Puts the block into the scene's file."""
+        session = self.session
+        try:
+            await self.renew_record()
+            camera = self.camera_to_change()
+            text = session.file.text()
+            if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
+                raise EditError("the camera's tilt_lens block comes from a macro or another file")
+            text = scene_text.with_block(text, camera["line"], request["block"], request["items"])
+            await self.check(text, request["expect"])
+            kept = session.file.replace(text)
+        except (EditError, RenderError, OSError) as error:
+            reason = error.message if isinstance(error, RenderError) else str(error)
+            await session.tell("file", state="refused", reason=reason)
+            return
+        await session.tell("file", state="written", kept=kept)
+
+    async def undo(self):
+        """Takes the last change of the file back."""
+        try:
+            self.session.file.undo()
+        except (EditError, OSError) as error:
+            await self.session.tell("file", state="refused", reason=str(error))
+            return
+        await self.session.tell("file", state="undone")
+
+    async def look_at(self, path, name):
+        """What the program tells of the cameras of a file, by one pixel of it."""
+
+        async def nothing(_):
+            return
+
+        session = self.session
+        render = Render(session.settings.program, session.folder, name)
+        words = render.words(path, [*session.options(), "-A"], session.size)
+        await render.run([*words, "+SR1", "+ER1", "+SC1", "+EC1"], True, nothing)
+        return render.camera()
+
+    async def renew_record(self):
+        """Sees to it that the lines of the cameras are those of the file as it is."""
+        session = self.session
+        stamp = scene_file.stamp(session.file.path)
+        if session.record_stamp != stamp:
+            session.take_record(await self.look_at(session.settings.scene, "renewed"), stamp)
+
+    def camera_to_change(self):
+        """The camera statement that the page shows.
+        @throws EditError  where there is none that can be changed"""
+        session = self.session
+        cameras, index = session.record["cameras"], session.chosen
+        if index is None:
+            index = session.index_in_use()
+        if index is None:
+            raise EditError("no camera statement of the scene is the one in use")
+        camera = cameras[index]
+        if not session.is_own(camera):
+            raise EditError(f"the camera stands in another file, {os.path.basename(camera['file'])}")
+        if camera["block"] and abs(camera["block"]["scale"] - 1) > 1e-9:
+            raise EditError("the camera is scaled")
+        return camera
+
+    async def check(self, text, expected):
+        """@throws EditError  unless the program finds the wanted lens in the changed text"""
+        session = self.session
+        path = session.folder / "changed.pov"
+        path.write_bytes(session.file.encoded(text))
+        found = await self.look_at(path, "changed")
+        camera = found["view"] if session.chosen is None else found["cameras"][session.chosen]
+        wrong = scene_file.differences(camera, expected)
+        if wrong:
+            raise EditError("the changed scene would have another " + ", ".join(wrong))

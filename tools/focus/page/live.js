@@ -1,0 +1,136 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// The live picture: takes the preview as it arrives, decides when the picture is drawn and when it is refined, and asks
+/// for a new preview when the frame has moved away from that of the present one.
+
+import { dot, length, subtract } from "./vector.js";
+import { pointAt, solve } from "./lens.js";
+
+const REST = 150;          // milliseconds without a change, until the picture is refined
+const ARRIVING = 150;      // between two pictures while the preview arrives: the processors have enough to do
+const PREVIEW_REST = 600;  // and until the preview is made for a changed frame
+const FAR = 0.02;          // of the frame: a smaller change of it needs no new preview
+
+export class Live {
+    /// @param ask    sends a message to the program
+    /// @param begun  called when the first part of a new preview is there
+    constructor(blur, model, ask, begun) {
+        Object.assign(this, { blur, model, ask, begun });
+        this.complete = false;     // whether nothing more of the preview comes
+        this.focusIsOpen = false;  // whether the focus waits for what the preview shows
+        this.ownView = null;       // the scene's own camera
+        this.number = 0;           // of the preview
+        this.lastChange = this.lastDrawing = this.timer = 0;
+        this.scheduled = false;
+    }
+
+    // ---- the preview ----
+
+    /// A new preview is on its way.
+    expect({ number, frame, size }) {
+        this.complete = false;
+        this.number = number;
+        this.askedFrame = frame;
+        this.arriving = size;
+    }
+
+    /// Takes a rectangle of the preview.
+    take({ number, left, top, width, height, values }) {
+        if (!this.ownView || number !== this.number)
+            return;
+        if (this.arriving) {
+            this.blur.begin(...this.arriving);
+            this.arriving = null;
+            this.blur.frame = this.frameOf(this.askedFrame);
+            if (this.model.lens)
+                this.begun();
+        }
+        this.blur.take(left, top, width, height, values);
+        this.draw();
+    }
+
+    /// Nothing more of the preview comes.
+    end() {
+        this.complete = true;
+        this.draw();
+    }
+
+    /// The frame that a preview was taken with: what was asked for, or the scene's own camera with its own lens.
+    frameOf(asked) {
+        if (asked)
+            return { ...asked };
+        const { ownView: view } = this;
+        if (!view.block)
+            return view;
+        const lens = solve(view, view.block);
+        return { location: view.location, direction: lens.direction, right: lens.right, up: lens.up };
+    }
+
+    /// Whether the preview was taken from where the camera stands; after another camera was chosen it is not, for a while.
+    get fits() {
+        return Boolean(this.blur.values) && String(this.blur.frame?.location) === String(this.model.camera.location);
+    }
+
+    /// World point of the surface that the picture shows at x, y of the film, or null.
+    surfaceAt(x, y) {
+        const inverse = this.fits ? this.blur.inverseDepthAt(x, y) : 0;
+        return inverse > 0 ? pointAt(this.model.lens, x, y, 1 / inverse) : null;
+    }
+
+    // ---- changes ----
+
+    /// The model has another lens. @returns whether the preview can show it
+    show() {
+        const { blur, model } = this;
+        this.lastChange = performance.now();
+        blur.setBlades(model.block.blades, model.block.bladesAngle * Math.PI / 180);
+        if (!this.fits)
+            return false;
+        blur.setLens(model.lens, blur.frame);
+        this.askForFrame();
+        this.draw();
+        return true;
+    }
+
+    /// A new preview once the frame has moved away from that of the present one.
+    askForFrame() {
+        clearTimeout(this.timer);
+        const now = this.model.lens, then = this.blur.frame;
+        if (!then || this.focusIsOpen || !this.fits)
+            return;
+        const far = v => dot(v, now.axis), scaled = v => v.map(x => x / far(v));
+        const moved = length(subtract(scaled(now.direction), scaled(then.direction))) * far(now.direction) / length(now.right);
+        const zoomed = Math.abs(far(now.direction) / far(then.direction) * length(then.right) / length(now.right) - 1);
+        if (moved < 1e-6 && zoomed < FAR)
+            return;
+        this.timer = setTimeout(() => {
+            const { location, direction, right, up } = this.model.lens;
+            this.ask({ do: "preview", camera: { location, direction, right, up } });
+        }, PREVIEW_REST);
+    }
+
+    // ---- drawing ----
+
+    /// Draws soon, and goes on until the picture is smooth.
+    draw() {
+        if (this.scheduled || !this.model.lens)
+            return;
+        this.scheduled = true;
+        const wait = this.complete ? 0 : this.lastDrawing + ARRIVING - performance.now();
+        const begin = () => requestAnimationFrame(() => this.drawNow());
+        if (wait > 0)
+            setTimeout(begin, wait);
+        else
+            begin();
+    }
+
+    drawNow() {
+        this.scheduled = false;
+        const moving = !this.complete || performance.now() - this.lastChange < REST;
+        this.blur.draw(moving);
+        this.lastDrawing = performance.now();
+        if (this.complete && (moving || this.blur.unfinished))
+            this.draw();
+    }
+}

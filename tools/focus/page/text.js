@@ -1,0 +1,59 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// The lens as text for the scene: its form, copying it, writing it into the scene's file.
+
+import { FORMS, copyText, describe } from "./block.js";
+
+const WORDS = {
+    written: ({ kept }) => `Written. The scene as it was is kept as ${kept}.`,
+    undone: () => "The scene is as it was before.",
+    refused: ({ reason }) => `Not written: ${reason}. Copy the text and put it in by hand.`,
+};
+
+/// @param kept  () -> items of the scene's own block that stay in it, as text
+/// @param ask   sends a message to the program
+export function buildText(find, model, kept, ask) {
+    const block = find("block"), said = find("file-said");
+    let form = "plane";
+
+    const show = () => {
+        block.textContent = copyText(describe(model, form), kept());
+        document.querySelector(`input[name=form][value=${form}]`).checked = true;
+        find("write").disabled = find("copy").disabled = find("render").disabled = Boolean(model.error);
+    };
+    const mark = () => {
+        const range = document.createRange();
+        range.selectNodeContents(block);
+        getSelection().removeAllRanges();
+        getSelection().addRange(range);
+    };
+    for (const radio of document.querySelectorAll("input[name=form]"))
+        radio.onchange = () => {
+            form = radio.value in FORMS ? radio.value : form;
+            show();
+        };
+    find("copy").onclick = async () => {
+        try {
+            await navigator.clipboard.writeText(block.textContent);
+            said.textContent = "Copied. It belongs into the camera of your scene.";
+        } catch {
+            mark();
+            said.textContent = "The browser does not let this page copy. The text is marked: press Ctrl-C.";
+        }
+    };
+    find("write").onclick = () => ask({ do: "write", ...describe(model, form) });
+    find("undo").onclick = () => ask({ do: "undo" });
+
+    return {
+        show,
+        /// What has become of the scene's file. @returns whether it was changed from here
+        take(message) {
+            said.textContent = WORDS[message.state](message);
+            if (message.state === "refused")
+                return false;
+            find("undo").hidden = message.state !== "written";
+            return true;
+        },
+    };
+}

@@ -1,0 +1,83 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The true picture: the scene rendered with the page's lens, sent to the page while it grows."""
+
+import asyncio
+import contextlib
+import time
+
+import numpy
+
+from tools.focus import wrapper
+from tools.focus.povray import Render, RenderError
+from tools.focus.tasks import started
+
+
+def display(colours, gamma):
+    """Colours as a screen shows them, bytes with alpha."""
+    colours = numpy.clip(numpy.nan_to_num(colours), 0, 1)
+    if gamma is not None and gamma != "sRGB":
+        light = colours ** float(gamma)
+        colours = numpy.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    bytes_ = numpy.full((*colours.shape[:2], 4), 255, numpy.uint8)
+    bytes_[:, :, :3] = numpy.rint(colours * 255)
+    return bytes_
+
+
+class TruePicture:
+    """The last true picture that was asked for. `number` counts them; `values` are its pixels as far as it has grown,
+    rows, columns, 4; `file` is the finished file."""
+
+    def __init__(self, session):
+        self.session = session
+        self.number, self.values, self.file, self.task = 0, None, None, None
+
+    def start(self, request):
+        """Begins a picture, in place of the one before."""
+        self.stop()
+        self.number += 1
+        self.task = started(self.render(self.number, request, self.task))
+
+    def stop(self):
+        """Ends the picture as far as it is."""
+        if self.task and not self.task.done():
+            self.task.cancel()
+
+    async def render(self, number, request, previous):
+        """Renders the scene with the page's camera."""
+        if previous:
+            with contextlib.suppress(asyncio.CancelledError):
+                await previous
+        session, (width, height) = self.session, request["size"]
+        self.file = None
+        self.values = numpy.zeros((height, width, 4), numpy.uint8)
+        begun = time.monotonic()
+        covered = 0
+
+        async def state(name, **more):
+            share, seconds = covered / (width * height), time.monotonic() - begun
+            await session.tell("picture", number=number, size=[width, height], state=name, share=share, seconds=seconds, **more)
+
+        async def on_tile(tile):
+            nonlocal covered
+            if tile.colours is None:
+                return
+            values = display(tile.colours, session.record["gamma"])
+            rows, columns = values.shape[:2]
+            self.values[tile.top : tile.top + rows, tile.left : tile.left + columns] = values
+            covered += rows * columns
+            await session.send_picture_tile(number, tile.left, tile.top, values)
+            await state("growing")
+
+        render = Render(session.settings.program, session.folder, "picture", background=True)
+        scene = wrapper.write(session.folder, session.settings.scene, request["camera"], request["inside"], "picture_scene")
+        await state("begun")
+        try:
+            await render.run(render.words(scene, session.options(), (width, height)), False, on_tile)
+            self.file, covered = render.picture, width * height
+            await state("done")
+        except (RenderError, OSError) as error:
+            await state("failed", **session.described(error))
+        except asyncio.CancelledError:
+            await state("stopped")
+            raise

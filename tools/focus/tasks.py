@@ -1,0 +1,19 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Tasks that nobody waits for."""
+
+import asyncio
+import traceback
+
+
+def print_fault(task):
+    """Prints the fault that ended a task."""
+    if not task.cancelled() and task.exception():
+        traceback.print_exception(task.exception())
+
+
+def started(coroutine):
+    """A task that prints the fault that ends it."""
+    task = asyncio.create_task(coroutine)
+    task.add_done_callback(print_fault)
+    return task
