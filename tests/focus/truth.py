@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The true picture: it shows the lens of the live picture; it grows, is wiped, stopped, and saved."""
 
+import math
 import os
 import pathlib
 import struct
@@ -22,6 +23,18 @@ camera {
 sphere { <-1, 0, -2>, 0.07 pigment { rgb 1 } finish { emission 40 } }
 sphere { <1.4, 0, 4>, 0.1 pigment { rgb 1 } finish { emission 40 } }
 sphere { <0, -1.2, 0>, 0.1 pigment { rgb 1 } finish { emission 1 } }
+"""
+# A red post before a wall of another colour.
+POST = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera {
+  location <0, 0, -10>
+  look_at 0
+  right x*image_width/image_height
+  angle 30
+}
+box { <-1, -9, 0>, <1, 9, 0.1> pigment { rgb x } finish { emission 1 diffuse 0 } }
+plane { z, 20 pigment { checker rgb z, rgb y scale 0.3 } finish { emission 1 diffuse 0 } }
 """
 SLOW = SCENE.replace("plane { y", "media { scattering { 1, 1 } intervals 20 samples 50 } plane { y", 1)
 
@@ -63,6 +76,25 @@ class Truth(PageTest):
             self.set_number(knob, value)
             self.smooth()
             self.assertGreater(self.run(harness.DIFFERENCE)["rmse"], 1.5 * right, f"as {knob} {value}")
+
+    def test_a_sharp_edge_does_not_leak_and_a_blurred_one_spreads(self):
+        self.open(self.scene(POST), "+W320", "+H180")
+        for knob, value in (("sceneUnit", 10), ("fStop", 1.4)):
+            self.set_number(knob, value)
+        reds = "const pixels = focusPage.livePixels(); return arguments[0].map(x => pixels[4 * (90 * 320 + x)])"
+        edge = 160 + round(320 * 1 / (2 * 10 * math.tan(math.radians(15))))  # column of the post's right-hand edge
+        places = [edge - 3, edge + 3, edge + 8, edge + 14]
+        self.click_at(0, 0.1)
+        self.smooth()
+        inside, *outside = self.run(reds, places)
+        self.assertGreater(inside, 250)
+        self.assertEqual(outside, [0, 0, 0], "red of the sharp post in the blurred wall")
+        self.click_at(0.4, 0.1)
+        self.smooth()
+        blurred = self.run(reds, places)
+        self.assertLess(blurred[0], 250)
+        self.assertEqual(blurred, sorted(blurred, reverse=True))
+        self.assertGreater(blurred[2], 30, "the blurred post reaches over the sharp wall")
 
     def test_it_grows_and_stops(self):
         self.open(self.scene(SLOW), *harness.SMALL)
