@@ -74,9 +74,10 @@ def arguments():
     args.display = [name for name in suite.DISPLAY
                     if name in (suite.QUICK_DISPLAY if usual and args.quick else args.scenes)]
     args.parts = chosen(args.parts or ("stock,tilted" if args.quick else ",".join(PARTS)), PARTS, "part", parser)
-    if args.update_docs and (args.quick and not {*args.parts} <= SHORT or not usual):
-        parser.error("--update-docs takes all settings and all scenes, not --scenes, and --quick only with --parts "
-                     + ",".join(sorted(SHORT)))
+    if args.update_docs and args.quick and not {*args.parts} <= SHORT:
+        parser.error(f"--update-docs takes --quick only with --parts {','.join(sorted(SHORT))}")
+    if args.update_docs and not usual and args.parts != ["display"]:
+        parser.error("--update-docs takes all scenes, not --scenes, except with --parts display, whose tables name their scenes")
     if "display" in args.parts and not args.display:
         parser.error(f"part display needs one of the scenes {', '.join(suite.DISPLAY)}")
     if args.pages:

@@ -58,7 +58,7 @@ difference {
   #for (I, 0, 2) cylinder { <-9, -3.6, -49.5+12*I>, <9, -3.6, -49.5+12*I>, 3.1 } #end
   texture { T_Quay }
 }
-box { <-6, 0, -70>, <6, 0.02, -18> texture { T_Asphalt } }     // below the track
+box { <-6, 0, -70>, <6, 0.03, -18> texture { T_Asphalt } }
 #for (Side, -1, 1, 2)
   box { <Side*6, 0, -70>, <Side*7.6, 0.2, -19> texture { T_Pavement } }
   box { <Side*7.6, 0, -58>, <Side*8, 1.1, -18.5> texture { T_Quay } }
