@@ -75,11 +75,12 @@ json Replay(const Recording& recording, double variance, bool denoise)
     limits.max = recording.samples / 4;
     limits.variance = variance;
     limits.denoise = denoise;
+    const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);  // recorded circles lie in the picture already
     const Area all{0, 0, recording.width, recording.height};
     BlockCache cache(limits, recording.width, recording.height, all);
     TileSampler sampler(cache);
     sampler.Run(all, [&](const SampleId& id, SampleResult& result)
-        { result = recording.taken[recording.At(id.x, id.y, id.index)].Result(); });
+        { result = recording.taken[recording.At(id.x, id.y, id.index)].Result(footprint); });
     double error = 0.0, beyond = 0.0, samples = 0.0;
     for (std::uint32_t y = 0; y < all.height; y++)
         for (std::uint32_t x = 0; x < all.width; x++)

@@ -31,6 +31,10 @@ constexpr int kRatioRadius = 2;
 constexpr int kFilterRadius = 4;
 /// From a pixel to the farthest whose risk counts for it: 7 by 7; and to those whose risk counts in full: 3 by 3 (section 8).
 constexpr int kRiskRadius = 3, kNearRiskRadius = 1;
+/// From a sample's pixel to the farthest pixel that it serves, along rows and columns (section 8).
+constexpr int kSpreadReach = 7;
+/// Cells, in a row, of the table of an opening that is no disc.
+constexpr int kDensityCells = 64;
 /// @}
 
 /// @name Steps and limits of computing
@@ -137,6 +141,12 @@ struct Settings
     float leastResidualRatio = 0.15f;
     /// Noisy pixels of 25, all as noisy, from which on the residual variance ratio is known.
     float leastNoisyPixels = 3.0f;
+    /// Least semi-axis of a circle of confusion, in pixels, from which on a sample serves other pixels too.
+    float leastSpreadRadius = 1.0f;
+    /// Samples of a pixel that serve other pixels: the first ones of its first round.
+    std::uint32_t spreadSamples = 4;
+    /// Weight of a spread estimate that is wholly made of other pixels' samples, over that of a filter with the same risk.
+    float spreadWeight = 16.0f;
     /// Mean variance of a row of a block, over `variance`, below which the row is not reconstructed.
     double leastRowVariance = 1.0 / 32.0;
     /// @}

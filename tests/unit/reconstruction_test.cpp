@@ -52,7 +52,7 @@ PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
             for (int x = 0; x < kSide; x++)
             {
                 const Pixel p = pixel(x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide);
-                cells[i].Set(x, y, p.mean, p.difference, p.noise);
+                cells[i].Set(x, y, p.mean, p.difference, p.noise, 2);
             }
         places[i] = &cells[i];
     }
@@ -136,7 +136,7 @@ TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
         {
             for (int y = 0; y < kSide; y++)
                 for (int x = 0; x < kSide; x++)
-                    cells[i].Set(x, y, {1000.0 * i + 10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, Radiance{}, 0.0);
+                    cells[i].Set(x, y, {1000.0 * i + 10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, Radiance{}, 0.0, 2);
             if (i == 4 || known >> (i < 4 ? i : i - 1) & 1)
                 places[i] = &cells[i];
         }
@@ -167,7 +167,7 @@ TEST(Reconstruction, ACellAtTheEdgeRepeatsItsOwnPixels)
     BlockStatistics cell;
     for (int y = 0; y < 3; y++)
         for (int x = 0; x < 5; x++)
-            cell.Set(x, y, {10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, {0.0, 10.0 * y + x, 0.0, 0.0, 0.0}, 10.0 * y + x);
+            cell.Set(x, y, {10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, {0.0, 10.0 * y + x, 0.0, 0.0, 0.0}, 10.0 * y + x, 2);
     cell.RepeatEdges(5, 3);
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)

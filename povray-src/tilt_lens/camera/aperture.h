@@ -72,6 +72,8 @@ class Aperture
 
     /// Radius of a circle around all of the opening.
     double BoundingRadius() const;
+    /// Whether the opening is the unit disc.
+    bool IsDisc() const { return shape == Shape::Disc; }
 
   private:
     enum class Shape

@@ -32,7 +32,7 @@ void CopyRow(const float* from, int place, bool mirror, float* row)
 } // namespace
 
 void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference,
-                          double noise)
+                          double noise, std::uint32_t samples)
 {
     const std::size_t i = y * kBlockSide + x;
     for (std::size_t c = 0; c < mean.size(); c++)
@@ -41,6 +41,7 @@ void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean
         planes[kDualBufferDifference + c][i] = dualBufferDifference[c];
     }
     planes[kNoise][i] = noise;
+    planes[kSamples][i] = samples;
     transparent = transparent || mean[3] != 0.0 || mean[4] != 0.0;
 }
 

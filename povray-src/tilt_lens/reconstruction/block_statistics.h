@@ -32,10 +32,12 @@ class BlockStatistics
         kMean = 0,                  ///< five channels
         kDualBufferDifference = 5,  ///< five channels: difference of the means of the pixel's two buffers
         kNoise = 10,                ///< variance of the mean, estimated, summed over the channels
+        kSamples = 11,              ///< taken
         kPlanes
     };
 
-    void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference, double noise);
+    void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference, double noise,
+             std::uint32_t samples);
     /// @param width, height  of what was Set
     void RepeatEdges(std::uint32_t width, std::uint32_t height);
 
@@ -74,6 +76,7 @@ class PaddedBlock
         return planes[BlockStatistics::kDualBufferDifference + channel];
     }
     const Plane& Noise() const { return planes[BlockStatistics::kNoise]; }
+    const Plane& Samples() const { return planes[BlockStatistics::kSamples]; }
     bool IsTransparent() const { return transparent; }
 
   private:

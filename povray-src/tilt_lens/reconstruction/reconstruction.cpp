@@ -122,7 +122,8 @@ struct ProductFilter
     const FilteredRows<kChannels>& rows;
 
     /// The filter's own tap of the pixel.
-    static constexpr float kCentreTap = kTaps[kAcross][0] * kTaps[kDown][0];
+    static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
+    static constexpr float Preference(int) { return 1.0f; }
 
     Float4 Mean(int c, int i) const { return Filtered<kDown>(&rows.Mean(kAcross, c)[i], kColumns); }
     Float4 DualBufferDifference(int c, int i) const
@@ -155,7 +156,8 @@ class RiskWeightedMean
     }
 
     /// @param candidate  linear in the pixels: its Mean(channel, i) of the four pixels at place i, the same filter's
-    ///                   DualBufferDifference(channel, i), and its kCentreTap
+    ///                   DualBufferDifference(channel, i), its CentreTap(i), that is the pixel's own share in it, and
+    ///                   Preference(i), its weight over that of a filter with the same risk
     template<class Candidate>
     void Add(const Candidate& candidate)
     {
@@ -164,7 +166,7 @@ class RiskWeightedMean
         MeanAround<kNearRiskRadius>(risk, rows, riskNear);
         wanted.ForEachFour([&](int i)
         {
-            const Float4 weight = WeightOf(i);
+            const Float4 weight = candidate.Preference(i) * WeightOf(i);
             Store(&weights[i], Load<Float4>(&weights[i]) + weight);
             for (int c = 0; c < kChannels; c++)
             {
@@ -203,9 +205,9 @@ class RiskWeightedMean
     template<class Candidate>
     void FindRisk(const Candidate& candidate)
     {
-        const float noiseTaken = 1.0f - 2.0f * Candidate::kCentreTap;
         risky.ForEachFour([&](int i)
         {
+            const auto noiseTaken = 1.0f - 2.0f * candidate.CentreTap(i);
             Float4 squares = Float4();
             for (int c = 0; c < kChannels; c++)
             {
@@ -251,6 +253,62 @@ BlockPlane ResidualVarianceRatio(const BlockPlane& before, const BlockPlane& aft
     return ratio;
 }
 
+/// The spread estimate S = t q + (1 - t) others of each pixel, with its own samples' share t, as a candidate; corrected it is
+/// S + F (q - S), where F is the mean over 9 by 9 pixels.
+template<bool kCorrected>
+class SpreadCandidate
+{
+  public:
+    SpreadCandidate(const PaddedBlock& around, const PaddedSpread& spread, const Part& risky, const Part& wanted)
+    {
+        for (std::size_t i = 0; i < ownTap.size(); i++)
+        {
+            const float share = spread.ownShare[i] * around.Samples()[i];
+            ownTap[i] = spread.share[i] > 0.0f ? share / (share + spread.share[i]) : 1.0f;
+        }
+        for (int c = 0; c < 3; c++)
+        {
+            Estimate(around.Mean(c), spread.mean[c], risky, means[c]);
+            Estimate(around.DualBufferDifference(c), spread.dualBufferDifference[c], wanted, differences[c]);
+        }
+    }
+
+    Float4 Mean(int c, int i) const { return Load<Float4>(&means[c][i]); }
+    Float4 DualBufferDifference(int c, int i) const { return Load<Float4>(&differences[c][i]); }
+    Float4 CentreTap(int i) const
+    {
+        return Load<Float4>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
+    }
+    /// Geometry speaks for it where the pixel's value is made of others' samples.
+    Float4 Preference(int i) const
+    {
+        const Float4 others = 1.0f - Load<Float4>(&ownTap[i]), square = others * others;
+        return settings.spreadWeight * square * square;
+    }
+
+  private:
+    Plane ownTap;
+    std::array<Plane, 3> means, differences;
+
+    void Estimate(const Plane& own, const Plane& others, const Part& part, Plane& estimate) const
+    {
+        Plane missing, rows;
+        for (std::size_t i = 0; i < own.size(); i++)
+        {
+            missing[i] = (1.0f - ownTap[i]) * (own[i] - others[i]);
+            estimate[i] = own[i] - missing[i];
+        }
+        if (!kCorrected)
+            return;
+        Part higher = part;
+        higher.top -= kFilterRadius;
+        higher.bottom += kFilterRadius;
+        higher.ForEachFour([&](int i) { Store(&rows[i], Filtered<kMean9>(&missing[i], 1)); });
+        part.ForEachFour([&](int i)
+            { Store(&estimate[i], Load<Float4>(&estimate[i]) + Filtered<kMean9>(&rows[i], kColumns)); });
+    }
+};
+
 template<int kChannels, std::size_t... kNumber>
 void AddBank(RiskWeightedMean<kChannels>& mean, const FilteredRows<kChannels>& rows, std::index_sequence<kNumber...>)
 {
@@ -258,11 +316,16 @@ void AddBank(RiskWeightedMean<kChannels>& mean, const FilteredRows<kChannels>& r
 }
 
 template<int kChannels>
-ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const Rows& rows)
+ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
 {
     RiskWeightedMean<kChannels> mean(around, rows);
     const FilteredRows<kChannels> filteredRows(around, mean.Risky(), mean.Wanted());
     AddBank(mean, filteredRows, std::make_index_sequence<std::size(kBank)>());
+    if (kChannels == 3 && spread != nullptr)
+    {
+        mean.Add(SpreadCandidate<false>(around, *spread, mean.Risky(), mean.Wanted()));
+        mean.Add(SpreadCandidate<true>(around, *spread, mean.Risky(), mean.Wanted()));
+    }
     ReconstructedBlock block{};
     BlockPlane before{}, after{};
     for (int c = 0; c < kChannels; c++)
@@ -288,9 +351,9 @@ Radiance ReconstructedBlock::MeanOf(std::size_t pixel) const
     return light;
 }
 
-ReconstructedBlock Reconstruct(const PaddedBlock& around, const Rows& rows)
+ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
 {
-    return around.IsTransparent() ? ReconstructChannels<5>(around, rows) : ReconstructChannels<3>(around, rows);
+    return around.IsTransparent() ? ReconstructChannels<5>(around, spread, rows) : ReconstructChannels<3>(around, spread, rows);
 }
 
 } // namespace tilt_lens

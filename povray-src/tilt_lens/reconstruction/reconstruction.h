@@ -13,8 +13,11 @@
 /// what is good for the lamp. Errors that stand out of the noise count in full for the 3 by 3 pixels around, for others at
 /// most settings.riskLimit times the noise, so that an edge does not keep all that is around it noisy.
 ///
-/// It looks at nothing but colours and their variances: no depth, no normals. So a mirror image, a refraction, a medium or
-/// a far blurred light is treated as what it looks like. Pixels among such as have no noise stay what they are. The step is
+/// Two candidates are the spread estimate S of each pixel (padded_spread.h), alone and with the mean over 9 by 9 pixels of
+/// what it misses, S + mean9x9(q - S). What S gets wrong, behind an edge or in a mirror, shows in its risk as in any other's.
+///
+/// Weights come from nothing but colours and their variances: no depth, no normals. So a mirror image, a refraction, a medium
+/// or a far blurred light is treated as what it looks like. Pixels among such as have no noise stay what they are. The step is
 /// biased: what it smooths may differ by less than the noise. It is one of the things that `denoise off` leaves out.
 ///
 /// Sources: C. M. Stein, "Estimation of the mean of a multivariate normal distribution", Ann. Statist. 9(6), 1981, for the
@@ -31,6 +34,7 @@
 
 #include "tilt_lens/math/radiance.h"
 #include "tilt_lens/reconstruction/block_statistics.h"
+#include "tilt_lens/reconstruction/padded_spread.h"
 
 namespace tilt_lens
 {
@@ -54,8 +58,9 @@ struct ReconstructedBlock
     Radiance MeanOf(std::size_t pixel) const;
 };
 
+/// @param spread  of the same blocks; null: nothing
 /// @param rows  that are wanted; the others stay as they are
-ReconstructedBlock Reconstruct(const PaddedBlock& around, const Rows& rows = Rows());
+ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread = nullptr, const Rows& rows = Rows());
 
 } // namespace tilt_lens
 

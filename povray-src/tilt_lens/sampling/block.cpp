@@ -16,8 +16,18 @@ namespace tilt_lens
 namespace
 {
 
+/// Serves the pixels that see what a sample has hit.
+void Spread(const SampleId& id, const SampleResult& result, const Area& block, SpreadSums& spread)
+{
+    CircleOfConfusion circle = result.circle;
+    circle.x -= block.left;
+    circle.y -= block.top;
+    spread.Add(id.x - block.left, id.y - block.top, id.index, circle, result.radiance);
+}
+
 /// A round of one pixel.
-void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::uint32_t until, const Tracer& trace)
+void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::uint32_t y, std::uint32_t until,
+               SpreadSums* spread, const Tracer& trace)
 {
     pixel.BeginRound(until);
     SampleId id{x, y, 0};
@@ -26,6 +36,8 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
     {
         trace(id, result);
         pixel.Add(result);
+        if (spread != nullptr)
+            Spread(id, result, area, *spread);
     }
     pixel.EndRound();
 }
@@ -33,7 +45,7 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
 } // namespace
 
 /// A pixel that was made active again catches up by the rounds that it left out, so that its buffers are as those of others.
-void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
+void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, SpreadSums* spread, const Tracer& trace)
 {
     const Area& area = estimate.area;
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
@@ -42,7 +54,7 @@ void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, const Trac
             PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
             PixelStatistics& own = pixel.statistics;
             while (pixel.active && own.Samples() < until)
-                TakeRound(own, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), trace);
+                TakeRound(own, area, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), spread, trace);
         }
 }
 
@@ -53,12 +65,15 @@ void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
         return;
     const std::uint32_t samples = limits.FirstRound();
     auto estimate = std::make_unique<BlockEstimate>(area);
-    TakeSamples(*estimate, samples, trace);
+    const std::shared_ptr<SpreadSums> spread = limits.Denoises() ? std::make_shared<SpreadSums>() : nullptr;
+    TakeSamples(*estimate, samples, spread.get(), trace);
     UpdateVarianceRatios(*estimate, samples);
     auto round = std::make_unique<FirstRound>(*estimate, samples);
     if (IsWorthReconstructing(*estimate, limits, round->greatestHitFraction >= settings.leastHitFraction))
         UpdateBlockStatistics(*estimate, samples);
     round->statistics = estimate->statistics;
+    if (spread && spread->IsSpread())
+        round->spread = spread;
     afterFirstRound = std::move(estimate);
     firstRound = std::move(round);
     phase = Phase::FirstRoundTaken;
@@ -79,11 +94,15 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
         return;
     const Neighbourhood around(FirstRoundsOf(neighbours), limits);
     BlockEstimate estimate = *afterFirstRound;
+    PaddedSpread::Sent sent;
+    std::transform(neighbours.begin(), neighbours.end(), sent.begin(), [](const Block* block)
+        { return block != nullptr ? block->Spread() : nullptr; });
+    estimate.spread = PaddedSpread::Of(sent);
     std::uint32_t samples = limits.FirstRound();
     while (UpdateConvergence(estimate, around, limits, samples))
     {
         samples = std::min(2 * samples, limits.max);
-        TakeSamples(estimate, samples, trace);
+        TakeSamples(estimate, samples, nullptr, trace);
         UpdateVarianceRatios(estimate, samples);
         Reactivate(estimate, around);
     }

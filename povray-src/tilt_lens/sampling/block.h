@@ -60,6 +60,8 @@ class Block
     Rows NoisyRows(const SamplingLimits& limits) const;
     /// Null where the reconstruction leaves the block out.
     const BlockStatistics* Statistics() const { return statistics.get(); }
+    /// What the samples of its first round have sent to other pixels; null: nothing.
+    const SpreadSums* Spread() const { return firstRound->spread.get(); }
     /// @}
 
   private:
@@ -74,7 +76,8 @@ class Block
 
     FirstRounds FirstRoundsOf(const Neighbours& neighbours) const;
     /// Takes the samples of active pixels that are missing up to number `until`.
-    static void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace);
+    /// @param spread  takes what they send; may be null
+    static void TakeSamples(BlockEstimate& estimate, std::uint32_t until, SpreadSums* spread, const Tracer& trace);
 };
 
 } // namespace tilt_lens

@@ -15,6 +15,7 @@
 
 #include "tilt_lens/math/area.h"
 #include "tilt_lens/reconstruction/block_statistics.h"
+#include "tilt_lens/reconstruction/padded_spread.h"
 #include "tilt_lens/sampling/pixel_statistics.h"
 #include "tilt_lens/settings.h"
 
@@ -41,6 +42,7 @@ struct BlockEstimate
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by the dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: it leaves the block out
     std::uint32_t statisticsSamples = 0;        ///< of an active pixel, when `statistics` were made; 0: never
+    std::shared_ptr<const PaddedSpread> spread; ///< what first rounds have sent; null: nothing, or not known yet
 
     explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
 
@@ -69,6 +71,7 @@ struct FirstRound
     double hitFraction;                   ///< samples that hit anything, of all
     double greatestHitFraction;           ///< the same, of the quadrant that hit most
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: too few hits to reconstruct the block for its own sake
+    std::shared_ptr<const SpreadSums> spread;           ///< what its samples have sent to other pixels; null: nothing
 
     FirstRound(const BlockEstimate& estimate, std::uint32_t samples);
 

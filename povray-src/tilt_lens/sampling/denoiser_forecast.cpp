@@ -65,7 +65,7 @@ BlockPlane ForecastRatios(const BlockEstimate& estimate, const Neighbourhood& ar
         if (around.Rounds()[i] != nullptr && afterFirstRound)
             known[i] = around.Rounds()[i]->statistics.get();
     known[4] = estimate.statistics.get();
-    return Reconstruct(PaddedBlock(known)).residualVarianceRatio;
+    return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
 
 } // namespace
@@ -96,7 +96,7 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
         for (std::size_t c = 0; !uniform && c < variance[i].size(); c++)
             noise += variance[i][c];
         made->Set(i % area.width, i / area.width, pixel.Mean(), uniform ? Radiance{} : pixel.DualBufferDifference(),
-                  ratio[i] * noise / pixel.Samples());
+                  ratio[i] * noise / pixel.Samples(), pixel.Samples());
     }
     made->RepeatEdges(area.width, area.height);
     estimate.statistics = made;

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "tilt_lens/math/radiance.h"
+#include "tilt_lens/reconstruction/spread.h"
 
 namespace tilt_lens
 {
@@ -29,6 +30,7 @@ struct SampleResult
     double blurRadius = 0.0;        ///< of the surface that was hit, pixels; 0: it is sharp, or nothing was hit
     double expectedEmission = 0.0;  ///< of an emitter-sampled sample: what its emitters bring the pixel if nothing hides
                                     ///< them (emitter_sampling.h); 0 for any other sample
+    CircleOfConfusion circle;       ///< of the surface that was hit, in the whole picture
     bool hit = true;                ///< anything on the ray's way, were it only haze
 
     /// A sharp surface of this radiance.

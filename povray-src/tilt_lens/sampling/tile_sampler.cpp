@@ -27,10 +27,13 @@ void TileSampler::RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& 
     if (rows.IsEmpty())
         return;
     std::array<const BlockStatistics*, 9> statistics;
+    PaddedSpread::Sent spread;
     const BlockCache::BlockAndNeighbours around = cache.ConvergedAround(left, top, trace);
     std::transform(around.begin(), around.end(), statistics.begin(), [](const std::shared_ptr<const Block>& one)
         { return one ? one->Statistics() : nullptr; });
-    const ReconstructedBlock reconstructed = Reconstruct(PaddedBlock(statistics), rows);
+    std::transform(around.begin(), around.end(), spread.begin(), [](const std::shared_ptr<const Block>& one)
+        { return one ? one->Spread() : nullptr; });
+    const ReconstructedBlock reconstructed = Reconstruct(PaddedBlock(statistics), PaddedSpread::Of(spread).get(), rows);
     ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel)
     {
         const int row = y - block->area.top;

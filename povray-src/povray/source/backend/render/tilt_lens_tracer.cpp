@@ -74,6 +74,7 @@ void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsI
     {
         result = Radiance{};
         result.expectedEmission = sample.expectedEmission;
+        result.circle = tilt_lens::CircleOfConfusion();
         result.hit = false;
         return;
     }
@@ -107,6 +108,7 @@ void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsI
                        sample.weight * colour[pFILTER], sample.weight * colour[pTRANSM]};
     result.expectedEmission = sample.expectedEmission;
     result.hit = distance < HUGE_VAL || !trace.sceneData->atmosphere.empty();
+    result.circle = view->footprint.CircleOf({sample.x, sample.y}, sample.point, camera.length / distance - camera.ray.w);
     result.blurRadius = view->BlurRadius(camera.ray.w, distance / camera.length, width);
 }
 

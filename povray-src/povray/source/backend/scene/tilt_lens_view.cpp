@@ -73,6 +73,7 @@ std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const Sce
 TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     lens(*camera.TiltLens.lens),
     aperture(ApertureOf(camera, view.GetSceneData())),
+    footprint(lens, aperture, view.GetWidth(), view.GetHeight()),
     limits(LimitsOf(camera)),
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),

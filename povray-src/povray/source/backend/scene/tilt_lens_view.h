@@ -25,6 +25,7 @@
 #include "tilt_lens/sampling/emitter_sampling.h"
 #include "tilt_lens/sampling/tile_sampler.h"
 #include "tilt_lens/camera/optics.h"
+#include "tilt_lens/reconstruction/spread.h"
 #include "tilt_lens/sampling/progress_estimator.h"
 
 namespace pov
@@ -63,6 +64,7 @@ class TiltLensView
 
     const tilt_lens::Lens lens;
     const tilt_lens::Aperture aperture;
+    const tilt_lens::LensFootprint footprint;
     const tilt_lens::SamplingLimits limits;
 
     /// The pixels that are being sampled.

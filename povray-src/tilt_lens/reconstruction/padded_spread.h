@@ -1,0 +1,42 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file padded_spread.h
+/// What the pixels of a block and those around it have received from the samples of others: docs/sampling.md, section 8.
+
+#ifndef TILT_LENS_PADDED_SPREAD_H
+#define TILT_LENS_PADDED_SPREAD_H
+
+#include <array>
+#include <memory>
+
+#include "tilt_lens/reconstruction/block_statistics.h"
+#include "tilt_lens/reconstruction/spread.h"
+
+namespace tilt_lens
+{
+
+/// The spread estimates of a block's pixels and of those around it, before their own samples are added.
+class PaddedSpread
+{
+  public:
+    using Plane = PaddedBlock::Plane;
+
+    using Sent = std::array<const SpreadSums*, 9>;
+
+    /// @param sent  by the pixels of the block, which is in the middle, and of its eight neighbours, row by row; null: nothing
+    /// @return null where nothing was sent at all
+    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent);
+
+    std::array<Plane, 3> mean{}, dualBufferDifference{};  ///< of what other pixels' samples have sent; 0: nothing
+    Plane share{};     ///< that these samples have sent
+    Plane ownShare{};  ///< that a sample of the pixel keeps for it, on average, [0, 1]
+
+  private:
+    explicit PaddedSpread(const Sent& sent);
+    void Finish(int x, int y, const SpreadSum& sum);
+};
+
+} // namespace tilt_lens
+
+#endif

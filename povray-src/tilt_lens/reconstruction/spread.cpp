@@ -1,0 +1,145 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/reconstruction/spread.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tilt_lens
+{
+
+LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height) :
+    width(width), height(height), boundingRadius(float(aperture.BoundingRadius()))
+{
+    // right and up need not be at right angles: what has one of them alone is at right angles to the other
+    const Vec3 rightAlone = Cross(lens.up, lens.axis), upAlone = Cross(lens.axis, lens.right);
+    const auto axis = [&](const Vec3& of)
+    {
+        const double depth = Dot(of, lens.axis) / Dot(lens.direction, lens.axis);
+        const Vec3 along = of - depth * lens.direction;
+        return Axis{Dot(along, rightAlone) / Dot(lens.right, rightAlone), Dot(along, upAlone) / Dot(lens.up, upAlone), depth,
+                    Dot(lens.focus, of)};
+    };
+    axisA = axis(lens.lensX);
+    axisB = axis(lens.lensY);
+    if (aperture.IsDisc())
+        return;
+    for (int row = 0; row < kDensityCells; row++)
+        for (int column = 0; column < kDensityCells; column++)
+            density.push_back(float(aperture.Density({boundingRadius * ((2.0 * column + 1.0) / kDensityCells - 1.0),
+                                                      boundingRadius * ((2.0 * row + 1.0) / kDensityCells - 1.0)})));
+}
+
+float LensFootprint::DensityAt(float a, float b) const
+{
+    const float scale = 0.5f * kDensityCells / boundingRadius;
+    const int column = std::clamp(int((a + boundingRadius) * scale), 0, kDensityCells - 1);
+    const int row = std::clamp(int((b + boundingRadius) * scale), 0, kDensityCells - 1);
+    return density[row * kDensityCells + column];
+}
+
+/// The hit lies along the chief ray's direction plus `vergence` times the lens point; M is the derivative by the lens point.
+CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const
+{
+    const double depth = 1.0 + vergence * (point.a * axisA.depth + point.b * axisB.depth);
+    const double x = (film.x + vergence * (point.a * axisA.x + point.b * axisB.x)) / depth;
+    const double y = (film.y + vergence * (point.a * axisA.y + point.b * axisB.y)) / depth;
+    // the vergence that the point has for the ray through the lens centre
+    const double central = vergence * (1.0 - point.a * axisA.focus - point.b * axisB.focus) / depth;
+    const double across = width * central, down = -height * central;
+    return {float((x + 0.5) * width), float((0.5 - y) * height),
+            float(across * (axisA.x - x * axisA.depth)), float(across * (axisB.x - x * axisB.depth)),
+            float(down * (axisA.y - y * axisA.depth)), float(down * (axisB.y - y * axisB.depth)), this};
+}
+
+namespace
+{
+
+/// The pixels of a circle of confusion that are at most kReach away from the sample's own, row by row.
+class CirclePixels
+{
+  public:
+    static constexpr int kRows = 2 * SpreadSums::kReach + 1;
+
+    CirclePixels(const CircleOfConfusion& circle, int column, int row)
+    {
+        if (circle.lens == nullptr)
+            return;
+        // the ellipse's matrix
+        const float scale = circle.lens->BoundingRadius() * circle.lens->BoundingRadius();
+        const float xx = scale * (circle.xa * circle.xa + circle.xb * circle.xb);
+        const float xy = scale * (circle.xa * circle.ya + circle.xb * circle.yb);
+        const float yy = scale * (circle.ya * circle.ya + circle.yb * circle.yb);
+        const float least = settings.leastSpreadRadius * settings.leastSpreadRadius, determinant = xx * yy - xy * xy;
+        if (!(std::min(xx, yy) >= least && determinant >= least * least && std::isfinite(determinant)))
+            return;
+        for (int i = 0; i < kRows; i++)
+        {
+            const float down = row + i - SpreadSums::kReach + 0.5f - circle.y, left = 1.0f - down * down / yy;
+            if (!(left > 0.0f))
+                continue;
+            const float middle = circle.x + xy / yy * down - 0.5f, half = std::sqrt(determinant / yy * left);
+            const float first = float(column - SpreadSums::kReach), last = float(column + SpreadSums::kReach);
+            begin[i] = int(std::ceil(std::clamp(middle - half, first, last + 1.0f)));
+            end[i] = std::max(begin[i], int(std::floor(std::clamp(middle + half, first - 1.0f, last))) + 1);
+            count += end[i] - begin[i];
+        }
+    }
+
+    int begin[kRows] = {}, end[kRows] = {}, count = 0;
+};
+
+/// The densities of a lens that is not the unit disc, of the pixels of a circle; their sum is left in `sum`.
+std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixels& pixels, int row, float& sum)
+{
+    std::vector<float> densities;
+    const float determinant = circle.xa * circle.yb - circle.xb * circle.ya;
+    sum = 0.0f;
+    for (int i = 0; i < CirclePixels::kRows; i++)
+        for (int x = pixels.begin[i]; x < pixels.end[i]; x++)
+        {
+            const float dx = circle.x - x - 0.5f, dy = circle.y - (row + i - SpreadSums::kReach) - 0.5f;
+            densities.push_back(circle.lens->DensityAt((circle.yb * dx - circle.xb * dy) / determinant,
+                                               (circle.xa * dy - circle.ya * dx) / determinant));
+            sum += densities.back();
+        }
+    return densities;
+}
+
+} // namespace
+
+void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+{
+    if (number >= settings.spreadSamples)
+        return;
+    Own& itself = own[row * int(kBlockSide) + column];
+    itself.samples += 1.0f;
+    const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};
+    const bool finite = std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]);
+    const CirclePixels pixels(finite ? circle : CircleOfConfusion(), column, row);
+    const bool shaped = pixels.count > 1 && !circle.lens->IsDisc();
+    float sum = float(pixels.count);
+    const std::vector<float> densities = shaped ? DensitiesOf(circle, pixels, row, sum) : std::vector<float>();
+    if (pixels.count <= 1 || !(sum > 0.0f))
+    {
+        itself.share += 1.0f;
+        return;
+    }
+    spread = true;
+    const int buffer = (column + row + number) % 2;  // so that the only sample of each pixel serves both
+    Float4 sent = value / sum;
+    std::size_t next = 0;
+    for (int i = 0; i < CirclePixels::kRows; i++)
+        for (int x = pixels.begin[i]; x < pixels.end[i]; x++)
+        {
+            if (shaped)
+                sent = densities[next++] / sum * value;
+            if (i == kReach && x == column)
+                itself.share += sent[3];
+            else
+                sums[(row + i) * kSide + x + kReach].buffer[buffer] += sent;
+        }
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,117 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file spread.h
+/// Each sample serves all pixels of its circle of confusion: docs/sampling.md, section 8. A point that a ray has hit is seen
+/// by every pixel of its circle, so its radiance is spread over them with shares that add up to 1. What a pixel has received,
+/// over the shares that it has received, is the spread estimate S of the pixel, made of the rays of many.
+///
+/// S knows nothing of what hides the point from other pixels, and is no more than a candidate of the reconstruction.
+///
+/// Source: M. Potmesil, I. Chakravarty, "A lens and aperture camera model for synthetic image generation", SIGGRAPH 1981, for
+/// spreading points over their circles of confusion; here the points are hits of distributed rays.
+
+#ifndef TILT_LENS_SPREAD_H
+#define TILT_LENS_SPREAD_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/camera/ray.h"
+#include "tilt_lens/math/radiance.h"
+#include "tilt_lens/math/simd.h"
+#include "tilt_lens/settings.h"
+
+namespace tilt_lens
+{
+
+class LensFootprint;
+
+/// The pixels that see a point through some part of the lens, to first order: a pixel at `x, y` - M (a, b) sees it through
+/// the lens point (a, b), in aperture coordinates. Pixels to the right and down.
+struct CircleOfConfusion
+{
+    float x = 0.0f, y = 0.0f;        ///< where the point lies in the pinhole picture
+    float xa = 0.0f, xb = 0.0f, ya = 0.0f, yb = 0.0f;  ///< M, row by row
+    const LensFootprint* lens = nullptr;               ///< null: the point serves its own pixel alone
+};
+
+/// What circles of confusion look like through a lens. Immutable: threads share it.
+class LensFootprint
+{
+  public:
+    /// @param width, height  of the whole picture, pixels
+    LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height);
+
+    /// @param point  of the lens, that the ray came through
+    /// @param vergence  1/T - w, with T the ray's parameter of the hit and w as MakeRay gives it
+    CircleOfConfusion CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const;
+
+    /// Radius of a circle around the opening, in aperture coordinates.
+    float BoundingRadius() const { return boundingRadius; }
+    /// Whether the opening is the unit disc, evenly bright.
+    bool IsDisc() const { return density.empty(); }
+    /// Brightness of the opening at (a, b), relative; for openings that are not the unit disc.
+    float DensityAt(float a, float b) const;
+
+  private:
+    struct Axis
+    {
+        double x, y, depth;  ///< of a lens axis: along the film in frames, and along the camera's axis in units of `direction`
+        double focus;        ///< its product with the lens's focus vector k
+    } axisA, axisB;
+    double width, height;
+    float boundingRadius;
+    std::vector<float> density;
+};
+
+/// Sums of what other pixels' samples have sent to a pixel.
+struct SpreadSum
+{
+    Float4 buffer[2] = {};  ///< red, green, blue, and the shares; each of two halves of the samples
+
+    void Add(const SpreadSum& other)
+    {
+        buffer[0] += other.buffer[0];
+        buffer[1] += other.buffer[1];
+    }
+};
+
+/// Of the pixels of a block: what the samples of their first round send to the pixels at most kReach away.
+class SpreadSums
+{
+  public:
+    /// Pixels, along rows and columns, from a sample's own pixel to the farthest that it serves.
+    static constexpr int kReach = kSpreadReach;
+    static constexpr int kSide = int(kBlockSide) + 2 * kReach;
+
+    /// @param column, row  of the sample's pixel in the block
+    /// @param number  of the sample
+    /// @param circle  with a centre relative to the block's upper left corner
+    void Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
+
+    /// Of pixel (x, y), -kReach <= x, y < kBlockSide + kReach; nothing that it sent to itself.
+    const SpreadSum& At(int x, int y) const { return sums[(y + kReach) * kSide + x + kReach]; }
+    /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
+    float OwnShare(int x, int y) const { return own[y * int(kBlockSide) + x].share; }
+    float OwnSamples(int x, int y) const { return own[y * int(kBlockSide) + x].samples; }
+    /// Whether any sample has served another pixel.
+    bool IsSpread() const { return spread; }
+
+  private:
+    struct Own
+    {
+        float share = 0.0f, samples = 0.0f;
+    };
+
+    std::array<SpreadSum, kSide * kSide> sums{};
+    std::array<Own, kBlockSide * kBlockSide> own{};
+    bool spread = false;
+};
+
+} // namespace tilt_lens
+
+#endif

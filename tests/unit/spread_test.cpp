@@ -1,0 +1,226 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// Samples that serve all pixels of their circles of confusion: where the circles lie, and what is sent and received.
+
+#include "tilt_lens/reconstruction/padded_spread.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "random_cameras.h"
+#include "tilt_lens/reconstruction/reconstruction.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+constexpr int kSide = int(kBlockSide), kReach = SpreadSums::kReach;
+constexpr double kWidth = 640.0, kHeight = 480.0;
+
+Vec3 ChiefThrough(const Lens& lens, const Vec3& point)
+{
+    return point * (Dot(lens.direction, lens.axis) / Dot(point, lens.axis));
+}
+
+/// Pixels from the upper left corner; film coordinates from a chief ray that ends on the frame.
+FilmPoint PixelOf(const Lens& lens, const Vec3& chief)
+{
+    const Vec3 along = chief - lens.direction, r = Cross(lens.up, lens.axis), u = Cross(lens.axis, lens.right);
+    return {(Dot(along, r) / Dot(lens.right, r) + 0.5) * kWidth, (0.5 - Dot(along, u) / Dot(lens.up, u)) * kHeight};
+}
+
+/// The pixel that sees `point` through a lens point, by iteration: chief ray = point / T - (1/T - w) lens point.
+FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint& at)
+{
+    const Vec3 l = at.a * lens.lensX + at.b * lens.lensY;
+    Vec3 chief = ChiefThrough(lens, point);
+    for (int i = 0; i < 200; i++)
+    {
+        const double w = Dot(lens.focus, chief);
+        // T from the depth along the axis
+        const double inverse = (Dot(lens.direction, lens.axis) - w * Dot(l, lens.axis)) / Dot(point - l, lens.axis);
+        chief = inverse * point - (inverse - w) * l;
+    }
+    return PixelOf(lens, chief);
+}
+
+TEST(LensFootprint, CirclesLieWhereThePointIsSeen)
+{
+    Random random(11);
+    for (int i = 0; i < 2000; i++)
+    {
+        Lens lens;
+        const Request request = SolvableRequest(random, FocusFamily(i % 4), random.Coin(), lens);
+        const LensFootprint footprint(lens, Aperture::Disc(), kWidth, kHeight);
+        const FilmPoint film{random(-0.5, 0.5), random(-0.5, 0.5)};
+        const AperturePoint at{random(-0.7, 0.7), random(-0.7, 0.7)};
+        const LensRay ray = MakeRay(lens, film.x, film.y, at.a, at.b);
+        const double T = random.Power(-0.5, 2.0) * lens.filmDistance * 10.0 / Length(ray.direction);
+        const Vec3 point = ray.origin + T * ray.direction;
+        if (Dot(point, lens.axis) < 0.2 * Length(point))
+            continue;  // beside the camera
+        const CircleOfConfusion circle = footprint.CircleOf(film, at, 1.0 / T - ray.w);
+        const FilmPoint middle = PixelOf(lens, ChiefThrough(lens, point));
+        const double size = std::hypot(std::hypot(circle.xa, circle.xb), std::hypot(circle.ya, circle.yb));
+        ASSERT_NEAR(circle.x, middle.x, 1e-4 * (1.0 + size + std::abs(middle.x))) << request;
+        ASSERT_NEAR(circle.y, middle.y, 1e-4 * (1.0 + size + std::abs(middle.y))) << request;
+        const double step = 1e-3;
+        for (const AperturePoint& other : {AperturePoint{step, 0.0}, AperturePoint{0.0, step}})
+        {
+            const FilmPoint seen = PixelThrough(lens, point, other);
+            const double dx = -(circle.xa * other.a + circle.xb * other.b), dy = -(circle.ya * other.a + circle.yb * other.b);
+            ASSERT_NEAR(seen.x - middle.x, dx, 0.02 * step * size + 1e-9 * kWidth) << request;
+            ASSERT_NEAR(seen.y - middle.y, dy, 0.02 * step * size + 1e-9 * kHeight) << request;
+        }
+    }
+}
+
+Lens RoundLens()
+{
+    return Solved(PlainRequest());
+}
+
+CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float radius)
+{
+    return {x, y, radius, 0.0f, 0.0f, radius, &lens};
+}
+
+TEST(SpreadSums, SharesAddUpToOneWithTheSamplesOwn)
+{
+    for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
+    {
+        const LensFootprint lens(RoundLens(), aperture, kWidth, kHeight);
+        for (const float radius : {0.3f, 1.0f, 1.7f, 4.0f, 6.9f, 30.0f, 1e6f})
+        {
+            auto sums = std::make_unique<SpreadSums>();
+            sums->Add(3, 15, 0, CircleAt(lens, 3.2f + 0.5f * radius, 15.4f, radius), Radiance{0.5, 1.0, 2.0, 0.0, 0.0});
+            double share = sums->OwnShare(3, 15), red = 0.5 * sums->OwnShare(3, 15);
+            for (int y = -kReach; y < kSide + kReach; y++)
+                for (int x = -kReach; x < kSide + kReach; x++)
+                {
+                    const Float4 both = sums->At(x, y).buffer[0] + sums->At(x, y).buffer[1];
+                    share += both[3];
+                    red += both[0];
+                    EXPECT_TRUE(both[3] == 0.0f || std::max(std::abs(x - 3), std::abs(y - 15)) <= kReach);
+                    EXPECT_TRUE(both[3] == 0.0f || std::hypot(x + 0.5 - 3.2 - 0.5 * radius, y + 0.5 - 15.4) <= 1.0001 * radius);
+                }
+            EXPECT_NEAR(share, 1.0, 1e-5) << radius;
+            EXPECT_NEAR(red, 0.5, 1e-5) << radius;
+            EXPECT_EQ(sums->OwnSamples(3, 15), 1.0f);
+            EXPECT_EQ(sums->IsSpread(), radius >= 1.0f) << radius;
+        }
+    }
+}
+
+TEST(SpreadSums, WhatIsSharpOrNotFiniteServesItsOwnPixelAlone)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    const double infinite = std::numeric_limits<double>::infinity();
+    auto sums = std::make_unique<SpreadSums>();
+    sums->Add(5, 5, 0, CircleOfConfusion(), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(5, 5, 1, CircleAt(lens, 5.5f, 5.5f, 5.0f), Radiance{infinite, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(5, 5, 2, CircleAt(lens, 5.5f, 5.5f, std::nanf("")), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    EXPECT_FALSE(sums->IsSpread());
+    EXPECT_EQ(sums->OwnShare(5, 5), 3.0f);
+}
+
+/// What blocks receive whose pixels each take two samples of the given radiance, all blurred alike.
+std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey)
+{
+    std::array<std::unique_ptr<SpreadSums>, 9> blocks;
+    PaddedSpread::Sent places;
+    for (int i = 0; i < 9; i++)
+    {
+        blocks[i] = std::make_unique<SpreadSums>();
+        for (int y = 0; y < kSide; y++)
+            for (int x = 0; x < kSide; x++)
+                for (int sample = 0; sample < 2; sample++)
+                {
+                    const double value = grey(x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide, sample);
+                    blocks[i]->Add(x, y, sample, CircleAt(lens, x + 0.5f, y + 0.5f, radius), {value, value, value, 0.0, 0.0});
+                }
+        places[i] = blocks[i].get();
+    }
+    return PaddedSpread::Of(places);
+}
+
+TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesAreTheSamples)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    const auto received = Received(lens, 4.0f, [](int, int, int) { return 0.7; });
+    for (int y = -PaddedBlock::kBorder; y < kSide + PaddedBlock::kBorder; y++)
+        for (int x = -PaddedBlock::kBorder; x < kSide + PaddedBlock::kBorder; x++)
+        {
+            const int at = PaddedBlock::At(x, y);
+            EXPECT_NEAR(received->mean[0][at], 0.7, 1e-6);
+            EXPECT_NEAR(received->dualBufferDifference[0][at], 0.0, 1e-6);
+            EXPECT_NEAR(received->share[at] + 2.0 * received->ownShare[at], 2.0, 1e-4);
+        }
+}
+
+TEST(PaddedSpread, IsNothingWhereNothingWasSent)
+{
+    EXPECT_EQ(PaddedSpread::Of({}), nullptr);
+}
+
+TEST(PaddedSpread, WhatHasReceivedNothingKeepsItsOwn)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    auto sums = std::make_unique<SpreadSums>();
+    for (int sample = 0; sample < 2; sample++)
+        sums->Add(0, 0, sample, CircleAt(lens, 0.5f, 0.5f, 2.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    PaddedSpread::Sent sent{};
+    sent[4] = sums.get();
+    const auto received = PaddedSpread::Of(sent);
+    EXPECT_GT(received->share[PaddedBlock::At(1, 0)], 0.0f);
+    EXPECT_LT(received->ownShare[PaddedBlock::At(0, 0)], 0.2f);
+    EXPECT_EQ(received->share[PaddedBlock::At(10, 10)], 0.0f);
+    EXPECT_EQ(received->ownShare[PaddedBlock::At(10, 10)], 1.0f);
+}
+
+/// The middle block of a picture of noise blurred everywhere alike, reconstructed with what its samples have sent.
+TEST(Reconstruction, SpreadSamplesTakeOffMoreNoiseThanFilters)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    Random random(9);
+    double without = 0.0, with = 0.0;
+    for (int picture = 0; picture < 20; picture++)
+    {
+        std::array<BlockStatistics, 9> statistics;
+        std::array<const BlockStatistics*, 9> known;
+        std::map<std::pair<int, int>, std::array<double, 2>> values;
+        const auto received = Received(lens, 6.0f, [&](int x, int y, int sample)
+            { return values[{x, y}][sample] = random(0.0, 1.0); });
+        for (int i = 0; i < 9; i++)
+        {
+            for (int y = 0; y < kSide; y++)
+                for (int x = 0; x < kSide; x++)
+                {
+                    const auto& [a, b] = values[{x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide}];
+                    const double mean = 0.5 * (a + b), difference = a - b;
+                    statistics[i].Set(x, y, {mean, mean, mean, 0.0, 0.0}, {difference, difference, difference, 0.0, 0.0},
+                                      3.0 / 24.0, 2);
+                }
+            known[i] = &statistics[i];
+        }
+        const PaddedBlock around(known);
+        const ReconstructedBlock plain = Reconstruct(around), spread = Reconstruct(around, received.get());
+        for (float value : plain.mean[0])
+            without += Square(value - 0.5);
+        for (float value : spread.mean[0])
+            with += Square(value - 0.5);
+    }
+    EXPECT_LT(with, 0.5 * without);
+}
+
+} // namespace
+} // namespace tilt_lens
