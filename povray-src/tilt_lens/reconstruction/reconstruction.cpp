@@ -343,6 +343,21 @@ ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const PaddedSp
 
 } // namespace
 
+ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread)
+{
+    const Part whole(Rows(), 0);
+    const SpreadCandidate<false> estimate(around, spread, whole, whole);
+    ReconstructedBlock block{};
+    for (int i = 0; i < kPixels; i++)
+    {
+        const int at = At(i % kSide, i / kSide);
+        for (int c = 0; c < 5; c++)
+            block.mean[c][i] = c < 3 && !around.IsTransparent() ? estimate.Mean(c, at)[0] : around.Mean(c)[at];
+        block.residualVarianceRatio[i] = 1.0f;
+    }
+    return block;
+}
+
 Radiance ReconstructedBlock::MeanOf(std::size_t pixel) const
 {
     Radiance light;

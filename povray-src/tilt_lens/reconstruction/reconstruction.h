@@ -62,6 +62,9 @@ struct ReconstructedBlock
 /// @param rows  that are wanted; the others stay as they are
 ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread = nullptr, const Rows& rows = Rows());
 
+/// The spread estimates alone: of pixels with one sample, whose noise nothing tells, so that no risk is known.
+ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread);
+
 } // namespace tilt_lens
 
 #endif

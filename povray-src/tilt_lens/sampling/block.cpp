@@ -124,6 +124,8 @@ Rows Block::NoisyRows(const SamplingLimits& limits) const
     Rows rows{int(area.height), 0};
     if (!statistics)
         return rows;
+    if (limits.max == 1)  // nothing tells their noise
+        return {0, int(area.height)};
     for (int y = 0; y < int(area.height); y++)
     {
         double variance = 0.0;

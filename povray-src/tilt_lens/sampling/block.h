@@ -56,7 +56,7 @@ class Block
     /// @{
     /// (x, y) is in the whole picture.
     const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
-    /// Rows whose noise is noticed beside the `variance` asked for.
+    /// Rows whose noise is noticed beside the `variance` asked for; with one sample a pixel all.
     Rows NoisyRows(const SamplingLimits& limits) const;
     /// Null where the reconstruction leaves the block out.
     const BlockStatistics* Statistics() const { return statistics.get(); }

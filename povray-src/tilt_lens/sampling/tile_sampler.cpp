@@ -33,7 +33,12 @@ void TileSampler::RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& 
         { return one ? one->Statistics() : nullptr; });
     std::transform(around.begin(), around.end(), spread.begin(), [](const std::shared_ptr<const Block>& one)
         { return one ? one->Spread() : nullptr; });
-    const ReconstructedBlock reconstructed = Reconstruct(PaddedBlock(statistics), PaddedSpread::Of(spread).get(), rows);
+    const std::shared_ptr<const PaddedSpread> received = PaddedSpread::Of(spread);
+    const PaddedBlock padded(statistics);
+    if (cache.limits.max == 1 && !received)
+        return;
+    const ReconstructedBlock reconstructed =
+        cache.limits.max == 1 ? SpreadEstimates(padded, *received) : Reconstruct(padded, received.get(), rows);
     ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel)
     {
         const int row = y - block->area.top;
