@@ -82,6 +82,29 @@ class SubImages(rendering.RenderTest):
         self.assertEqual(set(part.crop(0, 0, 59, 19).values + part.crop(0, 30, 59, 43).values), {0.0}, part.told)
 
 
+class OneSample(rendering.RenderTest):
+    """With one ray a pixel, which is shown over all pixels of its circle of confusion."""
+
+    SCENE = scenes.camera(samples="blur_samples 1 ") + scenes.WORLD
+
+    def test_threads_tiles_and_parts(self):
+        whole = rendering.render(self.SCENE, "+WT1", **SIZE)
+        self.assert_same(rendering.render(self.SCENE, "+WT2", "+BS13", **SIZE), whole, "tiles")
+        part = rendering.render(self.SCENE, "+WT2", "+SC14", "+EC50", "+SR7", "+ER37", **SIZE)
+        self.assert_same(part.crop(13, 6, 50, 37), whole.crop(13, 6, 50, 37), "sub-image")
+
+    def test_is_nearer_to_the_truth_than_the_rays_alone(self):
+        truth = rendering.render(scenes.camera(samples="blur_samples 400, 400 variance 0 ") + scenes.WORLD, **SIZE)
+        plain = rendering.render(scenes.camera("tilt 4 swing 2 shift <2, -1> blades 5, 10 denoise off",
+                                               samples="blur_samples 1 ") + scenes.WORLD, **SIZE)
+        shown = rendering.render(self.SCENE, **SIZE)
+
+        def error(picture):
+            return sum((a - b)**2 for a, b in zip(picture.values, truth.values))
+
+        self.assertLess(error(shown), 0.7*error(plain))
+
+
 class Animation(rendering.RenderTest):
     def test_clock_in_tilt(self):
         moving = scenes.camera("tilt clock swing clock/2 shift <clock, 0>") + scenes.WORLD
