@@ -6,6 +6,7 @@
 
 #include "frontend/layer_picture.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -127,10 +128,13 @@ void LayerPicture::TakeTile(POVMS_Object& message)
     std::vector<POVMSFloat>::const_iterator value = values.begin();
     for (const std::string& name : names)
     {
-        std::vector<float>& channel = channels[name];
-        channel.resize(size_t(width) * height, 0.0f);
+        std::vector<std::vector<float> >& rows = channels[name];
+        rows.resize(height);
         for (unsigned int y = top; y <= bottom; y++, value += right - left + 1)
-            std::copy(value, value + (right - left + 1), channel.begin() + size_t(y) * width + left);
+        {
+            rows[y].resize(width, 0.0f);
+            std::copy(value, value + (right - left + 1), rows[y].begin() + left);
+        }
     }
     for (unsigned int y = top; y <= bottom; y++)
         std::fill_n(covered.begin() + size_t(y) * width + left, right - left + 1, true);
@@ -173,13 +177,27 @@ void LayerPicture::RequireComplete() const
 
 void LayerPicture::Write() const
 {
+    std::vector<std::string> names;
+    for (const auto& channel : channels)
+        names.push_back(channel.first);
+    const auto row = [&](unsigned int y, std::vector<std::vector<float> >& values)
+    {
+        size_t i = 0;
+        for (const auto& channel : channels)
+        {
+            const std::vector<float>& known = channel.second[y];
+            std::copy(known.begin(), known.end(), values[i].begin());
+            std::fill(values[i].begin() + known.size(), values[i].end(), 0.0f);
+            i++;
+        }
+    };
     WholeFile whole(file());
     try
     {
         boost::scoped_ptr<OStream> stream(NewOStream(whole.Place().c_str(), POV_File_Image_EXR, false));
         if (stream == NULL)
             throw POV_EXCEPTION(kCannotOpenFileErr, std::strerror(errno));
-        OpenEXR::WriteFloats(*stream, width, height, channels, attributes);
+        OpenEXR::WriteFloats(*stream, width, height, names, row, attributes);
         whole.Finish(stream);
     }
     catch (const pov_base::Exception& error)

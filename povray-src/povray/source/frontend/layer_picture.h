@@ -8,6 +8,7 @@
 #ifndef POVRAY_FRONTEND_LAYER_PICTURE_H
 #define POVRAY_FRONTEND_LAYER_PICTURE_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,7 @@ class LayerPicture
   private:
     const pov_base::Path file;
     const unsigned int width, height;
-    pov_base::OpenEXR::FloatChannels channels;
+    std::map<std::string, std::vector<std::vector<float> > > channels;  ///< rows, those without a tile being empty
     pov_base::OpenEXR::FloatAttributes attributes;
     std::vector<bool> covered;  ///< by pixel: has layers
     bool incomplete;            ///< some finished tile came without

@@ -32,6 +32,9 @@ enum
 /// The key of the render that is about to start. Its scene must have been parsed.
 std::string StateKey(POVMS_Object& options);
 
+/// Why no state file could be made, from errno, for an error before the render.
+std::string CannotCreateState(const pov_base::Path& file);
+
 /// Writes the key behind the header of a new state file.
 /// @throws pov_base::Exception  it could not be written
 void WriteStateKey(pov_base::OStream& file, const std::string& key);

@@ -15,4 +15,13 @@ const char* OwnOptionsHelp()
            "The camera's block tilt_lens { ... } is described in povray-tilt-lens(7) and in docs/manual.md.\n";
 }
 
+bool IsSaidAgain(bool isStatus, const std::string& text)
+{
+    static std::string last;
+    if (isStatus)
+        return text == last;
+    last = text;
+    return false;
+}
+
 } // namespace vfePlatform

@@ -7,11 +7,18 @@
 #ifndef POVRAY_VFE_UNIX_CONSOLE_TEXT_H
 #define POVRAY_VFE_UNIX_CONSOLE_TEXT_H
 
+#include <string>
+
 namespace vfePlatform
 {
 
 /// Options that upstream does not have, for `--help`: a section in the form of the others, with the blank line before it.
 const char* OwnOptionsHelp();
+
+/// Whether the text of the status line is the message that was printed last: upstream sends an error twice, as a message and
+/// as the status.
+/// @param isStatus  whether the text is for the status line; each text that is printed has to be told
+bool IsSaidAgain(bool isStatus, const std::string& text);
 
 } // namespace vfePlatform
 

@@ -88,16 +88,17 @@ void InsertOrigin(Imf::Header& header)
 
 } // namespace
 
-void WriteFloats(OStream& file, unsigned int width, unsigned int height, const FloatChannels& channels,
-                 const FloatAttributes& attributes)
+void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels,
+                 const FloatRows& rows, const FloatAttributes& attributes)
 {
     Imf::Header header(width, height, 1.0f, Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
     Imf::FrameBuffer pixels;
-    for (const FloatChannels::value_type& channel : channels)
+    std::vector<std::vector<float> > row(channels.size(), std::vector<float>(width, 0.0f));
+    for (size_t i = 0; i < channels.size(); i++)
     {
-        header.channels().insert(channel.first, Imf::Channel(Imf::FLOAT));
-        char* values = const_cast<char*>(reinterpret_cast<const char*>(channel.second.data()));
-        pixels.insert(channel.first, Imf::Slice(Imf::FLOAT, values, sizeof(float), sizeof(float) * width));
+        header.channels().insert(channels[i], Imf::Channel(Imf::FLOAT));
+        // a row behind the other takes the same place
+        pixels.insert(channels[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row[i].data()), sizeof(float), 0));
     }
     for (const FloatAttributes::value_type& attribute : attributes)
         Insert(header, attribute.first, attribute.second);
@@ -108,7 +109,11 @@ void WriteFloats(OStream& file, unsigned int width, unsigned int height, const F
     {
         Imf::OutputFile output(stream, header);
         output.setFrameBuffer(pixels);
-        output.writePixels(height);
+        for (unsigned int y = 0; y < height; y++)
+        {
+            rows(y, row);
+            output.writePixels();
+        }
     }
     catch (const pov_base::Exception&)
     {
@@ -128,21 +133,20 @@ void WriteFloatImage(OStream& file, const Image& image, const Image::WriteOption
     const bool premultiplied = options.premultiplyOverride ? options.premultiply : true;
     const GammaCurvePtr gamma = TranscodingGammaCurve::Get(options.workingGamma, NeutralGammaCurve::Get());
 
-    FloatChannels channels;
-    std::vector<float>*rows[4] = {&channels["R"], &channels["G"], &channels["B"], alpha ? &channels["A"] : NULL};
-    for (std::vector<float>* values : rows)
-        if (values != NULL)
-            values->reserve(size_t(width) * height);
-    for (unsigned int y = 0; y < height; y++)
+    std::vector<std::string> names = {"R", "G", "B"};
+    if (alpha)
+        names.push_back("A");
+    const auto row = [&](unsigned int y, std::vector<std::vector<float> >& channels)
+    {
         for (unsigned int x = 0; x < width; x++)
         {
             float v[4];
             GetEncodedRGBAValue(&image, x, y, gamma, v[0], v[1], v[2], v[3], premultiplied);
-            for (int c = 0; c < 4; c++)
-                if (rows[c] != NULL)
-                    rows[c]->push_back(v[c]);
+            for (size_t c = 0; c < names.size(); c++)
+                channels[c][x] = v[c];
         }
-    WriteFloats(file, width, height, channels, FloatAttributes());
+    };
+    WriteFloats(file, width, height, names, row, FloatAttributes());
 }
 
 } // namespace OpenEXR

@@ -1,0 +1,41 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Layers of a band of a huge picture take memory for the band, not for the picture."""
+
+import os
+import pathlib
+import tempfile
+import unittest
+
+from tests.render import rendering, scenes
+
+SIZE = {"width": 6000, "height": 3000}
+BAND = ("+SR1000", "+ER1003", "+WT1")
+CHANNELS = 7  # depth, position, blur, samples, standard error
+WHOLE = CHANNELS * 4 * SIZE["width"] * SIZE["height"]  # bytes that the layers of the whole picture would take
+SCENE = scenes.camera("tilt 3", samples="blur_samples 1, 1 variance 0 ") + scenes.WORLD
+
+
+def memory(*options):
+    """The largest memory of POV-Ray, in bytes."""
+    job = rendering.Job(SCENE, (*BAND, *options), **SIZE)
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        process = job.start(pathlib.Path(name))
+        said = process.stdout.read().decode(errors="replace")
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        process.stdout.close()
+    if process.returncode:
+        raise AssertionError(f"exit code {process.returncode}\n{job.told()}{said[-1500:]}")
+    return 1024 * used.ru_maxrss
+
+
+class BandMemory(unittest.TestCase):
+    def test_layers_of_a_band(self):
+        """What the layers add is far below what those of the whole picture take; buffers of the file's writer are some rows."""
+        added = memory("+N") - memory()
+        self.assertLess(added, WHOLE / 8, f"{added / 1e6:.0f} MB more with +N")
+
+
+if __name__ == "__main__":
+    rendering.main()

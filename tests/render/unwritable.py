@@ -1,0 +1,59 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Output that cannot be written: one message, with the name and the reason."""
+
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+from tests.batch.harness import held_to_permissions
+from tests.render import rendering, scenes
+
+
+class Unwritable(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="tilt_lens.")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def refused(self, *options):
+        """What POV-Ray says, as one line."""
+        job = rendering.Job(scenes.TILTED, options, width=16, height=12)
+        (self.folder / "scene.pov").write_text(rendering.HEAD + job.scene)
+        (self.folder / "none.ini").write_text("")
+        done = subprocess.run([*held_to_permissions(), *job.command()], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=100, check=False,
+                              env={**os.environ, "POVINI": str(self.folder / "none.ini")})
+        said = " ".join(done.stdout.decode(errors="replace").split())
+        self.assertNotEqual(done.returncode, 0, said)
+        return said
+
+    def assert_once(self, said, *parts):
+        """The parts in their order, the first of them once."""
+        self.assertRegex(said, ".*".join(map(re.escape, parts)))
+        self.assertEqual(said.count(parts[0]), 1, said)
+
+    def test_a_folder_that_does_not_exist(self):
+        said = self.refused("+Onowhere/a.png")
+        self.assert_once(said, "Cannot write '", "nowhere/a.pov-state' (No such file or directory)", "nothing was rendered")
+        self.assertNotIn("Rendered", said)
+
+    def test_a_folder_that_is_not_mine(self):
+        (self.folder / "locked").mkdir(mode=0o555)
+        self.assert_once(self.refused("+Olocked/a.png"), "Cannot write '", "locked/a.pov-state' (Permission denied)")
+
+    def test_a_picture_that_is_a_folder(self):
+        (self.folder / "picture.png").mkdir()
+        (self.folder / "picture.png" / "used").touch()
+        self.assert_once(self.refused(), "Cannot write the picture '", "picture.png'", "directory)", "+C")
+
+    def test_a_state_file_that_is_refused(self):
+        (self.folder / "picture.pov-state").write_bytes(b"garbage" * 100)
+        self.assert_once(self.refused("+C"), "is not one of POV-Ray's")
+
+
+if __name__ == "__main__":
+    rendering.main()
