@@ -24,7 +24,8 @@ class Command(harness.FocusTest):
         # webbrowser splits its words, as a shell does
         variables = {"BROWSER": f"'{browser}' %s", "DISPLAY": ":99"}
         address = self.start(self.scene(), *SMALL, **variables)
-        self.until("the browser", opened.exists, 20)
+        # the shell makes the file before it writes the line
+        self.until("the browser", lambda: opened.exists() and opened.read_text().endswith("\n"), 20)
         self.assertEqual(opened.read_text().strip(), address)
         self.end()
         opened.unlink()
