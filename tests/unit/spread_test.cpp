@@ -129,8 +129,12 @@ TEST(SpreadSums, WhatIsSharpOrNotFiniteServesItsOwnPixelAlone)
     sums->Add(5, 5, 0, CircleOfConfusion(), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     sums->Add(5, 5, 1, CircleAt(lens, 5.5f, 5.5f, 5.0f), Radiance{infinite, 1.0, 1.0, 0.0, 0.0});
     sums->Add(5, 5, 2, CircleAt(lens, 5.5f, 5.5f, std::nanf("")), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(5, 5, 3, CircleAt(lens, float(infinite), 5.5f, 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(6, 5, 0, CircleAt(lens, std::nanf(""), 5.5f, 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(6, 5, 1, CircleAt(lens, 6.5f, std::nanf(""), 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     EXPECT_FALSE(sums->IsSpread());
-    EXPECT_EQ(sums->OwnShare(5, 5), 3.0f);
+    EXPECT_EQ(sums->OwnShare(5, 5), 4.0f);
+    EXPECT_EQ(sums->OwnShare(6, 5), 2.0f);
 }
 
 /// What blocks receive whose pixels each take two samples of the given radiance, all blurred alike.

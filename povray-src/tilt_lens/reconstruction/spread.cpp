@@ -72,7 +72,7 @@ class CirclePixels
         const float xy = scale * (circle.xa * circle.ya + circle.xb * circle.yb);
         const float yy = scale * (circle.ya * circle.ya + circle.yb * circle.yb);
         const float least = settings.leastSpreadRadius * settings.leastSpreadRadius, determinant = xx * yy - xy * xy;
-        if (!(std::min(xx, yy) >= least && determinant >= least * least && std::isfinite(determinant)))
+        if (!(std::min(xx, yy) >= least && determinant >= least * least && std::isfinite(determinant + circle.x)))
             return;
         for (int i = 0; i < kRows; i++)
         {
