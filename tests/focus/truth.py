@@ -11,8 +11,7 @@ import urllib.request
 from tests.focus import harness
 from tests.focus.harness import ROOT, SCENE, PageTest
 
-# One bright spot before the plane of sharp focus and one behind it, on black.
-SPOTS = """#version 3.7;
+VIEW = """#version 3.7;
 global_settings { assumed_gamma 1 }
 camera {
   location <0, 0, -10>
@@ -20,19 +19,15 @@ camera {
   right x*image_width/image_height
   angle 30
 }
+"""
+# One bright spot before the plane of sharp focus and one behind it, on black.
+SPOTS = VIEW + """\
 sphere { <-1, 0, -2>, 0.07 pigment { rgb 1 } finish { emission 40 } }
 sphere { <1.4, 0, 4>, 0.1 pigment { rgb 1 } finish { emission 40 } }
 sphere { <0, -1.2, 0>, 0.1 pigment { rgb 1 } finish { emission 1 } }
 """
 # A red post before a wall of another colour.
-POST = """#version 3.7;
-global_settings { assumed_gamma 1 }
-camera {
-  location <0, 0, -10>
-  look_at 0
-  right x*image_width/image_height
-  angle 30
-}
+POST = VIEW + """\
 box { <-1, -9, 0>, <1, 9, 0.1> pigment { rgb x } finish { emission 1 diffuse 0 } }
 plane { z, 20 pigment { checker rgb z, rgb y scale 0.3 } finish { emission 1 diffuse 0 } }
 """
