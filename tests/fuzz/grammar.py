@@ -5,7 +5,8 @@
 import random
 
 FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",))
-FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "denoise")
+FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "blade_curvature", "squeeze",
+        "denoise")
 AIDS = ("focus_peaking", "show_planes", "focus_map")  # the last one stands alone
 WORDS = tuple(word for family in FAMILIES for word in family) + FREE + AIDS
 ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
@@ -62,12 +63,14 @@ class Grammar:
         if word in AIDS:
             return ""
         return {"film_width": lambda: self.number(1, 300), "focal_length": lambda: self.number(5, 500),
-                "scene_unit": lambda: self.number(0.1, 2000), "f_stop": lambda: self.number(0.5, 32)}[word]()
+                "scene_unit": lambda: self.number(0.1, 2000), "f_stop": lambda: self.number(0.5, 32),
+                "blade_curvature": lambda: self.number(0, 1), "squeeze": lambda: self.number(0.1, 10)}[word]()
 
     def items(self):
         """Words with their values, at most one family; as tokens."""
         r = self.random
         words = [word for word in FREE if r.random() < 0.3]
+        words = [word for word in words if word != "blade_curvature" or "blades" in words]
         # the scene around the block has angle and aperture
         words = [word for word in words if word not in ("focal_length", "f_stop") or r.random() < 0.1]
         if r.random() < 0.9:

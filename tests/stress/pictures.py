@@ -47,7 +47,8 @@ def random_lens(r):
         else:
             points = [(x, y, z - n[0] * x - n[1] * y) for x, y in ((0, 0), (z, 0), (0, z))]
             focus = "focal_points " + ", ".join(f"<{x:.6f}, {y:.6f}, {w:.6f}>" for x, y, w in points) + " "
-    shape = r.choice(("", "", f"blades {r.randint(3, 9)}, {r.uniform(-90, 90):.2f} "))
+    shape = r.choice(("", "", f"blades {r.randint(3, 9)}, {r.uniform(-90, 90):.2f} ",
+                      f"blades {r.randint(3, 9)} blade_curvature {r.random():.3f} squeeze {r.uniform(0.2, 5):.2f} "))
     shift = f"shift <{r.uniform(-30, 30):.3f}, {r.uniform(-30, 30):.3f}> " if r.random() < 0.5 else ""
     return (f"{focus}{shape}{shift}scene_unit {10 ** r.uniform(0, 4):.4f} film_width {r.uniform(5, 200):.3f}",
             10 ** r.uniform(-4, 1.3))

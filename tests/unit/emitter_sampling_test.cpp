@@ -112,6 +112,7 @@ std::vector<Case> Cases()
             {"two", 0.0, Aperture::Disc(), {far, beside}},
             {"tilted", 30.0, Aperture::Disc(), {far, near, sharp, nearlySharp}},
             {"blades", 0.0, Aperture::Polygon(5, 0.3), {far, sharp}},
+            {"squeezed", 20.0, Aperture::Squeezed(Aperture::Polygon(5, 0.3, 0.5), 2.0), {far, near, sharp}},
             {"picture", 20.0, Window(), {far, near, sharp}}};
 }
 

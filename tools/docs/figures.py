@@ -51,7 +51,7 @@ MADE = {
     **variants("focal", "focal_length.pov", "Focal", same((24, 50, 90))),
     **variants("unit", "scene_unit.pov", "Unit", same((5, 10, 100))),
     **variants("stop", "f_stop.pov", "Stop", same((0.7, 1.4, 5.6))),
-    **variants("lights", "lights.pov", "Shape", same((0, 1, 2))),
+    **variants("lights", "lights.pov", "Shape", same((0, 1, 2, 3, 4))),
     **variants("denoise", "denoise.pov", "Denoise", same((0, 1))),
     **variants("aids", "aids.pov", "Aid", same((1, 2, 3))),
     **{f"layers_{name}": ("aids.pov", ["Declare=Aid=0", "+N"], SMALL) for name in ("depth", "blur", "samples")},

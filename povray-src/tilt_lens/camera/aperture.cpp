@@ -4,12 +4,13 @@
 #include "tilt_lens/camera/aperture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "tilt_lens/camera/aperture_picture.h"
+#include "tilt_lens/camera/blade_arc.h"
 
 namespace tilt_lens
 {
@@ -71,8 +72,9 @@ inline AperturePoint OnDisc(double u, double v)
 
 struct Aperture::Outline
 {
-    int blades;
-    std::vector<AperturePoint> corner;  ///< one more than blades: the first one again at the end
+    int blades, edges;                  ///< straight ones: as many for each blade
+    std::vector<AperturePoint> corner;  ///< one more than edges: the first one again at the end
+    double density;                     ///< one over the area
 
     AperturePoint Map(double u, double v) const
     {
@@ -84,8 +86,8 @@ struct Aperture::Outline
             turns += 1;
 
         // Rounding may reach a whole turn: that is the end of the last edge.
-        const double position = turns * blades;
-        const int edge = std::min(static_cast<int>(position), blades - 1);
+        const double position = turns * edges;
+        const int edge = std::min(static_cast<int>(position), edges - 1);
         const double t = position - edge, radius = std::fabs(c.radius);
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
         return {radius * (p.a + t * (q.a - p.a)), radius * (p.b + t * (q.b - p.b))};
@@ -96,179 +98,27 @@ struct Aperture::Outline
         const double first = std::atan2(corner[0].b, corner[0].a);
         double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
         turns -= std::floor(turns);
-        const int edge = std::min(static_cast<int>(turns * blades), blades - 1);
+        // the corners of a blade's chords are not at equal angles, those of the blades are
+        const int blade = std::min(static_cast<int>(turns * blades), blades - 1);
+        int edge = blade * (edges / blades);
+        for (int span = edges / blades; span > 1;)
+        {
+            const int half = span / 2;
+            const bool beyond = Cross(corner[edge + half], point) >= 0;
+            edge += beyond ? half : 0;
+            span = beyond ? span - half : half;
+        }
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
         const double side = (q.a - p.a) * (point.b - p.b) - (q.b - p.b) * (point.a - p.a);
-        return side >= 0 ? 2 / (blades * std::sin(2 * pi / blades)) : 0.0;
+        return side >= 0 ? density : 0.0;
     }
 };
 
-namespace
+/// A shape, and what its width and height are multiplied by.
+struct Aperture::Oval
 {
-
-constexpr int cells = 256;
-
-/// A piecewise constant distribution over [0, 1] in equal cells, inverted in constant expected time
-/// with H.-C. Chen and Y. Asau's index table (1974).
-class CellDistribution
-{
-  public:
-    /// @return the total weight; 0 leaves a distribution that must not be sampled
-    double Build(const double* weight)
-    {
-        double total = 0;
-        for (int i = 0; i < cells; ++i)
-            total += weight[i];
-        double sum = 0;  // ends exactly at total, so cells without weight at the end begin at 1
-        for (int i = 0; i < cells; ++i)
-        {
-            bound[i] = total > 0 ? static_cast<float>(sum / total) : 0.0f;
-            sum += weight[i];
-        }
-        bound[cells] = 1.0f;
-
-        int cell = 0;
-        for (int i = 0; i < cells; ++i)
-        {
-            while (bound[cell + 1] <= static_cast<float>(i) / cells)
-                ++cell;
-            first[i] = static_cast<std::uint8_t>(cell);
-        }
-        return total;
-    }
-
-    struct Place
-    {
-        int cell;
-        double position;  ///< in [0, 1]
-    };
-
-    /// The value below which lies the part u, in [0, 1), of the weight.
-    Place Invert(double u) const
-    {
-        int cell = first[static_cast<int>(u * cells)];
-        while (bound[cell + 1] <= u)
-            ++cell;
-        const double low = bound[cell], high = bound[cell + 1];
-        return {cell, (cell + (u - low) / (high - low)) * (1.0 / cells)};
-    }
-
-    /// Density at a position, 1 being that of an even distribution.
-    double Density(double position) const
-    {
-        const int cell = std::min(static_cast<int>(position * cells), cells - 1);
-        return (double(bound[cell + 1]) - bound[cell]) * cells;
-    }
-
-  private:
-    /// Part of the weight below each cell. Single precision keeps a picture within the processor's
-    /// second cache; a cell with less than 1e-7 of its column is lost in black anyway.
-    std::array<float, cells + 1> bound;
-    std::array<std::uint8_t, cells> first;  ///< cell where the search for i/cells begins
-};
-
-/// Mean weight of every cell: columns of constant u, v along each column.
-class Tabulation
-{
-  public:
-    explicit Tabulation(const std::function<double(double u, double v)>& itsWeight)
-        : weight(itsWeight), coarse(cells * cells), mean(cells * cells)
-    {
-        for (int i = 0; i < cells; ++i)
-            for (int j = 0; j < cells; ++j)
-                coarse[i * cells + j] = Survey(i, j, 2);
-        for (const Range& range : coarse)
-            brightest = std::max(brightest, range.high);
-        for (int i = 0; i < cells; ++i)
-            for (int j = 0; j < cells; ++j)
-                mean[i * cells + j] =
-                    Varies(i, j) ? Survey(i, j, 4).mean : coarse[i * cells + j].mean;
-    }
-
-    const double* Column(int i) const { return &mean[i * cells]; }
-
-    /// Scales the greatest mean to 1, so that no sum overflows.
-    /// @return false if there is none above 0
-    bool Normalize()
-    {
-        const double greatest = *std::max_element(mean.begin(), mean.end());
-        if (!(greatest > 0))
-            return false;
-        for (double& m : mean)
-            m /= greatest;
-        return true;
-    }
-
-  private:
-    struct Range
-    {
-        double low, high, mean;
-    };
-
-    double Sanitized(double u, double v) const
-    {
-        const double w = weight(u, v);
-        return std::isfinite(w) && w > 0 ? w : 0.0;
-    }
-
-    /// The weights at side x side places spread evenly over a cell.
-    Range Survey(int i, int j, int side) const
-    {
-        Range range{HUGE_VAL, 0, 0};
-        for (int k = 0; k < side; ++k)
-            for (int l = 0; l < side; ++l)
-            {
-                const double w =
-                    Sanitized((i + (k + 0.5) / side) / cells, (j + (l + 0.5) / side) / cells);
-                range.low = std::min(range.low, w);
-                range.high = std::max(range.high, w);
-                range.mean += w / (side * side);
-            }
-        return range;
-    }
-
-    /// Whether the weights in a cell and the cells around it differ by more than 1/16 of the
-    /// brightest: an edge runs near.
-    bool Varies(int i, int j) const
-    {
-        double low = HUGE_VAL, high = 0;
-        for (int k = std::max(i - 1, 0); k <= std::min(i + 1, cells - 1); ++k)
-            for (int l = std::max(j - 1, 0); l <= std::min(j + 1, cells - 1); ++l)
-            {
-                low = std::min(low, coarse[k * cells + l].low);
-                high = std::max(high, coarse[k * cells + l].high);
-            }
-        return high - low > brightest / 16;
-    }
-
-    const std::function<double(double u, double v)>& weight;
-    std::vector<Range> coarse;
-    double brightest = 0;
-    std::vector<double> mean;
-};
-
-}  // namespace
-
-struct Aperture::Table
-{
-    CellDistribution marginal;
-    std::vector<CellDistribution> conditional;  ///< of each column
-
-    AperturePoint Map(double u, double v) const
-    {
-        const CellDistribution::Place column = marginal.Invert(u);
-        const CellDistribution::Place row = conditional[column.cell].Invert(v);
-        return {2 * column.position - 1, 1 - 2 * row.position};
-    }
-
-    double Density(const AperturePoint& point) const
-    {
-        const double u = (point.a + 1) / 2, v = (1 - point.b) / 2;
-        if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1))
-            return 0.0;
-        const int column = std::min(static_cast<int>(u * cells), cells - 1);
-        return marginal.Density(u) * conditional[column].Density(v) / 4;
-    }
+    Aperture shape;
+    double width, height;
 };
 
 Aperture Aperture::Disc()
@@ -276,7 +126,7 @@ Aperture Aperture::Disc()
     return Aperture(Shape::Disc);
 }
 
-Aperture Aperture::Polygon(int blades, double angleRadians)
+Aperture Aperture::Polygon(int blades, double angleRadians, double curvature)
 {
     if (blades < 3 || blades > maxBlades)
         throw std::invalid_argument(
@@ -288,12 +138,27 @@ Aperture Aperture::Polygon(int blades, double angleRadians)
             "The angle of the diaphragm blades is not a finite number. Found: " +
             std::to_string(angleRadians) + ". Allowed: any finite angle. Correct or omit it.");
 
+    if (!(curvature >= 0 && curvature <= 1))
+        throw std::invalid_argument(
+            "The curvature of the diaphragm blades makes no opening. Found: " +
+            std::to_string(curvature) +
+            ". Allowed: 0 (straight) to 1 (a circle). Give another number, or none.");
+
+    constexpr int enough = 512;  // chords around a curved opening
+    const int chords = curvature > 0 ? (enough + blades - 1) / blades : 1;
+    const std::vector<AperturePoint> arc = Arc(blades, curvature, chords);
     auto outline = std::make_shared<Outline>();
     outline->blades = blades;
+    outline->edges = blades * chords;
+    const double triangle = chords > 1 ? Cross(arc[0], arc[1]) : std::sin(2 * pi / blades);
+    outline->density = 2 / (outline->edges * triangle);
     for (int i = 0; i < blades; ++i)
     {
         const double angle = angleRadians + 2 * pi * i / blades;
-        outline->corner.push_back({std::cos(angle), std::sin(angle)});
+        const double a = std::cos(angle), b = std::sin(angle);
+        outline->corner.push_back({a, b});
+        for (int j = 1; j < chords; ++j)
+            outline->corner.push_back({arc[j].a * a - arc[j].b * b, arc[j].a * b + arc[j].b * a});
     }
     outline->corner.push_back(outline->corner.front());
 
@@ -304,22 +169,19 @@ Aperture Aperture::Polygon(int blades, double angleRadians)
 
 Aperture Aperture::Picture(const std::function<double(double u, double v)>& weight)
 {
-    Tabulation tabulation(weight);
-    if (!tabulation.Normalize())
-        throw std::invalid_argument(
-            "The picture of the lens opening lets no light through. Found: 0, negative or not "
-            "finite at every place. Allowed: brightness above 0 somewhere between <0,0> and <1,1>. "
-            "Use a pigment that is not black there, or none for a round opening.");
-
-    auto table = std::make_shared<Table>();
-    table->conditional.resize(cells);
-    std::array<double, cells> total;
-    for (int i = 0; i < cells; ++i)
-        total[i] = table->conditional[i].Build(tabulation.Column(i));
-    table->marginal.Build(total.data());
-
     Aperture aperture(Shape::Picture);
-    aperture.table = std::move(table);
+    aperture.picture = std::make_shared<AperturePicture>(weight);
+    return aperture;
+}
+
+Aperture Aperture::Squeezed(const Aperture& shape, double ratio)
+{
+    if (!(ratio > 0) || !std::isfinite(ratio))
+        throw std::invalid_argument("The aperture is squeezed to nothing. Found: " + std::to_string(ratio) +
+                                    ". Allowed: any finite ratio above 0. Give another, or 1 for none.");
+    Aperture aperture(Shape::Squeezed);
+    aperture.oval = std::make_shared<Oval>(
+        Oval{shape, ratio > 1 ? 1 / ratio : 1.0, ratio < 1 ? ratio : 1.0});
     return aperture;
 }
 
@@ -332,7 +194,10 @@ AperturePoint Aperture::operator()(double u, double v) const
     case Shape::Polygon:
         return outline->Map(u, v);
     case Shape::Picture:
-        return table->Map(u, v);
+        return picture->Map(u, v);
+    case Shape::Squeezed:
+        const AperturePoint point = oval->shape(u, v);
+        return {oval->width * point.a, oval->height * point.b};
     }
     return OnDisc(u, v);
 }
@@ -346,13 +211,18 @@ double Aperture::Density(const AperturePoint& point) const
     case Shape::Polygon:
         return outline->Density(point);
     case Shape::Picture:
-        return table->Density(point);
+        return picture->Density(point);
+    case Shape::Squeezed:
+        return oval->shape.Density({point.a / oval->width, point.b / oval->height}) /
+               (oval->width * oval->height);
     }
     return point.a * point.a + point.b * point.b <= 1 ? 1 / pi : 0.0;
 }
 
 double Aperture::BoundingRadius() const
 {
+    if (shape == Shape::Squeezed)
+        return oval->shape.BoundingRadius();
     return shape == Shape::Picture ? std::sqrt(2.0) : 1.0;
 }
 

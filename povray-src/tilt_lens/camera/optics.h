@@ -68,6 +68,8 @@ struct Statement
     std::optional<double> fStop;               ///< focal length / diameter
     int blades = 0;                            ///< straight edges of the diaphragm; 0: round
     double bladesAngle = 0.0;                  ///< degrees, counter-clockwise as the camera sees it
+    double bladeCurvature = 0.0;               ///< radius of the lens over that of the blades' edges; 0: straight
+    double squeeze = 1.0;                      ///< height of the aperture over its width; the larger is the diameter
     bool denoise = true;                       ///< the picture is rebuilt from its pixels (reconstruction.h)
 
     Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; from `focal_point`, or `look_at` without one

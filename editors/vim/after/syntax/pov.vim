@@ -9,7 +9,7 @@ syn region  povTiltLensBlock matchgroup=povTiltLensBrace start="{" end="}" conta
       \ contains=ALLBUT,povBraceError,@povPRIVATE
 syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
       \ tilt swing focus_tilt focus_swing focal_plane focal_points
-      \ shift film_width focal_length scene_unit f_stop blades denoise
+      \ shift film_width focal_length scene_unit f_stop blades blade_curvature squeeze denoise
       \ focus_peaking focus_map show_planes
 " Vim's own regions between braces contain all groups but those of this cluster.
 syn cluster povPRIVATE add=povTiltLensBlock,povTiltLensItem

@@ -176,6 +176,10 @@ void TiltLensParser::ParseItem(const std::string& word, TiltLensCamera& lens)
         ParseShift(s);
     else if (word == "blades")
         ParseBlades(s);
+    else if (word == "blade_curvature")
+        s.bladeCurvature = NumberWithin(word, 0.0, 1.0, "straight to round");
+    else if (word == "squeeze")
+        s.squeeze = NumberWithin(word, 0.1, 10.0, "lying to upright ovals; 1 is round");
     else if (word == "denoise")
         s.denoise = Number(word) != 0.0;  // `on` and `off` are numbers
     else if (word == "focal_plane")

@@ -60,6 +60,7 @@ class TiltLensParser
     void RequireValue(const std::string& word);
     double Number(const std::string& word);
     double PositiveNumber(const std::string& word);
+    double NumberWithin(const std::string& word, double least, double most, const char* meaning);
     tilt_lens::Vec3 Vector(const std::string& word);
     void ParseShift(tilt_lens::Statement& statement);
     void ParseBlades(tilt_lens::Statement& statement);

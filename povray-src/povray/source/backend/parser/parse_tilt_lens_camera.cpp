@@ -111,6 +111,9 @@ void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems&
     if (s.blades > 0 && camera.Bokeh != NULL)
         ErrorAt(place, "blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove "
                        "blades or bokeh.", s.blades);
+    if (s.bladeCurvature > 0.0 && s.blades == 0)
+        ErrorAt(place, "blade_curvature %g without blades: nothing says how many edges are curved. Give blades too, or "
+                       "remove blade_curvature.", s.bladeCurvature);
 }
 
 /// Where other cameras get a warning and the default.

@@ -64,6 +64,16 @@ double TiltLensParser::PositiveNumber(const std::string& word)
     return value;
 }
 
+/// @param meaning  of the least and the greatest value
+double TiltLensParser::NumberWithin(const std::string& word, double least, double most, const char* meaning)
+{
+    const double value = Number(word);
+    if (!(value >= least && value <= most))
+        ErrorAt(item, "%s %g in tilt_lens. It must be from %g to %g (%s); give a number in between.", word.c_str(), value,
+                least, most, meaning);
+    return value;
+}
+
 Vec3 TiltLensParser::Vector(const std::string& word)
 {
     RequireValue(word);

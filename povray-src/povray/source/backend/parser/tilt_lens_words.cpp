@@ -11,13 +11,15 @@
 namespace pov
 {
 
-const TiltLensItem kTiltLensItems[16] = {
+const TiltLensItem kTiltLensItems[18] = {
     {"film_width", NULL, "film_width 36"},
     {"focal_length", NULL, "focal_length 50"},
     {"scene_unit", NULL, "scene_unit 1000"},
     {"shift", NULL, "shift <0, 8>"},
     {"f_stop", NULL, "f_stop 2.8"},
     {"blades", NULL, "blades 5, 90"},
+    {"blade_curvature", NULL, "blade_curvature 0.5"},
+    {"squeeze", NULL, "squeeze 2"},
     {"denoise", NULL, "denoise on"},
     {"tilt", "tilt and swing", "tilt 6"},
     {"swing", "tilt and swing", "swing 6"},

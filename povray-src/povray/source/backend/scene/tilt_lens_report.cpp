@@ -71,6 +71,15 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
+/// What a squeezed aperture adds to its diameter.
+std::string SqueezeOf(double squeeze)
+{
+    if (squeeze == 1.0)
+        return "";
+    return squeeze > 1.0 ? Line(", squeezed to %.4g of its width", 1.0 / squeeze)
+                         : Line(", squeezed to %.4g of its height", squeeze);
+}
+
 } // namespace
 
 void TiltLensView::AddProgress(POVMS_Object& message) const
@@ -162,7 +171,8 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
     text += FilmOf(camera, lens);
     if (lens.diameter > 0.0)
         text += Line("  Aperture.............f/%.4g, diameter %.5g mm", lens.focalLength / lens.diameter,
-                     lens.diameter * mm) + Line(" (%.5g units)\n", lens.diameter);
+                     lens.diameter * mm) + Line(" (%.5g units)", lens.diameter) +
+                SqueezeOf(camera.TiltLens.statement.squeeze) + "\n";
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
     text += "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n";

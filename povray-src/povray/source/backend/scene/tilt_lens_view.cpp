@@ -24,7 +24,8 @@ namespace pov
 namespace
 {
 
-tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene)
+/// The shape of the opening before it is squeezed.
+tilt_lens::Aperture DiaphragmOf(const Camera& camera, shared_ptr<SceneData> scene)
 {
     const tilt_lens::Statement& s = camera.TiltLens.statement;
     if (camera.Bokeh != NULL)
@@ -41,8 +42,15 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
             });
     }
     if (s.blades > 0)
-        return tilt_lens::Aperture::Polygon(s.blades, s.bladesAngle * M_PI_180);
+        return tilt_lens::Aperture::Polygon(s.blades, s.bladesAngle * M_PI_180, s.bladeCurvature);
     return tilt_lens::Aperture::Disc();
+}
+
+tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene)
+{
+    const double squeeze = camera.TiltLens.statement.squeeze;
+    const tilt_lens::Aperture diaphragm = DiaphragmOf(camera, scene);
+    return squeeze == 1.0 ? diaphragm : tilt_lens::Aperture::Squeezed(diaphragm, squeeze);
 }
 
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
