@@ -6,7 +6,8 @@ import random
 
 FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",))
 FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "blade_curvature", "squeeze",
-        "denoise")
+        "denoise", "edge_light", "natural_vignetting", "optical_vignetting", "distortion", "field_curvature",
+        "lateral_colour", "axial_colour")
 AIDS = ("focus_peaking", "show_planes", "focus_map")  # the last one stands alone
 WORDS = tuple(word for family in FAMILIES for word in family) + FREE + AIDS
 ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
@@ -64,7 +65,11 @@ class Grammar:
             return ""
         return {"film_width": lambda: self.number(1, 300), "focal_length": lambda: self.number(5, 500),
                 "scene_unit": lambda: self.number(0.1, 2000), "f_stop": lambda: self.number(0.5, 32),
-                "blade_curvature": lambda: self.number(0, 1), "squeeze": lambda: self.number(0.1, 10)}[word]()
+                "blade_curvature": lambda: self.number(0, 1), "squeeze": lambda: self.number(0.1, 10),
+                "edge_light": lambda: self.number(-0.9, 0.9), "natural_vignetting": lambda: self.number(0, 1),
+                "optical_vignetting": lambda: self.number(0, 2), "distortion": lambda: self.number(-0.2, 0.5),
+                "field_curvature": lambda: self.number(-1, 1), "lateral_colour": lambda: self.number(-0.5, 0.5),
+                "axial_colour": lambda: self.number(-0.5, 0.5)}[word]()
 
     def items(self):
         """Words with their values, at most one family; as tokens."""

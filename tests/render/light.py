@@ -9,7 +9,7 @@ SIZE = {"width": 48, "height": 36, "extension": "exr"}
 
 class Furnace(rendering.RenderTest):
     LENSES = ("", "tilt 8", "swing -12", "tilt 60", "tilt 10 swing 10 shift <40, -30>", "blades 3", "blades 7, 20",
-              "squeeze 2", "tilt 6 blades 5, 10 blade_curvature 0.5 squeeze 0.5",
+              "squeeze 2", "edge_light 0.5", "tilt 5 distortion 0.2 field_curvature 1 axial_colour 0.2 lateral_colour 0.1", "tilt 6 blades 5, 10 blade_curvature 0.5 squeeze 0.5",
               "focal_plane { y, 0 }", "focal_plane { z, -7 }", "focus_tilt 89", "focal_points x, y, z")
 
     def check(self, camera):

@@ -219,6 +219,42 @@ TEST(ApertureSqueezed, NarrowsWidthOrHeight)
         EXPECT_THROW(Aperture::Squeezed(shape, ratio), std::invalid_argument) << ratio;
 }
 
+TEST(ApertureGraded, HasItsLawOfBrightness)
+{
+    for (const double amount : {-0.75, -0.2, 0.4, 0.8})
+        for (const Outline& outline : {Outline{0, 0}, Outline{5, 0.3}, Outline{3, 1, 0.6}})
+        {
+            const Aperture aperture = Aperture::Graded(outline.Make(), amount);
+            const double n = std::fabs(amount) / (1 - std::fabs(amount));
+            const int count = 90000;
+            int within[3] = {};
+            for (int i = 0; i < count; ++i)
+            {
+                const AperturePoint p = aperture((i + 0.5) / count, std::fmod(0.6180339887498949 * i, 1.0));
+                const double size = outline.Size(p);
+                ASSERT_LT(size, 1 + outline.Tolerance());
+                for (int k = 0; k < 3; ++k)
+                    within[k] += size < 0.25 * (k + 1);
+                const double law = amount > 0 ? std::pow(size, 2 * n) : std::pow(1 - std::min(1.0, size * size), n);
+                if (size < 1 - 2 * outline.Tolerance())  // at the rim rounding decides
+                    ASSERT_NEAR(aperture.Density(p) * outline.Area(), (n + 1) * law, 1e-3 * (n + 1)) << p;
+            }
+            for (int k = 0; k < 3; ++k)
+            {
+                const double square = std::pow(0.25 * (k + 1), 2);
+                const double light = amount > 0 ? std::pow(square, n + 1) : 1 - std::pow(1 - square, n + 1);
+                EXPECT_NEAR(within[k] / double(count), light, 1e-3) << amount << ": " << outline;
+            }
+        }
+}
+
+TEST(ApertureGraded, RefusesWhatItCannotGrade)
+{
+    for (double amount : {-1.0, 1.0, std::nan("")})
+        EXPECT_THROW(Aperture::Graded(Aperture::Disc(), amount), std::invalid_argument) << amount;
+    EXPECT_THROW(Aperture::Graded(Aperture::Picture([](double, double) { return 1.0; }), 0.5), std::invalid_argument);
+}
+
 TEST(ApertureDisc, DirectionsAreKept)
 {
     const Aperture disc = Aperture::Disc();

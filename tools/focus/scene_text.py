@@ -9,7 +9,8 @@ import re
 WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "tilt", "swing", "focus_tilt",
            "focus_swing", "focal_plane", "focal_points")
 AIDS = ("focus_peaking", "focus_map", "show_planes")
-KEPT = ("blade_curvature", "squeeze", "denoise", *AIDS)
+KEPT = ("blade_curvature", "squeeze", "edge_light", "natural_vignetting", "optical_vignetting", "distortion",
+        "field_curvature", "lateral_colour", "axial_colour", "denoise", *AIDS)
 
 
 class EditError(Exception):

@@ -93,7 +93,8 @@ struct Aperture::Outline
         return {radius * (p.a + t * (q.a - p.a)), radius * (p.b + t * (q.b - p.b))};
     }
 
-    double Density(const AperturePoint& point) const
+    /// The edge that the direction of a point crosses.
+    int EdgeTowards(const AperturePoint& point) const
     {
         const double first = std::atan2(corner[0].b, corner[0].a);
         double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
@@ -108,9 +109,24 @@ struct Aperture::Outline
             edge += beyond ? half : 0;
             span = beyond ? span - half : half;
         }
+        return edge;
+    }
+
+    double Density(const AperturePoint& point) const
+    {
+        const int edge = EdgeTowards(point);
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
         const double side = (q.a - p.a) * (point.b - p.b) - (q.b - p.b) * (point.a - p.a);
         return side >= 0 ? density : 0.0;
+    }
+
+    /// 0 in the middle, 1 on the boundary.
+    double Size(const AperturePoint& point) const
+    {
+        const int edge = EdgeTowards(point);
+        const AperturePoint &p = corner[edge], &q = corner[edge + 1];
+        const AperturePoint along{q.a - p.a, q.b - p.b};
+        return Cross(point, along) / Cross(p, along);
     }
 };
 
@@ -119,6 +135,36 @@ struct Aperture::Oval
 {
     Aperture shape;
     double width, height;
+};
+
+/// A shape and the power of its brightness: n of Aperture::Graded.
+struct Aperture::Grade
+{
+    Aperture shape;
+    double power;
+    bool rim;  ///< that is brighter, not the middle
+
+    /// Moves a point of the square towards the side or the middle, along its own direction: the squared size of the inner squares
+    /// becomes that below which as much light lies.
+    AperturePoint Map(double u, double v) const
+    {
+        const double x = 2 * u - 1, y = 2 * v - 1;
+        const double size = std::max(std::fabs(x), std::fabs(y)), square = size * size;
+        if (size == 0)
+            return shape(u, v);
+        const double moved = rim ? std::pow(square, 1 / (power + 1)) : -std::expm1(std::log1p(-square) / (power + 1));
+        const double factor = std::sqrt(moved) / size;
+        return shape(0.5 + 0.5 * factor * x, 0.5 + 0.5 * factor * y);
+    }
+
+    double Density(const AperturePoint& point) const
+    {
+        const double even = shape.Density(point), size = shape.Size(point);
+        if (even == 0)
+            return 0;
+        const double bright = rim ? size * size : std::max(0.0, 1 - size * size);
+        return even * (power + 1) * std::pow(bright, power);
+    }
 };
 
 Aperture Aperture::Disc()
@@ -185,6 +231,23 @@ Aperture Aperture::Squeezed(const Aperture& shape, double ratio)
     return aperture;
 }
 
+Aperture Aperture::Graded(const Aperture& shape, double amount)
+{
+    const double size = std::fabs(amount);
+    if (!(size < 1) || (shape.shape != Shape::Disc && shape.shape != Shape::Polygon))
+        throw std::invalid_argument("The aperture cannot be made brighter at its rim or in its middle. Found: " + std::to_string(amount) +
+                                    ". Allowed: more than -1 and less than 1, for a disc or blades. Give another, or 0 for even light.");
+    Aperture aperture(Shape::Graded);
+    aperture.grade = std::make_shared<Grade>(Grade{shape, size / (1 - size), amount > 0});
+    return aperture;
+}
+
+/// 0 in the middle, 1 on the boundary, of a disc or a polygon.
+double Aperture::Size(const AperturePoint& point) const
+{
+    return shape == Shape::Polygon ? outline->Size(point) : std::hypot(point.a, point.b);
+}
+
 AperturePoint Aperture::operator()(double u, double v) const
 {
     switch (shape)
@@ -195,6 +258,8 @@ AperturePoint Aperture::operator()(double u, double v) const
         return outline->Map(u, v);
     case Shape::Picture:
         return picture->Map(u, v);
+    case Shape::Graded:
+        return grade->Map(u, v);
     case Shape::Squeezed:
         const AperturePoint point = oval->shape(u, v);
         return {oval->width * point.a, oval->height * point.b};
@@ -212,6 +277,8 @@ double Aperture::Density(const AperturePoint& point) const
         return outline->Density(point);
     case Shape::Picture:
         return picture->Density(point);
+    case Shape::Graded:
+        return grade->Density(point);
     case Shape::Squeezed:
         return oval->shape.Density({point.a / oval->width, point.b / oval->height}) /
                (oval->width * oval->height);

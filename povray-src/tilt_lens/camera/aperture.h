@@ -57,6 +57,12 @@ class Aperture
     /// @throws std::invalid_argument  a ratio that is not finite and positive
     static Aperture Squeezed(const Aperture& shape, double ratio);
 
+    /// A shape of blades or a disc that is brighter at its rim or in its middle, and lets as much light through. Each point of it
+    /// lies at a part r of the way from the middle to the rim. With n = |amount| / (1 - |amount|), its brightness is
+    /// (n + 1) r^(2n) for an amount above 0, and (n + 1) (1 - r^2)^n for one below.
+    /// @throws std::invalid_argument  another shape; an amount outside (-1, 1)
+    static Aperture Graded(const Aperture& shape, double amount);
+
     /// Any brightness over the square around the lens, tabulated in 256 x 256 cells.
     ///
     /// weight(u, v) for (u, v) in [0, 1]^2 is the relative brightness at a = 2u - 1, b = 1 - 2v: v
@@ -94,10 +100,12 @@ class Aperture
         Disc,
         Polygon,
         Picture,
-        Squeezed
+        Squeezed,
+        Graded
     };
     struct Outline;  ///< the corners of a polygon
     struct Oval;     ///< a shape and how it is squeezed
+    struct Grade;    ///< a shape and where it is bright
 
     explicit Aperture(Shape itsShape) : shape(itsShape) {}
 
@@ -105,6 +113,9 @@ class Aperture
     std::shared_ptr<const Outline> outline;  ///< of a polygon only
     std::shared_ptr<const AperturePicture> picture;  ///< of a picture only
     std::shared_ptr<const Oval> oval;        ///< of a squeezed shape only
+    std::shared_ptr<const Grade> grade;      ///< of a graded shape only
+
+    double Size(const AperturePoint& point) const;
 };
 
 }  // namespace tilt_lens

@@ -151,9 +151,7 @@ std::optional<Rgb> FocusMapScale::At(int x, int y) const
 FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) :
     lens(itsLens),
     width(itsWidth),
-    height(itsHeight),
-    nearLimit(PlaneOfBlur(lens, 1.0, width)),
-    farLimit(PlaneOfBlur(lens, -1.0, width))
+    height(itsHeight)
 {
     // the lines run along the camera's right as far as the plane allows, and across
     const Vec3 normal = Normalized(lens.focus);
@@ -180,7 +178,7 @@ bool FocusPlanes::OnGridLine(double x, double y) const
     for (int i = 0; i < 3; i++)
     {
         const Vec3 chief = Chief(corners[i][0], corners[i][1]);
-        const double w = Dot(lens.focus, chief);
+        const double w = FocusVergence(lens, chief);
         if (!(w > 0.0))
             return false;
         const Vec3 point = chief / w;
@@ -200,14 +198,17 @@ bool FocusPlanes::OnGridLine(double x, double y) const
 std::vector<Veil> FocusPlanes::Before(int x, int y, double T) const
 {
     const Vec3 chief = Chief(x + 0.5, y + 0.5);
-    // a surface k.X = 1 lies at the parameter 1/(k.chief)
-    const auto passes = [&](const Vec3& k) { return Dot(k, chief) > 0.0 && 1.0 / Dot(k, chief) < T; };
+    const auto passes = [&](double pixels)
+    {
+        const double vergence = VergenceOfBlur(lens, chief, pixels, width);
+        return vergence > 0.0 && 1.0 / vergence < T;
+    };
     std::vector<Veil> veils;
-    if (passes(nearLimit))
+    if (passes(1.0))
         veils.push_back({kNearLimit, kNearOpacity});
-    if (passes(lens.focus))
+    if (passes(0.0))
         veils.push_back({kSharpPlane, OnGridLine(x, y) ? kLineOpacity : kSharpOpacity});
-    if (passes(farLimit))
+    if (passes(-1.0))
         veils.push_back({kFarLimit, kFarOpacity});
     return veils;
 }

@@ -91,7 +91,6 @@ class FocusPlanes
   private:
     const Lens lens;
     const double width, height;
-    const Vec3 nearLimit, farLimit;  ///< k of each
     Vec3 gridX, gridY;               ///< unit vectors in the plane of sharp focus
     double spacing = 0.0;
 

@@ -75,7 +75,7 @@ std::vector<std::string> Warnings(const Lens& lens, const Statement& given)
     if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
         warnings.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
                          "aperture or f_stop.");
-    if (lens.diameter > 0.0 && IsSharpBehindOnly(lens))
+    if (lens.diameter > 0.0 && lens.fieldCurvature == 0.0 && IsSharpBehindOnly(lens))
         warnings.push_back("The plane of sharp focus lies behind the camera in the whole picture, so that nothing in it can be "
                          "sharp. Compare the plane or points with location and look_at, and the sign of the plane's distance.");
     if (std::hypot(given.shiftRight, given.shiftUp) > kUnusualShift * given.filmWidth)
@@ -122,8 +122,8 @@ double AxisFocusOf(const Lens& lens)
 
 SharpRange SharpRangeOf(const Lens& lens, double width, double pixels)
 {
-    const double nearest = Dot(PlaneOfBlur(lens, pixels, width), lens.axis);
-    const double farthest = Dot(PlaneOfBlur(lens, -pixels, width), lens.axis);
+    const double nearest = VergenceOfBlur(lens, lens.axis, pixels, width);
+    const double farthest = VergenceOfBlur(lens, lens.axis, -pixels, width);
     SharpRange range;
     range.near = nearest > 0.0 ? 1.0 / nearest : kInfinity;
     range.far = farthest > 0.0 ? 1.0 / farthest : kInfinity;
@@ -132,9 +132,24 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels)
 
 double BlurPerVergence(const Lens& lens, double width) { return lens.diameter * width / Length(lens.right); }
 
+namespace
+{
+
+/// What distortion adds to the blur of what a chief ray meets; where the picture does not show it, what the ideal lens would.
+double StretchOf(const Lens& lens, const Vec3& chief)
+{
+    if (!lens.distorts)
+        return 1.0;
+    const std::optional<FilmPoint> ideal = IdealFilmPointOf(lens, chief);
+    const std::optional<FilmPoint> picture = ideal ? PictureFilmPoint(lens, *ideal) : ideal;
+    return picture ? PictureStretch(lens, *picture) : 1.0;
+}
+
+} // namespace
+
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
 {
-    return BlurVergence(lens, chief, T) * BlurPerVergence(lens, width);
+    return BlurVergence(lens, chief, T) * BlurPerVergence(lens, width) * StretchOf(lens, chief);
 }
 
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
@@ -143,6 +158,12 @@ Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
     // distance along the axis, T times the axis component of every chief ray
     const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
     return lens.focus + (pixels / perDistance) * lens.axis;
+}
+
+double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width)
+{
+    const double ideal = Dot(PlaneOfBlur(lens, pixels / StretchOf(lens, chief), width), chief);
+    return lens.fieldCurvature == 0.0 ? ideal : ideal + FieldVergence(lens, chief);
 }
 
 } // namespace tilt_lens

@@ -5,6 +5,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "tilt_lens/camera/apply_character.h"
 #include "tilt_lens/camera/numbers.h"
 
 namespace tilt_lens
@@ -302,6 +303,7 @@ Lens Solve(const CameraFrame& camera, const Statement& given)
     lens.focusUp = double(Dot(focus, Exact(camera.up)));
     SpanLens(lens, axes, solved.normal, diameter);
     RequireUsable(lens);
+    ApplyCharacter(lens, given);
     return lens;
 }
 

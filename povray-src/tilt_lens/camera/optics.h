@@ -29,6 +29,7 @@
 #include <string>
 #include <vector>
 
+#include "tilt_lens/camera/character.h"
 #include "tilt_lens/math/vec3.h"
 
 namespace tilt_lens
@@ -70,6 +71,7 @@ struct Statement
     double bladesAngle = 0.0;                  ///< degrees, counter-clockwise as the camera sees it
     double bladeCurvature = 0.0;               ///< radius of the lens over that of the blades' edges; 0: straight
     double squeeze = 1.0;                      ///< height of the aperture over its width; the larger is the diameter
+    Character character;                       ///< what a real lens does otherwise than an ideal one
     bool denoise = true;                       ///< the picture is rebuilt from its pixels (reconstruction.h)
 
     Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; from `focal_point`, or `look_at` without one
@@ -91,6 +93,16 @@ struct Lens
     double focusMiddle = 0.0, focusRight = 0.0, focusUp = 0.0;  ///< k.direction, k.right, k.up
     Vec3 lensX, lensY;             ///< lens point of aperture coordinates (a, b): a lensX + b lensY; unit disc = lens
     double millimetre = 0.0;       ///< one millimetre of film, in scene units
+
+    /// @name Not those of an ideal lens, for which they are 0.
+    /// @{
+    bool distorts = false;         ///< the film is mapped (film_point.h), by these two factors
+    double distortion2 = 0.0, distortion4 = 0.0;  ///< of the angle's tangent, squared and to the fourth
+    double fieldCurvature = 0.0;   ///< c: the surface of sharp focus is k.X + c a^2/b = 1, X being a across the lens's axis
+                                   ///< and b along it; 1/(scene units)
+    double lateralColour = 0.0;    ///< by which the image of the red end is larger than that of the middle of the spectrum, relative
+    double axialColour = 0.0;      ///< vergence that the film sees less of there; 1/(scene units)
+    /// @}
 };
 
 /// A statement that no lens can follow. what() says what is wrong, the value found, what is allowed
@@ -144,7 +156,7 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 /// The circle of confusion is the patch of film that light from one point of a surface reaches through
 /// the whole lens. On the film it is the outline of the lens times the vergence difference 1/T - w
 /// (ray.h): an ellipse for a tilted lens, whose longest diameter is the lens's own, since one diameter
-/// of every lens lies parallel to the film. That longest diameter, in pixels, is what "blur" means
+/// of every lens lies parallel to the film; distortion stretches it further. That longest diameter, in pixels, is what "blur" means
 /// wherever this program gives it as a number. A polygon or a bokeh picture counts as the disc around it.
 /// Positive before the plane of sharp focus (nearer to the camera), negative behind it, 0 on it and
 /// everywhere for a pinhole.
@@ -161,8 +173,13 @@ double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
 
 /// The surface of all points whose signed blur is `pixels`, as k of the plane k.X = 1 about the lens
 /// centre: the plane of sharp focus for 0. All of them meet in the hinge line, as the covers of a book
-/// do; for a lens parallel to the film they are parallel planes. Not for a pinhole.
+/// do; for a lens parallel to the film they are parallel planes. Of the ideal
+/// lens, without distortion and field curvature; not for a pinhole.
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
+
+/// Inverse of the parameter T at which a chief ray meets the surface of that blur, of any lens but a pinhole; negative where it
+/// meets the surface behind the lens.
+double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width);
 /// @}
 
 } // namespace tilt_lens

@@ -28,9 +28,15 @@ struct CameraRay
     Vec3 direction;       ///< the ray's, normalised
 
     /// Completes a ray from its start.
-    void FindRay(const Lens& lens)
+    void FindRay(const Lens& lens) { Take(MakeRay(lens, sample.x, sample.y, sample.point.a, sample.point.b)); }
+
+    /// The same for light of one colour; see MakeColourRay().
+    void FindRay(const Lens& lens, double hue) { Take(MakeColourRay(lens, sample.x, sample.y, sample.point.a, sample.point.b, hue)); }
+
+  private:
+    void Take(const LensRay& found)
     {
-        ray = MakeRay(lens, sample.x, sample.y, sample.point.a, sample.point.b);
+        ray = found;
         length = Length(ray.direction);
         direction = {ray.direction.x / length, ray.direction.y / length, ray.direction.z / length};
     }

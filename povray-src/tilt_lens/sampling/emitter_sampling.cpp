@@ -17,19 +17,12 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Film point of a direction, as MakeRay takes it; `up` may lean against `right`.
-void ToFilm(const Lens& lens, const Vec3& chief, double& x, double& y)
-{
-    const Vec3 offset = chief - lens.direction;
-    y = Dot(offset, lens.axisUp) / Dot(lens.up, lens.axisUp);
-    x = (Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight);
-}
-
 } // namespace
 
 EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
-                               std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all) :
-    lens(itsLens), aperture(itsAperture), width(itsWidth), height(itsHeight),
+                               std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all,
+                               const Vignetting& itsVignetting) :
+    lens(itsLens), aperture(itsAperture), vignetting(itsVignetting), width(itsWidth), height(itsHeight),
     usable(limits.max / kEmitterStratum * kEmitterStratum)
 {
     if (limits.FirstRound() < kEmitterStratum)
@@ -40,19 +33,16 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
 }
 
 /// Where on the film, in pixels, the ray through a point of the lens and `through` begins; false where there is none
-/// in front. On the ray P = l + s (D - w l) with w = k.D; so Y = s D solves Y = P - l + (k.Y) l.
+/// in front.
 bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
 {
-    const Vec3 l = point.a * lens.lensX + point.b * lens.lensY;
-    const double divisor = 1.0 - Dot(lens.focus, l);
-    const Vec3 way = through - l;
-    const Vec3 along = divisor * way + Dot(lens.focus, way) * l;
-    const double ahead = Dot(along, lens.axis);
-    if (!(divisor > 0.0 && ahead > 0.0))
+    const std::optional<Vec3> along = ChiefThrough(lens, through, point.a * lens.lensX + point.b * lens.lensY);
+    const std::optional<FilmPoint> ideal = along ? IdealFilmPointOf(lens, *along) : std::optional<FilmPoint>();
+    const std::optional<FilmPoint> film = ideal ? PictureFilmPoint(lens, *ideal) : ideal;
+    if (!film)
         return false;
-    ToFilm(lens, (Dot(lens.direction, lens.axis) / ahead) * along, x, y);
-    x = (x + 0.5) * width;
-    y = (0.5 - y) * height;
+    x = (film->x + 0.5) * width;
+    y = (0.5 - film->y) * height;
     return true;
 }
 
@@ -172,7 +162,16 @@ void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, 
                                     CameraSample& sample) const
 {
     if (point.lensU >= targets.share)
-        sample.point = aperture((point.lensU - targets.share) / (1.0 - targets.share), point.lensV);
+    {
+        const double u = (point.lensU - targets.share) / (1.0 - targets.share);
+        if (vignetting.None())
+            sample.point = aperture(u, point.lensV);
+        else if (vignetting.DrawPoint(aperture, {sample.x, sample.y}, u, point.lensV, SeedOf(id), sample.point) == 0.0)
+        {
+            sample.weight = 0.0;
+            return;
+        }
+    }
     else
     {
         sample.expectedEmission = targets.emission;
@@ -187,10 +186,18 @@ void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, 
             return;
         }
     }
+    sample.weight = 1.0;
     double density = 1.0 - targets.share;  // of such samples, plain ones being 1
+    if (!vignetting.None())
+    {
+        const FilmPoint film{sample.x, sample.y};
+        sample.weight = vignetting.Passes(film, sample.point) ? vignetting.Brightness(film) : 0.0;
+        sample.expectedEmission *= vignetting.Brightness(film) * vignetting.OpenShare(film);
+        density *= vignetting.DrawDensity(film);
+    }
     for (const Targets::Target& target : targets.targets)
         density += target.share * Density(kept[target.emitter], sample);
-    sample.weight = 1.0 / density;
+    sample.weight /= density;
 }
 
 /// The lens points from which a film point sees an emitter, or a little more. On the ray

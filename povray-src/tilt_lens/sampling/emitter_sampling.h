@@ -30,6 +30,7 @@
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/camera/vignetting.h"
 #include "tilt_lens/sampling/sample.h"
 #include "tilt_lens/sampling/sampling_limits.h"
 #include "tilt_lens/sampling/sequence.h"
@@ -61,7 +62,7 @@ class EmitterSampler
     /// Keeps those of `all` that are worth samples: too small on the film and too bright to be found by chance.
     /// @param width, height  of the whole picture in pixels
     EmitterSampler(const Lens& lens, const Aperture& aperture, const SamplingLimits& limits, std::uint32_t width,
-                   std::uint32_t height, const std::vector<Emitter>& all);
+                   std::uint32_t height, const std::vector<Emitter>& all, const Vignetting& vignetting = {});
 
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
@@ -86,10 +87,12 @@ class EmitterSampler
     {
         const FilmPoint film = FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height);
         CameraSample sample{film.x, film.y, {0.0, 0.0}, 1.0, 0.0};
-        if (targets.targets.empty() || id.index >= usable)
+        if (!targets.targets.empty() && id.index < usable)
+            SampleEmitters(targets, id, point, sample);
+        else if (vignetting.None())
             sample.point = aperture(point.lensU, point.lensV);
         else
-            SampleEmitters(targets, id, point, sample);
+            sample.weight = vignetting.DrawPoint(aperture, film, point.lensU, point.lensV, SeedOf(id), sample.point);
         return sample;
     }
 
@@ -115,11 +118,15 @@ class EmitterSampler
 
     const Lens lens;
     const Aperture aperture;
+    const Vignetting vignetting;
     const double width, height;
     std::uint32_t usable;  ///< samples from here on are not sent at emitters: the last block of four is not whole
     std::vector<Kept> kept;
     std::uint32_t binSide, columns;  ///< side of a bin in pixels, bins in a row
     std::vector<std::vector<std::uint32_t>> bins;  ///< emitters that each may see, brightest first
+
+    /// Of the random numbers that a covered lens point is replaced with: others than those that the sample's ray draws.
+    static std::uint32_t SeedOf(const SampleId& id) { return PixelHash(id.x, id.y, 0x52696d, id.index); }
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;
     bool Keep(const Emitter& emitter, double variance);

@@ -10,6 +10,8 @@ syn region  povTiltLensBlock matchgroup=povTiltLensBrace start="{" end="}" conta
 syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
       \ tilt swing focus_tilt focus_swing focal_plane focal_points
       \ shift film_width focal_length scene_unit f_stop blades blade_curvature squeeze denoise
+      \ edge_light natural_vignetting optical_vignetting distortion field_curvature
+      \ lateral_colour axial_colour
       \ focus_peaking focus_map show_planes
 " Vim's own regions between braces contain all groups but those of this cluster.
 syn cluster povPRIVATE add=povTiltLensBlock,povTiltLensItem

@@ -154,7 +154,7 @@ void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& s
 void TiltLensParser::ParseItem(const std::string& word, TiltLensCamera& lens)
 {
     Statement& s = lens.statement;
-    if (ParseFocusAid(word, lens.aids))
+    if (ParseFocusAid(word, lens.aids) || ParseCharacter(word, s.character))
         return;
     if (word == "film_width")
         s.filmWidth = PositiveNumber(word);

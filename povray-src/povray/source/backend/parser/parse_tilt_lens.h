@@ -52,6 +52,7 @@ class TiltLensParser
     TiltLensPlace Here() const;
     bool NextItem(std::string& word, std::set<std::string>& seen);
     void ParseItem(const std::string& word, TiltLensCamera& lens);
+    bool ParseCharacter(const std::string& word, tilt_lens::Character& character);
     bool ParseFocusAid(const std::string& word, tilt_lens::FocusAids& aids);
     void NotAnItem(const std::string& word);
     void ClaimOnce(const std::string& word, std::set<std::string>& seen);
@@ -61,6 +62,7 @@ class TiltLensParser
     double Number(const std::string& word);
     double PositiveNumber(const std::string& word);
     double NumberWithin(const std::string& word, double least, double most, const char* meaning);
+    bool NextIsComma();
     tilt_lens::Vec3 Vector(const std::string& word);
     void ParseShift(tilt_lens::Statement& statement);
     void ParseBlades(tilt_lens::Statement& statement);

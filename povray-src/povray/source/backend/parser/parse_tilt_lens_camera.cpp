@@ -111,6 +111,9 @@ void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems&
     if (s.blades > 0 && camera.Bokeh != NULL)
         ErrorAt(place, "blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove "
                        "blades or bokeh.", s.blades);
+    if (s.character.edgeLight != 0.0 && camera.Bokeh != NULL)
+        ErrorAt(place, "edge_light %g and bokeh in one camera: both say where the aperture is bright. One is allowed; remove "
+                       "edge_light or bokeh.", s.character.edgeLight);
     if (s.bladeCurvature > 0.0 && s.blades == 0)
         ErrorAt(place, "blade_curvature %g without blades: nothing says how many edges are curved. Give blades too, or "
                        "remove blade_curvature.", s.bladeCurvature);

@@ -17,6 +17,9 @@
 namespace pov
 {
 
+using tilt_lens::Character;
+using tilt_lens::kMostEdgeLight;
+using tilt_lens::kMostOpticalVignetting;
 using tilt_lens::Statement;
 using tilt_lens::Vec3;
 
@@ -113,11 +116,48 @@ void TiltLensParser::ParseBlades(Statement& s)
         ErrorAt(item, "blades %g in tilt_lens. A diaphragm has a whole number of blades from 3 to %d; leave "
                      "blades out for a round one.", count, kMost);
     s.blades = int(count);
-    parser.Get_Token();
-    if (parser.Token.Token_Id == COMMA_TOKEN)
+    if (NextIsComma())
         s.bladesAngle = Number("blades' angle");
-    else
+}
+
+/// Takes a comma, behind which an item's second value stands; leaves anything else.
+bool TiltLensParser::NextIsComma()
+{
+    parser.Get_Token();
+    const bool comma = parser.Token.Token_Id == COMMA_TOKEN;
+    if (!comma)
         parser.Unget_Token();
+    return comma;
+}
+
+/// The items that take a lens away from the ideal one; false for any other word.
+bool TiltLensParser::ParseCharacter(const std::string& word, Character& c)
+{
+    if (word == "edge_light")
+        c.edgeLight = NumberWithin(word, -kMostEdgeLight, kMostEdgeLight, "light in the middle to light at the rim; 0 is even");
+    else if (word == "natural_vignetting")
+        c.naturalVignetting = NumberWithin(word, 0.0, 1.0, "none to that of a real lens");
+    else if (word == "optical_vignetting")
+    {
+        c.opticalVignetting = NumberWithin(word, 0.0, kMostOpticalVignetting, "lens diameters by which the rim covers the corners' aperture");
+        if (NextIsComma())
+            c.rimStop = PositiveNumber("optical_vignetting's f-number");
+    }
+    else if (word == "distortion")
+    {
+        c.distortion1 = NumberWithin(word, -1.0, 1.0, "pincushion to barrel");
+        if (NextIsComma())
+            c.distortion2 = NumberWithin("distortion's K2", -1.0, 1.0, "pincushion to barrel");
+    }
+    else if (word == "field_curvature")
+        c.fieldCurvature = NumberWithin(word, -100.0, 100.0, "millimetres by which the image of the film's sides lies before it");
+    else if (word == "lateral_colour")
+        c.lateralColour = NumberWithin(word, -100.0, 100.0, "millimetres between the images of the ends of the spectrum");
+    else if (word == "axial_colour")
+        c.axialColour = NumberWithin(word, -100.0, 100.0, "millimetres between the images of the ends of the spectrum");
+    else
+        return false;
+    return true;
 }
 
 } // namespace pov

@@ -11,7 +11,7 @@
 namespace pov
 {
 
-const TiltLensItem kTiltLensItems[18] = {
+const TiltLensItem kTiltLensItems[25] = {
     {"film_width", NULL, "film_width 36"},
     {"focal_length", NULL, "focal_length 50"},
     {"scene_unit", NULL, "scene_unit 1000"},
@@ -20,6 +20,13 @@ const TiltLensItem kTiltLensItems[18] = {
     {"blades", NULL, "blades 5, 90"},
     {"blade_curvature", NULL, "blade_curvature 0.5"},
     {"squeeze", NULL, "squeeze 2"},
+    {"edge_light", NULL, "edge_light 0.4"},
+    {"natural_vignetting", NULL, "natural_vignetting 1"},
+    {"optical_vignetting", NULL, "optical_vignetting 0.5"},
+    {"distortion", NULL, "distortion 0.05"},
+    {"field_curvature", NULL, "field_curvature 0.2"},
+    {"lateral_colour", NULL, "lateral_colour 0.02"},
+    {"axial_colour", NULL, "axial_colour 0.1"},
     {"denoise", NULL, "denoise on"},
     {"tilt", "tilt and swing", "tilt 6"},
     {"swing", "tilt and swing", "swing 6"},

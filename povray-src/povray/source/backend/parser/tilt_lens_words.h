@@ -19,7 +19,7 @@ struct TiltLensItem
     const char* example; ///< how it is written with its value
 };
 
-extern const TiltLensItem kTiltLensItems[18];
+extern const TiltLensItem kTiltLensItems[25];
 
 /// The item of that spelling, or NULL.
 const TiltLensItem* FindTiltLensItem(const std::string& word);

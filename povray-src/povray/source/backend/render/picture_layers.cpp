@@ -76,7 +76,7 @@ bool TiltLensTracer::FirstPoint(TracePixel& trace, unsigned int x, unsigned int 
     const bool blurs = trace.useFocalBlur;
     trace.useFocalBlur = false;
     Ray ray;
-    const bool seen = trace.CreateCameraRay(ray, x, y, width, height, 0);
+    const bool seen = ChiefCameraRay(trace, ray, x, y, width, height);
     trace.useFocalBlur = blurs;
     const DBL distance = seen ? FirstHit(trace, ray) : HUGE_VAL;
     if (!(distance < HUGE_VAL))

@@ -12,6 +12,7 @@
 #include "backend/math/vector.h"
 #include "backend/render/tilt_lens_tracer.h"
 #include "backend/render/tracepixel.h"
+#include "backend/texture/normal.h"
 #include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
@@ -30,11 +31,32 @@ DBL TiltLensTracer::FirstHit(TracePixel& trace, const Ray& ray)
     return trace.FindIntersection(first, ray, visible, any) ? first.Depth : HUGE_VAL;
 }
 
+/// The ray through the lens centre for the middle of a pixel: POV-Ray's own, but for a lens with distortion. False where the
+/// camera has none there.
+bool TiltLensTracer::ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height)
+{
+    if (!trace.CreateCameraRay(ray, x, y, width, height, 0))
+        return false;
+    const TiltLensCamera& camera = trace.camera.TiltLens;
+    if (!camera.given || !camera.lens->distorts)
+        return true;
+    const tilt_lens::FilmPoint film = tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height);
+    const tilt_lens::Vec3 chief = Normalized(ChiefRay(*camera.lens, film));
+    Make_Vector(ray.Direction, chief.x, chief.y, chief.z);
+    if (trace.camera.Tnormal != NULL)
+    {
+        VECTOR point = {film.x, film.y, 0.0};
+        Perturb_Normal(ray.Direction, trace.camera.Tnormal, point, NULL, NULL, trace.threadData);
+        VNormalizeEq(ray.Direction);
+    }
+    return true;
+}
+
 /// A pixel of a picture with focus aids.
 void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour)
 {
     Ray ray;
-    trace.CreateCameraRay(ray, x, y, width, height, 0);
+    ChiefCameraRay(trace, ray, x, y, width, height);
     DBL distance;
     if (view->aids->NeedsLight())
     {

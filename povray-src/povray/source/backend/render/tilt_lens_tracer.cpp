@@ -65,8 +65,17 @@ TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
     return owner.tiltLens.get();
 }
 
-/// Camera ray in, light out.
 void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
+                                 DBL width, tilt_lens::SampleResult& result)
+{
+    if (HasColours(view->lens) && camera.sample.weight != 0.0)
+        TraceColours(itsPixel, itsIndex, camera, width, result);
+    else
+        TraceCameraRay(itsPixel, itsIndex, camera, width, result);
+}
+
+/// Camera ray in, light out.
+void TiltLensTracer::TraceCameraRay(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
                                  DBL width, tilt_lens::SampleResult& result)
 {
     const tilt_lens::CameraSample& sample = camera.sample;
@@ -108,7 +117,11 @@ void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsI
                        sample.weight * colour[pFILTER], sample.weight * colour[pTRANSM]};
     result.expectedEmission = sample.expectedEmission;
     result.hit = distance < HUGE_VAL || !trace.sceneData->atmosphere.empty();
-    result.circle = view->footprint.CircleOf({sample.x, sample.y}, sample.point, camera.length / distance - camera.ray.w);
+    // the footprint is that of a lens that images planes onto planes, to scale; else a sample serves its own pixel alone
+    result.circle = view->lens.distorts || view->lens.fieldCurvature != 0.0
+                        ? tilt_lens::CircleOfConfusion()
+                        : view->footprint.CircleOf({sample.x, sample.y}, sample.point,
+                                                   camera.length / distance - camera.ray.w);
     result.blurRadius = view->BlurRadius(camera.ray.w, distance / camera.length, width);
 }
 

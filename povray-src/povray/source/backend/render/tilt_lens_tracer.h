@@ -84,11 +84,16 @@ class TiltLensTracer : public AreaLightSampler
 
     void TraceSample(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
                      DBL width, tilt_lens::SampleResult& result);
+    void TraceColours(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
+                      DBL width, tilt_lens::SampleResult& result);
+    void TraceCameraRay(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
+                        DBL width, tilt_lens::SampleResult& result);
     void EnterInteriors(Ray& ray);
     void SeedRandomNumbers(unsigned int seed);
     void SeedSubsurface(unsigned int seed);
     void TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour);
     void TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height, std::vector<Colour>& pixels);
+    static bool ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
     static DBL FirstHit(TracePixel& trace, const Ray& ray);
 };
 

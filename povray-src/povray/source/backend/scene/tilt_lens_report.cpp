@@ -71,6 +71,44 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
+/// Share of the middle's light that a corner of the frame gets, by natural vignetting alone: the darkest one.
+double DarkestCorner(const tilt_lens::Lens& lens, const tilt_lens::Aperture& disc, const tilt_lens::Character& character)
+{
+    tilt_lens::Character natural;
+    natural.naturalVignetting = character.naturalVignetting;
+    const tilt_lens::Vignetting vignetting(lens, disc, natural);
+    double darkest = HUGE_VAL;
+    for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+            darkest = std::min(darkest, vignetting.Brightness({x, y}));
+    return darkest;
+}
+
+/// What the lens does otherwise than an ideal one, a line each.
+std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character& character)
+{
+    std::string text;
+    if (character.edgeLight != 0.0)
+        text += Line("  Edge light...........%.4g: aperture brighter ", character.edgeLight) +
+                (character.edgeLight > 0.0 ? "at the rim\n" : "in the middle\n");
+    if (character.naturalVignetting > 0.0)
+        text += Line("  Natural vignetting...%.4g: the darkest corner has %.3g of the middle's light\n", character.naturalVignetting,
+                     DarkestCorner(lens, tilt_lens::Aperture::Disc(), character));
+    if (character.opticalVignetting > 0.0 && lens.diameter > 0.0)
+        text += Line("  Optical vignetting...%.4g, rim of f/%.4g\n", character.opticalVignetting,
+                     character.rimStop.value_or(lens.focalLength / lens.diameter));
+    if (lens.distorts)
+        text += Line("  Distortion...........%.4g, %.4g of the distance from the lens's axis in half widths of film\n",
+                     character.distortion1, character.distortion2);
+    if (lens.fieldCurvature != 0.0)
+        text += Line("  Field curvature......image %.4g mm before the film at half a film's width, radius %.5g mm\n",
+                     character.fieldCurvature, 0.5 / (lens.fieldCurvature * lens.millimetre));
+    if (HasColours(lens))
+        text += Line("  Colour fringes.......red %.4g mm farther out than blue, focused %.4g mm farther back\n", character.lateralColour,
+                     character.axialColour);
+    return text;
+}
+
 /// What a squeezed aperture adds to its diameter.
 std::string SqueezeOf(double squeeze)
 {
@@ -175,6 +213,7 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
                 SqueezeOf(camera.TiltLens.statement.squeeze) + "\n";
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
+    text += CharacterOf(lens, camera.TiltLens.statement.character);
     text += "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n";
     text += "    normal............." + Text(lens.focus / distance, 1.0) + "\n";
     text += Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));

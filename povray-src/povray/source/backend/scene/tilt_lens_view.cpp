@@ -24,7 +24,7 @@ namespace pov
 namespace
 {
 
-/// The shape of the opening before it is squeezed.
+/// The shape of the opening, evenly bright and before it is squeezed.
 tilt_lens::Aperture DiaphragmOf(const Camera& camera, shared_ptr<SceneData> scene)
 {
     const tilt_lens::Statement& s = camera.TiltLens.statement;
@@ -48,9 +48,11 @@ tilt_lens::Aperture DiaphragmOf(const Camera& camera, shared_ptr<SceneData> scen
 
 tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene)
 {
-    const double squeeze = camera.TiltLens.statement.squeeze;
-    const tilt_lens::Aperture diaphragm = DiaphragmOf(camera, scene);
-    return squeeze == 1.0 ? diaphragm : tilt_lens::Aperture::Squeezed(diaphragm, squeeze);
+    const tilt_lens::Statement& s = camera.TiltLens.statement;
+    tilt_lens::Aperture aperture = DiaphragmOf(camera, scene);
+    if (s.character.edgeLight != 0.0)
+        aperture = tilt_lens::Aperture::Graded(aperture, s.character.edgeLight);
+    return s.squeeze == 1.0 ? aperture : tilt_lens::Aperture::Squeezed(aperture, s.squeeze);
 }
 
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
@@ -86,7 +88,8 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
-    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData())),
+    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData()),
+             tilt_lens::Vignetting(lens, aperture, camera.TiltLens.statement.character)),
     blurPerVergence(0.5 * BlurPerVergence(lens, 1.0))
 {
 }
@@ -98,7 +101,8 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
     camera.Direction[Y] = lens.direction.y;
     camera.Direction[Z] = lens.direction.z;
     camera.Aperture = 0.0;  // POV-Ray's own focal blur keeps out
-    if (lens.diameter == 0.0)
+    if (lens.diameter == 0.0 && !lens.distorts && lens.lateralColour == 0.0 &&
+        camera.TiltLens.statement.character.naturalVignetting == 0.0)
         return shared_ptr<TiltLensView>();
     shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view));
     if (camera.TiltLens.aids.Any())

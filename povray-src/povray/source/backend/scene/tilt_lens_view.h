@@ -56,7 +56,7 @@ class TiltLensView
     static const unsigned int kTracingMethod = 3;
 
     /// Prepares a camera for its render: the shift and the angle of view go into its `direction`.
-    /// Returns what the threads share, or NULL where the lens is a pinhole: then POV-Ray's own camera
+    /// Returns what the threads share, or NULL where the lens is an ideal pinhole: then POV-Ray's own camera
     /// does all that is left to do.
     /// @param camera  with a solved lens (TiltLensCamera::lens)
     /// @throws std::invalid_argument  a bokeh picture without any light

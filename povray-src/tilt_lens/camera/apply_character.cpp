@@ -1,0 +1,113 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/camera/apply_character.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/camera/ray.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+constexpr double kMostLateralColour = 0.25;
+
+/// The corners of the frame, as chief rays of the ideal lens.
+template <typename Use>
+void ForCorners(const Lens& lens, const Use& use)
+{
+    for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+            use(lens.direction + x * lens.right + y * lens.up);
+}
+
+/// The farthest that the frame reaches from the lens's axis: squared tangent of the angle.
+double FarthestOf(const Lens& lens)
+{
+    double farthest = 0.0;
+    ForCorners(lens, [&](const Vec3& chief)
+    {
+        const double along = Dot(chief, lens.normal);
+        if (!(along > 0.0))
+            throw OpticsError("The frame reaches behind the turned lens, where distortion, field_curvature, optical_vignetting and "
+                              "lateral_colour have no "
+                              "meaning. Turn the lens or shift the frame less, or remove these items.");
+        farthest = std::max(farthest, Dot(chief, chief) / (along * along) - 1.0);
+    });
+    return farthest;
+}
+
+/// A picture that its distortion leaves whole.
+void RequireUnfolded(const Lens& lens, const Character& character, double unit, double farthest)
+{
+    const double fold = FoldOf(lens.distortion2, lens.distortion4);
+    if (!(farthest < fold))
+        throw OpticsError("distortion " + Number(character.distortion1) + ", " + Number(character.distortion2) +
+                          " folds the picture: beyond " + Number(std::sqrt(fold) / unit) + " half widths of the film from the "
+                          "lens's axis it would show the same again, and the frame reaches to " +
+                          Number(std::sqrt(farthest) / unit) + ". Give numbers nearer to 0, or shift or turn less.");
+}
+
+/// The mapped film must lie before the camera everywhere, too.
+void RequireBefore(const Lens& lens)
+{
+    for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+        {
+            const Vec3 ideal = ChiefRay(lens, {x, y});
+            if (!(Dot(ideal, lens.normal) > 0.0) || !(Dot(ideal, ideal) < 1e6 * Dot(lens.direction, lens.direction)))
+                throw OpticsError("distortion bends a corner of the turned lens's picture backward. Give numbers nearer to 0, or shift "
+                                  "or turn less.");
+        }
+}
+
+/// Of the two ends of the spectrum one lies half the difference before the film, the other behind it.
+double AxialColourOf(const Lens& lens, const Character& character)
+{
+    return 0.5 * character.axialColour * lens.millimetre / (lens.filmDistance * lens.filmDistance);
+}
+
+double LateralColourOf(const Lens& lens, const Character& character, double unit)
+{
+    const double halfWidth = unit * lens.filmDistance;
+    const double larger = 0.5 * character.lateralColour * lens.millimetre / halfWidth;
+    if (!(std::fabs(larger) < kMostLateralColour))
+        throw OpticsError("lateral_colour " + Number(character.lateralColour) + " moves the colours by more than half of the film's half "
+                          "width, " + Number(halfWidth / lens.millimetre) + " mm. Real lenses have 0.005 to 0.05; give a smaller number.");
+    return larger;
+}
+
+} // namespace
+
+void ApplyCharacter(Lens& lens, const Statement& given)
+{
+    const Character& character = given.character;
+    const bool distorts = character.distortion1 != 0.0 || character.distortion2 != 0.0;
+    if (character.rimStop && *character.rimStop * lens.diameter > lens.focalLength * (1.0 + 1e-9))
+        throw OpticsError("optical_vignetting has a rim of f/" + Number(*character.rimStop) + ", which is narrower than the aperture of f/" +
+                          Number(lens.focalLength / lens.diameter) + ". It must be at least as wide; give the f-number of the lens "
+                          "wide open.");
+    lens.axialColour = AxialColourOf(lens, character);
+    if (!distorts && character.fieldCurvature == 0.0 && character.opticalVignetting == 0.0 && character.lateralColour == 0.0)
+        return;
+    const double farthest = FarthestOf(lens);
+    const double unit = 0.5 * Length(lens.right) / Dot(lens.direction, lens.axis);  // tangent of half a film's width
+    if (distorts)
+    {
+        lens.distorts = true;
+        lens.distortion2 = character.distortion1 / (unit * unit);
+        lens.distortion4 = character.distortion2 / (unit * unit * unit * unit);
+        RequireUnfolded(lens, character, unit, farthest);
+        RequireBefore(lens);
+    }
+    // an image that lies S before the film at the tangent u is sharp on the film for a vergence that is greater by S/s^2
+    lens.lateralColour = LateralColourOf(lens, character, unit);
+    lens.fieldCurvature = character.fieldCurvature * lens.millimetre / (lens.filmDistance * lens.filmDistance * unit * unit);
+}
+
+} // namespace tilt_lens

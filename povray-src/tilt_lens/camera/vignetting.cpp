@@ -1,0 +1,144 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/camera/vignetting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "tilt_lens/camera/numbers.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// Points of the table in a row and in a column. Between them the share is linear: it bends by some 2 over the frame, so that
+/// 1/8 of that over the squared number of steps is missed, less than 1/10000.
+constexpr int kTableSide = 65;
+
+/// Points of the aperture in a row and in a column that the table's shares are counted with.
+constexpr int kCountSide = 128;
+
+/// Random points that are tried where the sequence's own is covered. What is missed where all of them are covered, too, is
+/// in the weight.
+constexpr int kTries = 64;
+
+/// Less open than this in the middle of the picture is refused: the exposure would have to make up for it.
+constexpr double kLeastOpen = 0.01;
+
+} // namespace
+
+Vignetting::Vignetting(const Lens& itsLens, const Aperture& aperture, const Character& character) :
+    lens(itsLens), natural(character.naturalVignetting)
+{
+    middle = Falloff({0.0, 0.0});
+    if (character.opticalVignetting == 0.0 || lens.diameter == 0.0)
+        return;
+    rimRadius = 0.5 * (character.rimStop ? lens.focalLength / *character.rimStop : lens.diameter);
+    const double corner = 0.5 * std::hypot(Length(lens.right), Length(lens.up)) / Dot(lens.direction, lens.axis);
+    rimDistance = character.opticalVignetting * 2.0 * rimRadius / corner;
+    Tabulate(aperture);
+    const double share = OpenShare({0.0, 0.0});
+    if (!(share > kLeastOpen))
+        throw std::invalid_argument("optical_vignetting " + Number(character.opticalVignetting) + " leaves " + Number(100.0 * share) +
+                                    " per cent of the aperture open in the middle of the turned or shifted picture. More than 1 is "
+                                    "needed; give a smaller number, or turn or shift less.");
+    exposure = 1.0 / share;
+}
+
+/// On the film's side the chief ray is that of the film point itself, whatever distortion makes of it before the lens.
+double Vignetting::Falloff(const FilmPoint& film) const
+{
+    const Vec3 chief = lens.direction + film.x * lens.right + film.y * lens.up;
+    const double square = Dot(chief, chief);
+    return Dot(chief, lens.axis) * Dot(chief, lens.normal) / (square * square);
+}
+
+double Vignetting::Brightness(const FilmPoint& film) const
+{
+    const double falloff = natural == 0.0 ? 1.0 : 1.0 - natural + natural * std::max(0.0, Falloff(film) / middle);
+    return exposure * falloff;
+}
+
+Vignetting::Opening Vignetting::OpeningFor(const FilmPoint& film) const
+{
+    const LensRay ray = MakeRay(lens, film.x, film.y, 0.0, 0.0);
+    const double lensRadius = 0.5 * lens.diameter, part = rimDistance / Dot(ray.direction, lens.normal);
+    const double perRadius = part / (lensRadius * lensRadius);
+    return {1.0 - part * ray.w, perRadius * Dot(ray.direction, lens.lensX), perRadius * Dot(ray.direction, lens.lensY),
+            rimRadius / lensRadius};
+}
+
+/// Counts points of the aperture; one at the edge of what is open counts in part, as if it were as wide as its distance from
+/// the next.
+void Vignetting::Tabulate(const Aperture& aperture)
+{
+    std::vector<AperturePoint> points;
+    for (int i = 0; i < kCountSide; i++)
+        for (int j = 0; j < kCountSide; j++)
+            points.push_back(aperture((i + 0.5) / kCountSide, (j + 0.5) / kCountSide));
+    for (int row = 0; row < kTableSide; row++)
+        for (int column = 0; column < kTableSide; column++)
+        {
+            const Opening opening = OpeningFor({double(column) / (kTableSide - 1) - 0.5, 0.5 - double(row) / (kTableSide - 1)});
+            // how the squared distance from the rim changes across a point
+            const double ramp = kCountSide / (4.0 * std::fabs(opening.m) * opening.radius);
+            double sum = 0.0;
+            for (const AperturePoint& point : points)
+                sum += std::min(1.0, std::max(0.0, 0.5 + ramp * opening.Left(point)));
+            open.push_back(float(sum / points.size()));
+        }
+}
+
+double Vignetting::OpenShare(const FilmPoint& film) const
+{
+    if (open.empty())
+        return 1.0;
+    const int last = kTableSide - 2;
+    const double x = (film.x + 0.5) * (kTableSide - 1), y = (0.5 - film.y) * (kTableSide - 1);
+    const int column = std::clamp(int(std::floor(x)), 0, last), row = std::clamp(int(std::floor(y)), 0, last);
+    // pretrace looks a little past the frame
+    const double right = std::clamp(x - column, 0.0, 1.0), down = std::clamp(y - row, 0.0, 1.0);
+    const float* at = &open[std::size_t(row) * kTableSide + column];
+    const double above = at[0] + right * (at[1] - at[0]);
+    const double below = at[kTableSide] + right * (at[kTableSide + 1] - at[kTableSide]);
+    return above + down * (below - above);
+}
+
+bool Vignetting::Passes(const FilmPoint& film, const AperturePoint& point) const
+{
+    return open.empty() || OpeningFor(film).Left(point) >= 0.0;
+}
+
+double Vignetting::DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed,
+                             AperturePoint& point) const
+{
+    point = aperture(u, v);
+    const double brightness = Brightness(film);
+    if (open.empty())
+        return brightness;
+    const double share = OpenShare(film);
+    if (!(share > 0.0))
+        return 0.0;
+    const Opening opening = OpeningFor(film);
+    std::minstd_rand random(seed);
+    const auto uniform = [&random] { return (random() - 0.5) / (random.max() + 1.0); };
+    for (int i = 0; i < kTries && !(opening.Left(point) >= 0.0); i++)
+    {
+        const double first = uniform(), second = uniform();
+        point = aperture(first, second);
+    }
+    return opening.Left(point) >= 0.0 ? brightness / DrawDensity(film) : 0.0;
+}
+
+double Vignetting::DrawDensity(const FilmPoint& film) const
+{
+    const double share = OpenShare(film);
+    return share > 0.0 ? (1.0 - std::pow(1.0 - share, kTries + 1)) / share : 0.0;
+}
+
+} // namespace tilt_lens
