@@ -189,7 +189,7 @@ TEST(OpticalVignetting, StoppingDownOpensTheCorners)
 
 TEST(OpticalVignetting, RefusesADarkMiddle)
 {
-    EXPECT_THROW(Vignetting(LensOf(30.0), Aperture::Disc(), Optical(2.0)), std::invalid_argument);
+    EXPECT_THROW(Vignetting(LensOf(30.0), Aperture::Disc(), Optical(2.0)), OpticsError);
     EXPECT_NO_THROW(Vignetting(LensOf(8.0), Aperture::Disc(), Optical(0.5)));
 }
 

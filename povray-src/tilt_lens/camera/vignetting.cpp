@@ -44,9 +44,9 @@ Vignetting::Vignetting(const Lens& itsLens, const Aperture& aperture, const Char
     Tabulate(aperture);
     const double share = OpenShare({0.0, 0.0});
     if (!(share > kLeastOpen))
-        throw std::invalid_argument("optical_vignetting " + Number(character.opticalVignetting) + " leaves " + Number(100.0 * share) +
-                                    " per cent of the aperture open in the middle of the turned or shifted picture. More than 1 is "
-                                    "needed; give a smaller number, or turn or shift less.");
+        throw OpticsError("optical_vignetting " + Number(character.opticalVignetting) + " leaves " + Number(100.0 * share) +
+                          " per cent of the aperture open in the middle of the turned or shifted picture. More than 1 is needed; give "
+                          "a smaller number, or turn or shift less.");
     exposure = 1.0 / share;
 }
 

@@ -40,7 +40,7 @@ class Vignetting
     /// None.
     Vignetting() = default;
 
-    /// @throws std::invalid_argument  the rim leaves (almost) no light in the middle of the picture
+    /// @throws OpticsError  the rim leaves (almost) no light in the middle of the picture
     Vignetting(const Lens& lens, const Aperture& aperture, const Character& character);
 
     bool None() const { return natural == 0.0 && rimDistance == 0.0; }

@@ -14,6 +14,7 @@
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
 #include "backend/scene/camera_record.h"
+#include "backend/scene/tilt_lens_view.h"
 #include "tilt_lens/sampling/sampling_limits.h"
 
 #include "base/povdebug.h"
@@ -174,8 +175,11 @@ void TiltLensParser::Check(Camera& camera)
     {
         TiltLensCamera::Solve(camera);
         if (fresh)
+        {
+            TiltLensView::RequireLight(camera, parser.sceneData);
             for (const std::string& warning : Warnings(*lens.lens, lens.statement))
                 WarningAt(lens.place, warning);
+        }
     }
     catch (const tilt_lens::OpticsError& error)
     {

@@ -117,11 +117,9 @@ void TiltLensTracer::TraceCameraRay(const PixelSampler& itsPixel, unsigned int i
                        sample.weight * colour[pFILTER], sample.weight * colour[pTRANSM]};
     result.expectedEmission = sample.expectedEmission;
     result.hit = distance < HUGE_VAL || !trace.sceneData->atmosphere.empty();
-    // the footprint is that of a lens that images planes onto planes, to scale; else a sample serves its own pixel alone
-    result.circle = view->lens.distorts || view->lens.fieldCurvature != 0.0
-                        ? tilt_lens::CircleOfConfusion()
-                        : view->footprint.CircleOf({sample.x, sample.y}, sample.point,
-                                                   camera.length / distance - camera.ray.w);
+    result.circle = view->samplesSpread ? view->footprint.CircleOf({sample.x, sample.y}, sample.point,
+                                                                   camera.length / distance - camera.ray.w)
+                                        : tilt_lens::CircleOfConfusion();
     result.blurRadius = view->BlurRadius(camera.ray.w, distance / camera.length, width);
 }
 

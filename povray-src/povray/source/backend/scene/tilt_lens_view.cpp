@@ -85,6 +85,7 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     aperture(ApertureOf(camera, view.GetSceneData())),
     footprint(lens, aperture, view.GetWidth(), view.GetHeight()),
     limits(LimitsOf(camera)),
+    samplesSpread(!lens.distorts && lens.fieldCurvature == 0.0 && camera.TiltLens.statement.character.opticalVignetting == 0.0),
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
@@ -92,6 +93,13 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
              tilt_lens::Vignetting(lens, aperture, camera.TiltLens.statement.character)),
     blurPerVergence(0.5 * BlurPerVergence(lens, 1.0))
 {
+}
+
+void TiltLensView::RequireLight(const Camera& camera, shared_ptr<SceneData> scene)
+{
+    const tilt_lens::Character& character = camera.TiltLens.statement.character;
+    if (character.opticalVignetting != 0.0)
+        tilt_lens::Vignetting(*camera.TiltLens.lens, ApertureOf(camera, scene), character);
 }
 
 shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)

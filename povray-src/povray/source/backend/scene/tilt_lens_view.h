@@ -62,10 +62,18 @@ class TiltLensView
     /// @throws std::invalid_argument  a bokeh picture without any light
     static shared_ptr<TiltLensView> Create(Camera& camera, ViewData& view);
 
+    /// What a lens's own vignetting leaves, for the parser, which knows file and line.
+    /// @throws tilt_lens::OpticsError  the rim of optical_vignetting leaves (almost) no light in the middle of the picture
+    static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
+
     const tilt_lens::Lens lens;
     const tilt_lens::Aperture aperture;
     const tilt_lens::LensFootprint footprint;
     const tilt_lens::SamplingLimits limits;
+
+    /// Whether samples serve the pixels of their circles of confusion, too: these are those of the footprint only for a lens
+    /// that images planes onto planes, to scale, and whose whole opening is seen from everywhere.
+    const bool samplesSpread;
 
     /// The pixels that are being sampled.
     const shared_ptr<tilt_lens::BlockCache> blocks;
