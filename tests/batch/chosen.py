@@ -7,7 +7,7 @@ import os
 import subprocess
 
 from tests.batch import harness
-from tests.batch.harness import LENS, BatchTest
+from tests.batch.harness import LENS, BatchTest, picture
 from tools.repository import ROOT
 
 SIZE = ("+W48", "+H40", "+WT1")
@@ -38,6 +38,74 @@ class Chosen(BatchTest):
         for text in ("0", "7", "3-2", "1-7", "a", "", "1,,2"):
             said = self.batch("film", self.scene(LENS), "--frames", 6, f"--only={text}", *SIZE, code=2)
             self.assertIn("expected frames from 1 to 6", said, text)
+
+
+class Longer(BatchTest):
+    FRAME = LENS.replace("2*clock", "0.2*frame_number")  # has the same frames in a longer film
+    FILM = ("film", "scene.pov", *SIZE)
+
+    def stays(self, *longer):
+        """Makes a film of two frames, then more; tells whether the first two stayed as they are."""
+        pictures = [self.folder / "scene_film" / f"scene000{n}.png" for n in (1, 2)]
+        times = [path.stat().st_mtime_ns for path in pictures]
+        self.assertIn("4 of 4 pictures", self.batch(*self.FILM, *longer))
+        return times == [path.stat().st_mtime_ns for path in pictures]
+
+    def refused(self, *longer):
+        return " ".join(self.batch(*self.FILM, *longer, code=1).split())
+
+    def test_without_clock(self):
+        scene = self.scene(self.FRAME)
+        self.batch(*self.FILM, "--frames", 2)
+        self.assertTrue(self.stays("--frames", 4))
+        self.whole(scene, self.folder / "f.png", "+FN", *SIZE, "+KFI1", "+KFF4")
+        for n in range(1, 5):
+            self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
+        # the longer film is now the one that is taken up
+        self.assertIn("4 of 4 pictures", self.batch(*self.FILM, "--frames", 4))
+        self.assertIn("pictures (frames", self.refused("--frames", 3))
+
+    def test_the_clock_goes_on(self):
+        scene = self.scene(LENS)
+        self.batch(*self.FILM, "--frames", 2, "+KF1")
+        self.assertTrue(self.stays("--frames", 4, "+KF3"))
+        self.whole(scene, self.folder / "f.png", "+FN", *SIZE, "+KFI1", "+KFF4", "+KF3")
+        for n in range(1, 5):
+            self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
+
+    def test_another_clock(self):
+        self.scene(LENS)
+        self.batch(*self.FILM, "--frames", 2)
+        said = self.refused("--frames", 4)
+        self.assertIn("the clock of frame 2 was 1, and is 0.3333333", said)
+        self.assertIn("+KF1 for 2 frames and +KF3 for 4", said)
+        self.assertIn("options of POV-Ray", self.refused("--frames", 4, "+KC"))
+        (self.folder / "c.ini").write_text("Final_Clock=3\n")
+        self.assertIn("options of POV-Ray", self.refused("--frames", 4, "c.ini"))
+
+    def test_a_scene_that_tells_its_length(self):
+        (self.folder / "length.inc").write_text("#declare Length = final_frame; // clock\n")
+        self.scene(self.FRAME + '#include "length.inc"\n')
+        self.batch(*self.FILM, "--frames", 2)
+        said = self.refused("--frames", 4)
+        self.assertIn("length.inc", said)
+        self.assertIn("uses final_frame, which depends on the number of frames", said)
+
+    def test_another_scene(self):
+        self.scene(self.FRAME)
+        self.batch(*self.FILM, "--frames", 2)
+        self.scene(self.FRAME + " ")
+        self.assertIn('scene.pov" has changed', self.refused("--frames", 4))
+
+
+class Seeds(BatchTest):
+    def test_another_noise_in_each_frame(self):
+        still = LENS.replace("2*clock", "0").replace("f_stop 1", "f_stop 1 denoise off SEED")
+        for seed, different in (("", 1), ("sample_seed frame_number", 3)):
+            self.scene(still.replace("SEED", seed))
+            self.batch("film", "scene.pov", "--frames", 3, "--output", f"film{different}", *SIZE)
+            found = {picture(path) for path in (self.folder / f"film{different}").glob("*.png")}
+            self.assertEqual(len(found), different)
 
 
 class Told(BatchTest):

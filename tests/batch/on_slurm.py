@@ -93,11 +93,25 @@ class OnSlurm(BatchTest):
             self.assertIn(option, told)
         self.assertIn("ArrayTaskThrottle=2", told)
         self.assertIn("of an earlier call are at work", self.batch(*words, code=1))
+        lock = self.folder / ".scene.png.lock"
+        self.assertEqual(lock.read_text(), str(self.folder / "scene.png.batch"))
+        said = self.batch(*words, "--work", "other", code=1)
+        self.assertIn("another batch writes to", said)
+        self.assertIn("scene.png.batch", said)
         self.assertIn("still at work: waiting", self.batch(*words, "--on", "slurm"))
         self.assert_same(
             self.folder / "scene.png",
             self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
         )
+        self.assertFalse(lock.exists())
+
+    def test_the_last_job_removes_the_lock(self):
+        self.scene(LENS)
+        words = ("still", "scene.pov", "--bands", 2, *SMALL, "--on", "slurm")
+        self.batch(*words, "--detach")
+        self.until("the jobs", lambda: not self.cluster.run("squeue", "--noheader").stdout)
+        self.assertTrue((self.folder / "scene.png").exists())
+        self.assertFalse((self.folder / ".scene.png.lock").exists())
 
     def test_cancelled_jobs_are_not_submitted_again(self):
         self.scene(LENS)

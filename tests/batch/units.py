@@ -257,7 +257,8 @@ class ProgressLine(unittest.TestCase):
 
     def told(self, columns, stream):
         """What is shown with one picture done, one running, one failed, after ten seconds."""
-        with tempfile.TemporaryDirectory() as name, contextlib.redirect_stderr(stream):
+        clock = unittest.mock.patch.object(time, "monotonic", lambda: 1000.0)
+        with tempfile.TemporaryDirectory() as name, contextlib.redirect_stderr(stream), clock:
             work = store.Work(name)
             work.make()
             line = progress.Progress(work, self.description)
@@ -274,12 +275,12 @@ class ProgressLine(unittest.TestCase):
         return stream.getvalue()
 
     def test_one_line_that_is_overwritten(self):
-        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 min, 33%)"
+        text = "1 of 5 pictures done, 1 running, 1 failed, 28 s left: frame 2 (5 min, 33%)"
         self.assertEqual(self.told(80, Terminal()), f"\r\033[K{text}\r\033[K{text}\n")
         self.assertEqual(self.told(20, Terminal()), f"\r\033[K{text[:19]}\r\033[K{text[:19]}\n")
 
     def test_a_line_now_and_then_in_a_file(self):
-        text = "1 of 5 pictures done, 1 running, 1 failed, 40 s left: frame 2 (5 min, 33%)\n"
+        text = "1 of 5 pictures done, 1 running, 1 failed, 28 s left: frame 2 (5 min, 33%)\n"
         self.assertEqual(self.told(80, io.StringIO()), text)
 
     def test_a_hint_where_one_unit_takes_very_long(self):

@@ -107,7 +107,8 @@ class Code(unittest.TestCase):
                 text = f"tilt_lens {{ scene_unit 1000  f_stop 4  {text} }}"
             if "camera" not in text:
                 text = f"camera {{ right x*image_width/image_height location <0, 2, -6> look_at <0, 1, 0> {text} }}"
-            scene = f"#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n{text}\nsphere {{ 0, 1 }}\n"
+            scene = ("#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare Ball = sphere { 0, 1 }\n"
+                     f"{text}\nsphere {{ <0, 1, 0>, 1 }}\n")
             with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
                 (pathlib.Path(folder) / "scene.pov").write_text(scene)
                 done = subprocess.run([SETTINGS.povray, "+Iscene.pov", "-F", "+W8", "+H6", "-D", f"+L{ROOT / 'scenes' / 'include'}"],

@@ -5,11 +5,12 @@
 import random
 
 FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",))
+DISTANCES = ("focus_scale", "film_distance", "focus_on", "focus_at")  # the first one fits any scene
 FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "blade_curvature", "squeeze",
-        "denoise", "edge_light", "natural_vignetting", "optical_vignetting", "distortion", "field_curvature",
+        "denoise", "sample_seed", "edge_light", "natural_vignetting", "optical_vignetting", "distortion", "field_curvature",
         "lateral_colour", "axial_colour")
 AIDS = ("focus_peaking", "show_planes", "focus_map")  # the last one stands alone
-WORDS = tuple(word for family in FAMILIES for word in family) + FREE + AIDS
+WORDS = tuple(word for family in FAMILIES for word in family) + DISTANCES + FREE + AIDS
 ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
                "1e-12", "0.1+0.2", "1/3", "pi", "2147483648", "1e12", "-7", "12345678901234567890")
 STRANGE = ("{", "}", "<", ">", ",", ";", "(", ")", "[", "]", "+", "-", "*", "/", "=", "!", "tlit", "TILT", "angle",
@@ -53,6 +54,12 @@ class Grammar:
             return f"{{ {r.choice((self.vector(), 'y', 'z', '<0, 1, 0.3>', '-y'))}, {self.number(-3, 3)} }}"
         if word == "focal_points":
             return ", ".join(self.vector() for _ in range(3))
+        if word == "focus_at":
+            return self.vector(2, 0, 1)
+        if word == "focus_on":
+            return r.choice(("Ball", "Nothing", "sphere { 0, 1 }"))
+        if word == "sample_seed":
+            return r.choice(("0", "1", "4294967295", str(r.randint(0, 10**9))))
         if word == "shift":
             return self.vector(2, -30, 30)
         if word == "blades":
@@ -69,7 +76,8 @@ class Grammar:
                 "edge_light": lambda: self.number(-0.9, 0.9), "natural_vignetting": lambda: self.number(0, 1),
                 "optical_vignetting": lambda: self.number(0, 2), "distortion": lambda: self.number(-0.2, 0.5),
                 "field_curvature": lambda: self.number(-1, 1), "lateral_colour": lambda: self.number(-0.5, 0.5),
-                "axial_colour": lambda: self.number(-0.5, 0.5)}[word]()
+                "axial_colour": lambda: self.number(-0.5, 0.5), "film_distance": lambda: self.number(1, 500),
+                "focus_scale": lambda: self.number(0.1, 20)}[word]()
 
     def items(self):
         """Words with their values, at most one family; as tokens."""
@@ -81,6 +89,8 @@ class Grammar:
         if r.random() < 0.9:
             family = r.choice(FAMILIES)
             words += [word for word in family if len(family) == 1 or r.random() < 0.7]
+            if family == FAMILIES[0] and r.random() < 0.2:
+                words.append(DISTANCES[0])
         if r.random() < 0.2:
             words += r.choice((AIDS[:1], AIDS[1:2], AIDS[:2], AIDS[2:]))
         r.shuffle(words)

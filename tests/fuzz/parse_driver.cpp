@@ -147,7 +147,8 @@ ParseOutcome Parse(const std::string& scene)
         finish.Wait();
         parser.Stop();
         const pov::Camera& camera = data->parsedCamera;
-        if (outcome.errors.empty() && camera.TiltLens.given)
+        // a focus that rays have to find is found when the render begins
+        if (outcome.errors.empty() && camera.TiltLens.given && camera.TiltLens.HasPoints())
         {
             outcome.lens = true;
             outcome.broken = BrokenRay(*camera.TiltLens.lens);

@@ -10,6 +10,8 @@ LENSES = {
     "plane": "focal_plane { <0.2, 1, 0.3>, 0.3 }",
     "points": "focal_points <0, 0, 0>, <1, 0.2, 0>, <0, 0.5, 3>",
     "physical": "focal_length 40 f_stop 0.2 tilt 4 scene_unit 900",
+    "film distance": "focal_length 40 f_stop 0.2 tilt 4 scene_unit 900 film_distance 40.4",
+    "focus scale": "focal_length 40 f_stop 0.2 tilt 4 scene_unit 900 focus_scale 4.6",
 }
 NO_ANGLE = "location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> "
 SAMPLES = "blur_samples 32 variance 0 "
@@ -19,8 +21,9 @@ TURN = "rotate <10, 30, -5> translate <1, -2, 3> "
 
 def camera_of(name, tail="", samples=SAMPLES):
     """A camera with one of LENSES, which may be followed by transformations."""
-    view = NO_ANGLE if name == "physical" else scenes.VIEW
-    aperture = "" if name == "physical" else "aperture 0.3 "
+    physical = "focal_length" in LENSES[name]
+    view = NO_ANGLE if physical else scenes.VIEW
+    aperture = "" if physical else "aperture 0.3 "
     return f"camera {{ {view}{aperture}{samples}tilt_lens {{ {LENSES[name]} }} {tail} }}\n"
 
 
@@ -45,6 +48,16 @@ class Declared(rendering.RenderTest):
             with self.subTest(name):
                 plain = rendering.render(camera_of(name) + scenes.WORLD, **SIZE)
                 self.assert_same(rendering.render(declared(camera_of(name)) + scenes.WORLD, **SIZE), plain, name)
+
+    def test_block_behind_the_identifier(self):
+        """It takes the place of the declared one, whose camera does not change."""
+        view = camera_of("plane").split("tilt_lens")[0]
+        for name in ("lens turned", "focus turned", "points"):
+            for before in ("", "tilt_lens { tilt -7 blades 3 }"):
+                with self.subTest(name, before=before):
+                    text = (f"#declare Cam = {view}{before} }}\n#declare Other = camera {{ Cam tilt_lens {{ tilt 1 }} }}\n"
+                            f"camera {{ Cam tilt_lens {{ {LENSES[name]} }} }}\n")
+                    self.assert_same(rendering.render(text + scenes.WORLD, **SIZE), rendering.render(camera_of(name) + scenes.WORLD, **SIZE))
 
     def test_transformations_behind_the_identifier(self):
         tails = {"all of them": "translate x rotate 20*y scale 1.5 matrix <1,0,0, 0,0.8,-0.6, 0,0.6,0.8, 0.1,0.2,0.3>",

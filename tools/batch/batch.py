@@ -305,6 +305,7 @@ def last_step(folder):
     work = Work(folder)
     description = read_json(work.description)
     code = report(work, description, finish(work, description), time.time() - description["begun"])
+    describe.leave_output(work, description)
     return code or afterwards(work, description, description["then"])
 
 

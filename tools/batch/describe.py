@@ -9,9 +9,9 @@ import pathlib
 import shutil
 import sys
 
-from tools.batch import key as keys, merge, plan, povray, progress
+from tools.batch import key as keys, longer, merge, plan, povray, progress, slurm
 from tools.batch.probe import Probe
-from tools.batch.store import BatchError, UsageError, output_lock, read_json, sha256, write_json
+from tools.batch.store import BatchError, UsageError, Work, output_lock, read_json, sha256, write_json
 from tools.repository import ROOT
 
 MESSAGE_LINES = 12
@@ -139,6 +139,7 @@ def take_up(work, request, stored):
         else plan.cut_bands(old["size"][1], request.settings.bands)
     )
     changes = [
+        *longer.lengthen(work, request, stored, new),
         *keys.changed_settings(old, new),
         *keys.changed_files(old["files"], old["missing"]),
         *changed_by_units(work),
@@ -200,12 +201,34 @@ def output_can_be_written(folder):
         raise BatchError(f"the output folder {folder!r} cannot be written; give another with --output.")
 
 
+def lock_of_output(kind, output, pictures):
+    """The lock file beside the pictures."""
+    return pathlib.Path(output) / (f".{pictures[0]['name']}.lock" if kind == "still" else ".batch.lock")
+
+
+def has_jobs(folder):
+    """Whether a batch has jobs in a queue, as far as that can be told."""
+    try:
+        return bool(slurm.active_jobs(Work(folder)))
+    except BatchError:  # the controller does not answer
+        return True
+
+
+def leave_output(work, description):
+    """Removes the lock that a call has left for its jobs, by the last of them; a call that waits removes it itself."""
+    key, own = description["key"], str(work.folder)
+    path = lock_of_output(key["kind"], description["output"], key["pictures"])
+    if path.exists():
+        with output_lock(path, own, lambda folder: folder != own):
+            pass
+
+
 @contextlib.contextmanager
 def output_alone(work, request):
     """Refuses a second batch that would write the same pictures at the same time."""
     output_can_be_written(request.output)
-    name = f".{request.stem}.{request.extension}.lock" if request.kind == "still" else ".batch.lock"
-    with output_lock(pathlib.Path(request.output) / name, work.folder) as other:
+    path = lock_of_output(request.kind, request.output, request.pictures)
+    with output_lock(path, work.folder, has_jobs) as other:
         if other is not None:
             raise BatchError(
                 f"another batch writes to {request.output!r} at this time, with the work folder {other!r}. Wait for it, or "

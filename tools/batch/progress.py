@@ -83,12 +83,13 @@ class Progress:
         self.hinted = False
 
     def time_left(self, state):
-        """From the pace of this run; before the first unit is done, nothing."""
-        finished = len(state.done) - self.at_begin
-        if finished <= 0:
+        """From the pace of this run, with what POV-Ray tells of the units at work; nothing before that is a hundredth of one."""
+        running = sum((Running(self.work, name, self.description).percent() or 0) / 100 for name in state.running)
+        finished = len(state.done) - self.at_begin + running
+        if finished < 0.01:
             return ""
         pace = (time.monotonic() - self.begun) / finished
-        return f", {span(pace * (len(state.units) - len(state.done)))} left"
+        return f", {span(pace * (len(state.units) - len(state.done) - running))} left"
 
     def text(self):
         """The line."""

@@ -110,9 +110,12 @@ def little_room(folder):
 
 
 @contextlib.contextmanager
-def output_lock(path, work):
+def output_lock(path, work, has_jobs):
     """Holds a lock file beside the pictures while a batch writes them, so that no other batch writes the same; removes it
-    afterwards. Yields None, or the work folder of the batch that has it."""
+    afterwards. Yields None, or the work folder of the batch that has it.
+
+    Jobs on a cluster write the pictures also when no call waits for them. `has_jobs` tells of a work folder whether it has such;
+    for them the file stays, with the folder's name."""
     while True:
         with open(path, "a+", encoding="utf-8", errors="surrogateescape") as stream:
             try:
@@ -123,13 +126,19 @@ def output_lock(path, work):
                 return
             if not os.path.exists(path) or os.stat(path).st_ino != os.fstat(stream.fileno()).st_ino:
                 continue  # the other batch has just removed it
+            stream.seek(0)
+            other = stream.read()
+            if other not in ("", str(work)) and has_jobs(other):
+                yield other
+                return
             stream.truncate(0)
             stream.write(str(work))
             stream.flush()
             try:
                 yield None
             finally:
-                os.unlink(path)
+                if not has_jobs(str(work)):
+                    os.unlink(path)
             return
 
 

@@ -154,13 +154,14 @@ FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) :
     height(itsHeight)
 {
     // the lines run along the camera's right as far as the plane allows, and across
-    const Vec3 normal = Normalized(lens.focus);
+    const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;  // at infinity
     const Vec3 across = lens.axisRight - Dot(lens.axisRight, normal) * normal;
     gridX = Normalized(Length(across) > 0.1 ? across : lens.axisUp - Dot(lens.axisUp, normal) * normal);
     gridY = Cross(normal, gridX);
     // some ten lines over the frame, where the plane of sharp focus crosses the axis or is nearest
     const double axisFocus = AxisFocusOf(lens), nearest = 1.0 / Length(lens.focus);
-    const double distance = axisFocus > 0.0 && std::isfinite(axisFocus) ? axisFocus : nearest;
+    const double crossing = axisFocus > 0.0 && std::isfinite(axisFocus) ? axisFocus : nearest;
+    const double distance = std::isfinite(crossing) ? crossing : lens.filmDistance;
     spacing = RoundLength(0.15 * distance * Length(lens.right) / Dot(lens.direction, lens.axis));
 }
 

@@ -75,7 +75,7 @@ std::vector<std::string> Warnings(const Lens& lens, const Statement& given)
     if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
         warnings.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
                          "aperture or f_stop.");
-    if (lens.diameter > 0.0 && lens.fieldCurvature == 0.0 && IsSharpBehindOnly(lens))
+    if (lens.diameter > 0.0 && Length(lens.focus) > 0.0 && lens.fieldCurvature == 0.0 && IsSharpBehindOnly(lens))
         warnings.push_back("The plane of sharp focus lies behind the camera in the whole picture, so that nothing in it can be "
                          "sharp. Compare the plane or points with location and look_at, and the sign of the plane's distance.");
     if (std::hypot(given.shiftRight, given.shiftUp) > kUnusualShift * given.filmWidth)

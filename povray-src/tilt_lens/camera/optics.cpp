@@ -176,6 +176,35 @@ Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<R
     return {t, f, f * P.z / (along - f), k};
 }
 
+/// Lens turned as given, film at a distance: whatever is sharp then.
+Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
+{
+    return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
+}
+
+/// Lens turned as given, after it was focused at a distance from the film. Without the turn that distance is the film's and
+/// the subject's from the lens, s + f s / (s - f).
+Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength,
+                         const Real& angleFilmDistance)
+{
+    if (!focalLength)
+    {
+        const Real s = angleFilmDistance;
+        if (!(scale - s > kRounding * s))
+            throw OpticsError("focus_scale " + Number(scale) + " ends between the film and the lens, which are " + Number(s) +
+                              " units apart with this angle of view. It is measured from the film; give a larger distance or a "
+                              "larger scene_unit.");
+        return SolveFilm(t, s * (scale - s) / scale, s);
+    }
+    const Real f = *focalLength, least = 4 * f;
+    if (!(scale >= least))
+        throw OpticsError("focus_scale " + Number(scale) + " is nearer than any lens of this focal length, " + Number(f) +
+                          " units, can focus: film and subject are at least four focal lengths (" + Number(least) + " units) "
+                          "apart. Give a larger distance, a larger scene_unit, or film_distance for a picture larger than life.");
+    // of the two places of the lens that fit, the one nearer to the film
+    return SolveFilm(t, f, 2 * f * scale / (scale + sqrt(scale * (scale - least))));
+}
+
 /// Plane of sharp focus as given, the lens follows.
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
@@ -216,6 +245,10 @@ Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statemen
     if (given.family != FocusFamily::LensTurn)
         return SolvePlane(GivenFocus(axes, camera, given), focalLength, angleFilmDistance);
     const RealVec t = TurnedNormal(given.tilt, given.swing, "The lens", "tilt", "swing");
+    if (given.filmDistance)
+        return SolveFilm(t, *focalLength, *given.filmDistance * millimetre);
+    if (given.focusScale)
+        return SolveFocusScale(t, Real(*given.focusScale) * given.scale, focalLength, angleFilmDistance);
     return SolveLensTurn(t, FocalPointInCamera(axes, camera, given), focalLength, angleFilmDistance);
 }
 

@@ -24,6 +24,7 @@
 #ifndef TILT_LENS_OPTICS_H
 #define TILT_LENS_OPTICS_H
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -46,7 +47,7 @@ struct CameraFrame
 /// What says where the focus lies. Each family excludes the others.
 enum class FocusFamily
 {
-    LensTurn,    ///< `tilt`, `swing`, and the focal point; also the default, both zero
+    LensTurn,    ///< `tilt`, `swing`, and the focal point or the film's distance; also the default, both zero
     FocusTurn,   ///< `focus_tilt`, `focus_swing`, and the focal point
     FocalPlane,  ///< `focal_plane`
     FocalPoints  ///< `focal_points`
@@ -73,6 +74,11 @@ struct Statement
     double squeeze = 1.0;                      ///< height of the aperture over its width; the larger is the diameter
     Character character;                       ///< what a real lens does otherwise than an ideal one
     bool denoise = true;                       ///< the picture is rebuilt from its pixels (reconstruction.h)
+    std::uint32_t sampleSeed = 0;              ///< of the pattern of samples: another one, other noise
+
+    /// Of the family LensTurn, in place of the focal point: where the film stands. At most one of the two.
+    std::optional<double> filmDistance;  ///< mm from the lens centre to the film along the axis; with focalLength only
+    std::optional<double> focusScale;    ///< scene units from the film to what the lens is focused on while it is not turned
 
     Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; from `focal_point`, or `look_at` without one
     double aperture = 0.0;           ///< POV-Ray's number: twice the lens diameter, scene units; 0: none
@@ -116,8 +122,8 @@ class OpticsError : public std::runtime_error
 /// Solves a statement for a camera.
 /// @throws OpticsError  a degenerate camera; a lens turned 90 degrees or more; a plane of focus
 ///                      through the lens centre or behind the lens; a lens turned backward; a focal
-///                      length that cannot reach the plane or whose focus is nearer than itself; numbers that are
-///                      not finite, and lengths that are not positive.
+///                      length that cannot reach the plane or whose focus is nearer than itself; a focus scale that
+///                      no place of the film fits; numbers that are not finite, and lengths that are not positive.
 Lens Solve(const CameraFrame& camera, const Statement& given);
 
 /// Sensible pictures that are probably not what was meant: a lens tilt past 15 degrees, a tilt

@@ -47,8 +47,9 @@ class CameraRayBatch
 {
   public:
     /// @param first  samples that each pixel gets in its first round
-    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, std::uint32_t first) :
-        lens(lens), emitters(emitters), ahead(std::min(kCameraRaysOfBatch, first))
+    /// @param seed   of the pattern of samples (Statement::sampleSeed)
+    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, std::uint32_t first, std::uint32_t seed) :
+        lens(lens), emitters(emitters), ahead(std::min(kCameraRaysOfBatch, first)), seed(seed)
     {
     }
 
@@ -56,7 +57,7 @@ class CameraRayBatch
     {
         if (count == 0 || id.x != first.x || id.y != first.y)
         {
-            sampler = PixelSampler(id.x, id.y, 0);
+            sampler = PixelSampler(id.x, id.y, seed);
             targets = emitters.TargetsOf(id.x, id.y);
             count = 0;
         }
@@ -72,6 +73,7 @@ class CameraRayBatch
     const Lens& lens;
     const EmitterSampler& emitters;
     const std::uint32_t ahead;  ///< rays made at a time; rounds of samples are no shorter, so that none is made in vain
+    const std::uint32_t seed;
     PixelSampler sampler{0, 0, 0};
     EmitterSampler::Targets targets;
     SampleId first{};

@@ -42,7 +42,7 @@ struct SampleResult
     }
 };
 
-/// Traces one sample, that which PixelSampler(id.x, id.y, 0) gives for id.index.
+/// Traces one sample, that which PixelSampler(id.x, id.y, seed) gives for id.index.
 using Tracer = std::function<void(const SampleId& id, SampleResult& result)>;
 
 } // namespace tilt_lens

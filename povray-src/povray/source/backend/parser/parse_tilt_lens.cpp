@@ -10,8 +10,10 @@
 #include <cctype>
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 
 #include "backend/frame.h"
+#include "backend/math/matrices.h"
 #include "backend/parser/parse.h"
 #include "backend/parser/tilt_lens_words.h"
 
@@ -82,7 +84,24 @@ void TiltLensParser::ParseBlock(Camera& camera)
         ParseItem(word, lens);
     parser.Parse_End();
     lens.written = camera.TiltLens.written;
+    lens.items = camera.TiltLens.items;
+    lens.statement.focalPoint = camera.TiltLens.statement.focalPoint;
+    lens.statement.scale = camera.TiltLens.statement.scale;
     camera.TiltLens = lens;
+}
+
+void TiltLensParser::ParseBlockBehindIdentifier(Camera& camera)
+{
+    ParseBlock(camera);
+    CheckBlock(camera);
+}
+
+void TiltLensParser::DeclareFeature()
+{
+    const int kGlobal = 1;  // the table of #declare
+    SYM_ENTRY* entry = parser.Add_Symbol(kGlobal, "Tilt_Lens_Available", FLOAT_ID_TOKEN);
+    entry->Data = Create_Float();
+    *static_cast<DBL*>(entry->Data) = 1.0;
 }
 
 /// A macro runs as soon as its name is read, even where only the next item's word is looked for.
@@ -133,21 +152,24 @@ void TiltLensParser::NotAnItem(const std::string& word)
             NearestTiltLensItem(word).word, TiltLensItemNames().c_str());
 }
 
-/// Refuses an item that stands twice, and an item of a second family of focus.
+/// Refuses an item that stands twice, an item of a second family of focus, and a second one that says how far away it lies.
 void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& seen)
 {
     if (!seen.insert(word).second)
         ErrorAt(item, "'%s' stands twice in tilt_lens. Each item is allowed once; remove one.", word.c_str());
-    const char* family = FindTiltLensItem(word)->family;
-    if (family == NULL)
-        return;
+    const auto differ = [](const char* a, const char* b) { return a != NULL && b != NULL && std::strcmp(a, b) != 0; };
+    const TiltLensItem& now = *FindTiltLensItem(word);
     for (const std::string& other : seen)
     {
-        const char* otherFamily = FindTiltLensItem(other)->family;
-        if (otherFamily != NULL && std::string(otherFamily) != family)
+        const TiltLensItem& before = *FindTiltLensItem(other);
+        if (differ(before.family, now.family))
             ErrorAt(item, "'%s' and '%s' in one tilt_lens: both say where the focus lies. One of tilt and "
                           "swing, focus_tilt and focus_swing, focal_plane, focal_points is allowed; remove "
                           "the others.", other.c_str(), word.c_str());
+        if (differ(before.distance, now.distance))
+            ErrorAt(item, "'%s' and '%s' in one tilt_lens: both say how far away the focus lies. One of focus_on, focus_at, "
+                          "film_distance, focus_scale, focal_plane, focal_points is allowed; remove the others.",
+                    other.c_str(), word.c_str());
     }
 }
 
@@ -182,10 +204,10 @@ void TiltLensParser::ParseItem(const std::string& word, TiltLensCamera& lens)
         s.squeeze = NumberWithin(word, 0.1, 10.0, "lying to upright ovals; 1 is round");
     else if (word == "denoise")
         s.denoise = Number(word) != 0.0;  // `on` and `off` are numbers
-    else if (word == "focal_plane")
-        ParseFocalPlane(s);
+    else if (word == "sample_seed")
+        ParseSampleSeed(s);
     else
-        ParseFocalPoints(s);
+        ParseFocus(word, lens);
 }
 
 void TiltLensParser::ErrorAt(const TiltLensPlace& place, const char* format, ...)

@@ -29,6 +29,12 @@ class TiltLensParser
     /// Parses `{ ... }` behind the word `tilt_lens`. Inside, the items hide macros of their names.
     void ParseBlock(Camera& camera);
 
+    /// The same behind a camera's identifier: the block takes the place of the camera's own, whose other items stay.
+    void ParseBlockBehindIdentifier(Camera& camera);
+
+    /// Makes the name known by which a scene can tell that this program has the camera.
+    void DeclareFeature();
+
     /// Keeps a warning of the camera's own items until its end, where it is known whether the camera has `tilt_lens`: with
     /// it, the value is an error, and a default that is not used must not be told of.
     void WarnLater(Camera& camera, const char* text);
@@ -66,15 +72,23 @@ class TiltLensParser
     tilt_lens::Vec3 Vector(const std::string& word);
     void ParseShift(tilt_lens::Statement& statement);
     void ParseBlades(tilt_lens::Statement& statement);
+    void ParseSampleSeed(tilt_lens::Statement& statement);
+    void ParseFocus(const std::string& word, TiltLensCamera& lens);
     void ParseFocalPlane(tilt_lens::Statement& statement);
     void PlaneBrace(int brace, const char* sign);
-    void ParseFocalPoints(tilt_lens::Statement& statement);
+    void ParseFocalPoints(TiltLensCamera& lens);
+    bool NextIsTarget(std::string& word);
+    void ParseTarget(const std::string& word, FocusTarget& target);
     void ParsePeaking(tilt_lens::FocusAids& aids);
 
-    void RequireConsistent(const Camera& camera, const WrittenItems& written);
+    void CheckBlock(Camera& camera);
+    void SolveLens(Camera& camera);
+    void RequireConsistent(const Camera& camera);
+    void RequireFilm(const Camera& camera);
     void RequireQuality(const Camera& camera, const WrittenItems& written);
     void RequireAperture(const Camera& camera);
     void TakeFocalPoint(Camera& camera);
+    void RequireFocus(Camera& camera);
     void TakeBlurSamples(Camera& camera);
     void WarnOfFocalPoint(const Camera& camera);
     void WarnOfSky(const Camera& camera);

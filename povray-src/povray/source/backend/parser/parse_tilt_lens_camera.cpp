@@ -43,6 +43,10 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
 {
     // once asked for, they are forgotten: a default camera's items are not those of the cameras after it
     const WrittenItems written = std::exchange(camera.TiltLens.written, WrittenItems());
+    CameraItems& items = camera.TiltLens.items;
+    items.angle = camera.Angle != HUGE_VAL;
+    items.aperture = written.aperture || camera.Aperture != 0.0;
+    TakeFocalPoint(camera);
     if (!camera.TiltLens.given)
     {
         for (const WrittenItems::Warning& warning : written.warnings)
@@ -54,11 +58,18 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
                                        "Only the perspective camera has a lens; remove the block from the "
                                        "default camera.");
     WarnOfFocalPoint(camera);
-    camera.TiltLens.statement.aperture = camera.Aperture;
-    RequireConsistent(camera, written);
     RequireQuality(camera, written);
+    CheckBlock(camera);
+}
+
+/// What the block and the camera around it say together, once both are known.
+void TiltLensParser::CheckBlock(Camera& camera)
+{
+    camera.TiltLens.statement.aperture = camera.Aperture;
+    RequireConsistent(camera);
+    RequireFilm(camera);
     RequireAperture(camera);
-    TakeFocalPoint(camera);
+    RequireFocus(camera);
     TakeBlurSamples(camera);
 }
 
@@ -66,8 +77,13 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
 void TiltLensParser::WarnOfFocalPoint(const Camera& camera)
 {
     const Statement& s = camera.TiltLens.statement;
+    const FocusTarget::Kind target = camera.TiltLens.focusTarget.kind;
     const char* word = s.family == FocusFamily::FocalPlane    ? "focal_plane"
                        : s.family == FocusFamily::FocalPoints ? "focal_points"
+                       : s.filmDistance                       ? "film_distance"
+                       : s.focusScale                         ? "focus_scale"
+                       : target == FocusTarget::Object        ? "focus_on"
+                       : target == FocusTarget::Picture       ? "focus_at"
                                                               : NULL;
     if (word == NULL || camera.Focal_Point[X] == HUGE_VAL)
         return;
@@ -96,14 +112,14 @@ void TiltLensParser::WarnOfSky(const Camera& camera)
     WarningAt(camera.TiltLens.place, text);
 }
 
-void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems& written)
+void TiltLensParser::RequireConsistent(const Camera& camera)
 {
     const Statement& s = camera.TiltLens.statement;
     const TiltLensPlace& place = camera.TiltLens.place;
-    if (s.focalLength && camera.Angle != HUGE_VAL)
+    if (s.focalLength && camera.TiltLens.items.angle)
         ErrorAt(place, "angle %g and focal_length %g in one camera: both set the angle of view. One is allowed; "
                        "remove angle or focal_length.", camera.Angle, *s.focalLength);
-    if (s.fStop && (camera.Aperture != 0.0 || written.aperture))
+    if (s.fStop && camera.TiltLens.items.aperture)
         ErrorAt(place, "aperture %g and f_stop %g in one camera: both set the lens diameter. One is allowed; "
                        "remove aperture or f_stop.", camera.Aperture, *s.fStop);
     if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))
@@ -120,6 +136,21 @@ void TiltLensParser::RequireConsistent(const Camera& camera, const WrittenItems&
                        "remove blade_curvature.", s.bladeCurvature);
 }
 
+/// Where the film stands, the lens is focused before it is turned.
+void TiltLensParser::RequireFilm(const Camera& camera)
+{
+    const Statement& s = camera.TiltLens.statement;
+    if (!s.filmDistance && !s.focusScale)
+        return;
+    const char* word = s.filmDistance ? "film_distance" : "focus_scale";
+    if (s.family == FocusFamily::FocusTurn)
+        ErrorAt(camera.TiltLens.place, "%s beside focus_tilt or focus_swing in tilt_lens. It is for a lens that is turned by tilt "
+                                       "and swing after it was focused; use these, or focal_point in its place.", word);
+    if (s.filmDistance && !s.focalLength)
+        ErrorAt(camera.TiltLens.place, "film_distance %g without focal_length in tilt_lens: without it the angle of view says where "
+                                       "the film is. Give focal_length, or focus_scale in place of film_distance.", *s.filmDistance);
+}
+
 /// Where other cameras get a warning and the default.
 void TiltLensParser::RequireQuality(const Camera& camera, const WrittenItems& written)
 {
@@ -134,21 +165,26 @@ void TiltLensParser::RequireQuality(const Camera& camera, const WrittenItems& wr
 /// `focal_point`, else `look_at`: both are marked as infinite while they are not written.
 void TiltLensParser::TakeFocalPoint(Camera& camera)
 {
-    Statement& s = camera.TiltLens.statement;
-    if (camera.Focal_Point[X] != HUGE_VAL)
-        s.focalPoint = FromPov(camera.Focal_Point);
-    else if (camera.Look_At[X] != HUGE_VAL)
-        s.focalPoint = FromPov(camera.Look_At);
-    else if (camera.TiltLens.open)
-    {
-        const bool needsPoint = s.family == FocusFamily::LensTurn || s.family == FocusFamily::FocusTurn;
-        if (needsPoint && (s.aperture > 0.0 || s.fStop))
-            ErrorAt(camera.TiltLens.place, "Nothing says where the focus lies: the camera has neither "
-                                           "focal_point nor look_at. Give focal_point, or focal_plane or "
-                                           "focal_points in tilt_lens.");
-        // everything is sharp: any point in front will do
-        s.focalPoint = FromPov(camera.Location) + FromPov(camera.Direction);
-    }
+    const VECTOR& point = camera.Focal_Point[X] != HUGE_VAL ? camera.Focal_Point : camera.Look_At;
+    if (point[X] == HUGE_VAL)
+        return;
+    camera.TiltLens.statement.focalPoint = FromPov(point);
+    camera.TiltLens.items.focalPoint = true;
+}
+
+void TiltLensParser::RequireFocus(Camera& camera)
+{
+    TiltLensCamera& lens = camera.TiltLens;
+    Statement& s = lens.statement;
+    if (!lens.open || lens.items.focalPoint)
+        return;
+    const bool turned = s.family == FocusFamily::LensTurn || s.family == FocusFamily::FocusTurn;
+    const bool needsPoint = turned && !s.filmDistance && !s.focusScale && lens.HasPoints();
+    if (needsPoint && (s.aperture > 0.0 || s.fStop))
+        ErrorAt(lens.place, "Nothing says where the focus lies: the camera has neither focal_point nor look_at. Give focal_point, "
+                            "or focal_plane or focal_points in tilt_lens.");
+    // everything is sharp: any point in front will do
+    s.focalPoint = FromPov(camera.Location) + FromPov(camera.Direction);
 }
 
 /// Stock shows no blur where blur_samples is missing; tilt_lens has a default. One number is the most.
@@ -163,14 +199,20 @@ void TiltLensParser::TakeBlurSamples(Camera& camera)
 
 void TiltLensParser::Check(Camera& camera)
 {
-    TiltLensCamera& lens = camera.TiltLens;
+    if (camera.TiltLens.given)
+        SolveLens(camera);
     RecordCamera(camera, Here());
-    if (!lens.given)
-        return;
+}
+
+void TiltLensParser::SolveLens(Camera& camera)
+{
+    TiltLensCamera& lens = camera.TiltLens;
     const bool fresh = lens.open;
     lens.open = false;
     if (fresh)
         WarnOfSky(camera);
+    if (!lens.HasPoints())
+        return;  // rays will find them
     try
     {
         TiltLensCamera::Solve(camera);

@@ -6,10 +6,13 @@
 
 #include "backend/parser/parse_tilt_lens.h"
 
+#include <cstring>
 #include <string>
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
+#include "backend/parser/tilt_lens_words.h"
+#include "backend/scene/objects.h"
 
 #include "base/povdebug.h"
 
@@ -18,6 +21,20 @@ namespace pov
 
 using tilt_lens::FocusFamily;
 using tilt_lens::Statement;
+
+void TiltLensParser::ParseFocus(const std::string& word, TiltLensCamera& lens)
+{
+    if (word == "focal_plane")
+        ParseFocalPlane(lens.statement);
+    else if (word == "focal_points")
+        ParseFocalPoints(lens);
+    else if (word == "film_distance")
+        lens.statement.filmDistance = PositiveNumber(word);
+    else if (word == "focus_scale")
+        lens.statement.focusScale = PositiveNumber(word);
+    else
+        ParseTarget(word, lens.focusTarget);
+}
 
 void TiltLensParser::ParseFocalPlane(Statement& s)
 {
@@ -45,15 +62,58 @@ void TiltLensParser::PlaneBrace(int brace, const char* sign)
                   "<normal>, distance }.", sign, found.c_str());
 }
 
-void TiltLensParser::ParseFocalPoints(Statement& s)
+void TiltLensParser::ParseFocalPoints(TiltLensCamera& lens)
 {
-    s.family = FocusFamily::FocalPoints;
+    lens.statement.family = FocusFamily::FocalPoints;
     for (int i = 0; i < 3; i++)
     {
         if (i > 0)
             parser.Parse_Comma();
-        s.points[i] = Vector("focal_points");
+        std::string word;
+        if (NextIsTarget(word))
+            ParseTarget(word, lens.pointTargets[i]);
+        else
+            lens.statement.points[i] = Vector("focal_points");
     }
+}
+
+/// Takes the word `focus_on` or `focus_at`, unless the scene has an identifier of that name.
+bool TiltLensParser::NextIsTarget(std::string& word)
+{
+    parser.Get_Token();
+    word = parser.Token.Token_String;
+    if (parser.Token.Token_Id == IDENTIFIER_TOKEN && (word == "focus_on" || word == "focus_at"))
+        return true;
+    parser.Unget_Token();
+    return false;
+}
+
+void TiltLensParser::ParseTarget(const std::string& word, FocusTarget& target)
+{
+    if (word == "focus_at")
+    {
+        RequireValue(word);
+        EXPRESS v;
+        const int terms = parser.Parse_Unknown_Vector(v);
+        if (terms != 2 || !(v[X] >= 0.0 && v[X] <= 1.0 && v[Y] >= 0.0 && v[Y] <= 1.0))
+            ErrorAt(item, "focus_at in tilt_lens: found %s%g, %g%s. It takes a place in the picture, from <0, 0> in the lower left "
+                          "to <1, 1> in the upper right corner; write it as <right, up>.", terms == 2 ? "<" : "a value of other than "
+                          "two numbers, <", v[X], v[Y], terms > 2 ? ", ...>" : ">");
+        target.kind = FocusTarget::Picture;
+        target.x = v[X];
+        target.y = v[Y];
+        return;
+    }
+    parser.Get_Token();
+    if (parser.Token.Token_Id != OBJECT_ID_TOKEN)
+        ErrorAt(item, "focus_on in tilt_lens: found '%s' in place of an object. It takes the identifier of an object that was "
+                      "declared before the camera, as in #declare Ball = sphere { 0, 1 }, and then focus_on Ball.",
+                parser.Token.Token_Id == END_OF_FILE_TOKEN ? "the end of the file" : parser.Token.Token_String);
+    target.kind = FocusTarget::Object;
+    // of an element of an array the index is what was read last
+    target.name = std::strcmp(parser.Token.Token_String, "]") == 0 ? "an array's element" : parser.Token.Token_String;
+    target.object = shared_ptr<ObjectBase>(Copy_Object(static_cast<ObjectPtr>(parser.Token.Data)),
+                                           [](ObjectPtr object) { Destroy_Object(object); });
 }
 
 } // namespace pov

@@ -108,6 +108,16 @@ void TiltLensParser::ParseShift(Statement& s)
     s.shiftUp = v[Y];
 }
 
+void TiltLensParser::ParseSampleSeed(Statement& s)
+{
+    const double kMost = 4294967295.0;  // 32 bits
+    const double seed = Number("sample_seed");
+    if (!(seed >= 0.0 && seed <= kMost && seed == std::floor(seed)))
+        ErrorAt(item, "sample_seed %.12g in tilt_lens. It takes a whole number from 0 to %.0f; give another one, such as "
+                     "frame_number.", seed, kMost);
+    s.sampleSeed = std::uint32_t(seed);
+}
+
 void TiltLensParser::ParseBlades(Statement& s)
 {
     const int kMost = 1000;  // edges far below any pixel

@@ -16,10 +16,11 @@ struct TiltLensItem
 {
     const char* word;
     const char* family;  ///< words of its family of focus, or NULL
+    const char* distance; ///< itself where it says how far away the focus lies, or NULL
     const char* example; ///< how it is written with its value
 };
 
-extern const TiltLensItem kTiltLensItems[25];
+extern const TiltLensItem kTiltLensItems[30];
 
 /// The item of that spelling, or NULL.
 const TiltLensItem* FindTiltLensItem(const std::string& word);

@@ -60,7 +60,7 @@ void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colou
     DBL distance;
     if (view->aids->NeedsLight())
     {
-        SeedRandomNumbers(tilt_lens::PixelHash((unsigned int)(int)x, (unsigned int)(int)y, 0, 0));
+        SeedRandomNumbers(tilt_lens::PixelHash((unsigned int)(int)x, (unsigned int)(int)y, view->seed, 0));
         Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
         distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
     }

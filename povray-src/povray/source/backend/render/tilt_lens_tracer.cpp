@@ -186,7 +186,7 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     const unsigned int samples = trace.pretrace ? 1 : std::min(view->limits.min, view->limits.max);
     // pretrace positions lie between pixels and, at the picture's edge, outside
     SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
-    const PixelSampler sequence(id.x, id.y, 0);
+    const PixelSampler sequence(id.x, id.y, view->seed);
     colour.clear();
     for (id.index = 0; id.index < samples; id.index++)
     {
@@ -210,7 +210,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::BlockCache own(view->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->limits.FirstRound());
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->limits.FirstRound(), view->seed);
     areaLightPoints = areaLightPointsSkipped = 0;
     sampler.Run(tile, [&](const SampleId& id, tilt_lens::SampleResult& result)
     {
@@ -239,7 +239,7 @@ void TiltLensTracer::EstimateWork(unsigned int width, unsigned int height)
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::kProbeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, limits.FirstRound());
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, limits.FirstRound(), view->seed);
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->progress.NextProbe())
     {

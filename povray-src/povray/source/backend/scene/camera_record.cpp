@@ -3,6 +3,7 @@
 
 #include "backend/scene/camera_record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -10,6 +11,7 @@
 #include <sstream>
 #include <vector>
 
+#include "backend/scene/focus_target.h"
 #include "backend/scene/scene.h"
 #include "base/image/colourspace.h"
 
@@ -30,10 +32,16 @@ const char* RecordName()
     return name != NULL && *name != '\0' ? name : NULL;
 }
 
-/// Statements of this run, as JSON.
-std::vector<std::string>& Recorded()
+struct RecordedCamera
 {
-    static std::vector<std::string> cameras;
+    Camera camera;
+    TiltLensPlace end;
+};
+
+/// Camera statements of this run; never destroyed, as what they hold may be gone before.
+std::vector<RecordedCamera>& Recorded()
+{
+    static std::vector<RecordedCamera>& cameras = *new std::vector<RecordedCamera>;
     return cameras;
 }
 
@@ -88,6 +96,28 @@ std::string Block(const Statement& s)
            ", \"scale\": " + Number(s.scale) + "}";
 }
 
+/// The statement of a solved camera with a point or a plane in place of where the film stands.
+Statement WithFocus(const Camera& camera)
+{
+    Statement s = camera.TiltLens.statement;
+    if (!(s.filmDistance || s.focusScale) || !camera.TiltLens.lens)
+        return s;
+    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
+    const Vec3 location = FromPov(camera.Location);
+    const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens), farthest = 1e9 * lens.filmDistance;
+    s.filmDistance.reset();
+    s.focusScale.reset();
+    if (distance == 0.0 || axisFocus > 0.0)
+        s.focalPoint = location + std::min(axisFocus, farthest) * lens.axis;
+    else
+    {
+        s.family = tilt_lens::FocusFamily::FocalPlane;
+        s.planeNormal = lens.focus / distance;
+        s.planeDistance = 1.0 / distance + Dot(s.planeNormal, location);
+    }
+    return s;
+}
+
 std::string Described(const Camera& camera)
 {
     return "\"perspective\": " + std::string(Truth(camera.Type == PERSPECTIVE_CAMERA)) +
@@ -96,7 +126,7 @@ std::string Described(const Camera& camera)
            ", \"up\": " + Vector(FromPov(camera.Up)) + ", \"sky\": " + Vector(FromPov(camera.Sky)) +
            ", \"focusDistance\": " + Number(camera.Focal_Distance) + ", \"aperture\": " + Number(camera.Aperture) +
            ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
-           ", \"block\": " + (camera.TiltLens.given ? Block(camera.TiltLens.statement) : "null") + "}";
+           ", \"block\": " + (camera.TiltLens.given ? Block(WithFocus(camera)) : "null") + "}";
 }
 
 /// How values of the picture become light.
@@ -120,18 +150,28 @@ bool CamerasAreRecorded() { return RecordName() != NULL; }
 void RecordCamera(const Camera& camera, const TiltLensPlace& end)
 {
     if (CamerasAreRecorded())
-        Recorded().push_back("{\"file\": " + Text(end.file) + ", \"line\": " + Number(double(end.line)) +
-                             ", \"offset\": " + Number(double(end.offset)) + ", " + Described(camera));
+        Recorded().push_back({camera, end});
 }
 
-void FinishCameraRecord(Camera& view, const SceneData& scene)
+void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
 {
     if (!CamerasAreRecorded())
         return;
     std::string text = "{\"cameras\": [";
-    for (const std::string& camera : Recorded())
-        text += (text.back() == '[' ? "\n" : ",\n") + camera;
-    text += "],\n\"view\": {" + Described(view) + ",\n\"gamma\": " + Gamma(scene) + "}\n";
+    for (RecordedCamera& recorded : Recorded())
+    {
+        try
+        {
+            FindFocus(recorded.camera, scene);
+        }
+        catch (const tilt_lens::OpticsError&)  // matters where it is the camera of the picture
+        {
+        }
+        text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) + ", \"line\": " +
+                Number(double(recorded.end.line)) + ", \"offset\": " + Number(double(recorded.end.offset)) + ", " +
+                Described(recorded.camera);
+    }
+    text += "],\n\"view\": {" + Described(view) + ",\n\"gamma\": " + Gamma(*scene) + "}\n";
     Recorded().clear();
     std::ofstream stream(RecordName(), std::ios::binary);
     stream << text;

@@ -16,7 +16,8 @@
 /// `focusDistance`           of POV-Ray's own focal blur, scene units
 /// `aperture`                POV-Ray's number, twice the lens diameter, scene units; 0: none
 /// `bokeh`, `normal`         whether the camera has these items
-/// `block`                   the `tilt_lens` block as a Statement (optics.h), or null
+/// `block`                   the `tilt_lens` block as a Statement (optics.h), or null; where a ray or the film's distance
+///                           sets the focus, with the point or plane that this makes
 /// and `gamma` of the scene: how values of the picture become light: `sRGB`, a number (power), or null where
 /// they are shown as they are.
 
@@ -43,7 +44,7 @@ void RecordCamera(const Camera& camera, const TiltLensPlace& end);
 
 /// Writes the file, and makes a pinhole of the camera; does nothing where none is recorded.
 /// @throws pov_base::Exception  the file cannot be written
-void FinishCameraRecord(Camera& view, const SceneData& scene);
+void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene);
 
 } // namespace pov
 

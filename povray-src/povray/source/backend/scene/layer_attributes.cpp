@@ -91,6 +91,8 @@ void AddLens(std::vector<LayerAttribute>& list, const Camera& camera, unsigned i
     list.push_back({"tiltLens:millimetresPerUnit", {mm}});
     // n.X = d with X in world coordinates
     const double distance = Length(lens.focus);
+    if (distance == 0.0)
+        return;  // all that is sharp is at infinity
     const Vec3 normal = lens.focus / distance;
     list.push_back({"tiltLens:focusNormal", Numbers(normal)});
     list.push_back({"tiltLens:focusDistance", {1.0 / distance + Dot(normal, FromPov(camera.Location))}});

@@ -1,6 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
+#include <cstdio>
+
 #include "backend/frame.h"
 #include "backend/math/matrices.h"
 #include "backend/scene/camera.h"
@@ -39,10 +41,25 @@ double Determinant(const TRANSFORM* trans)
 
 } // namespace
 
+std::string FocusTarget::Written() const
+{
+    if (kind == Object)
+        return "focus_on " + name;
+    char text[64];
+    std::snprintf(text, sizeof text, "focus_at <%g, %g>", x, y);
+    return text;
+}
+
+bool TiltLensCamera::HasPoints() const
+{
+    bool has = focusTarget.kind == FocusTarget::NotUsed;
+    for (const FocusTarget& target : pointTargets)
+        has = has && target.kind == FocusTarget::NotUsed;
+    return has;
+}
+
 void TiltLensCamera::Transform(const TRANSFORM* trans)
 {
-    if (!given)
-        return;
     lens.reset();
     tilt_lens::Statement& s = statement;
     const Vec3 normal = Normalized(s.planeNormal);

@@ -47,17 +47,44 @@ struct WrittenItems
     std::vector<Warning> warnings;  ///< of values that are an error where the camera has `tilt_lens`
 };
 
+/// What the camera around a block says, kept for a block behind the camera's identifier.
+struct CameraItems
+{
+    bool angle = false, aperture = false;  ///< these are written
+    bool focalPoint = false;               ///< so is `focal_point` or `look_at`: the statement's focalPoint is one of the two
+};
+
+/// A point in focus that is found by a ray when the scene is known.
+struct FocusTarget
+{
+    enum Kind { NotUsed, Object, Picture } kind = NotUsed;
+    std::string name;              ///< of the object
+    shared_ptr<ObjectBase> object; ///< a copy of it
+    double x = 0.0, y = 0.0;       ///< in the picture: from its lower left corner, 0 to 1
+    tilt_lens::Vec3 found;         ///< world
+
+    std::string Written() const;  ///< as in the scene
+};
+
 struct TiltLensCamera
 {
-    bool given = false;  ///< the camera has a `tilt_lens` block; all else is unused without
+    bool given = false;  ///< the camera has a `tilt_lens` block; all else is unused without, but for `items` and the
+                         ///< statement's focalPoint and scale
     bool open = false;   ///< the block belongs to the camera statement that is being parsed
     WrittenItems written;
+    CameraItems items;
     TiltLensPlace place; ///< of the block's first word
     tilt_lens::Statement statement;
     tilt_lens::FocusAids aids;  ///< what a preview draws in place of the lens's picture
 
-    /// What the block makes of the camera that it belongs to. Solved once, when a camera statement ends; NULL before and
-    /// after a transformation.
+    FocusTarget focusTarget;      ///< in place of the statement's focalPoint
+    FocusTarget pointTargets[3];  ///< in place of its points
+
+    /// Whether the statement holds its points; else FindFocus() (focus_target.h) puts them there.
+    bool HasPoints() const;
+
+    /// What the block makes of the camera that it belongs to. Solved once, when a camera statement ends, or before the render
+    /// where the focus has to be found; NULL before and after a transformation.
     shared_ptr<const tilt_lens::Lens> lens;
 
     /// Carries plane, points and scale of the lens with the camera.

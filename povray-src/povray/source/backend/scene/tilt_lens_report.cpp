@@ -38,7 +38,7 @@ std::string Text(const Vec3& v, double scale)
 /// A distance in scene units, `scale` being a usual one; what is infinite but for rounding, in words.
 std::string Distance(double units, double scale)
 {
-    return units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
+    return std::isfinite(units) && units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
 }
 
 double Degrees(double radians) { return radians * (180.0 / M_PI); }
@@ -118,6 +118,38 @@ std::string SqueezeOf(double squeeze)
                          : Line(", squeezed to %.4g of its height", squeeze);
 }
 
+/// What set the focus, where the scene does not say it as a point or a plane.
+std::string FocusOf(const TiltLensCamera& block)
+{
+    std::string text;
+    const auto add = [&](const FocusTarget& target)
+    {
+        if (target.kind != FocusTarget::NotUsed)
+            text += "  Focus................" + target.Written() + ": " + Text(target.found, Length(target.found)) + "\n";
+    };
+    add(block.focusTarget);
+    for (const FocusTarget& target : block.pointTargets)
+        add(target);
+    if (block.statement.focusScale)
+        text += Line("  Focus................at %.6g units from the film before the lens is turned\n",
+                     *block.statement.focusScale * block.statement.scale);
+    return text;
+}
+
+/// The plane of sharp focus, by a point to check it: on the axis where the plane crosses it in front, else the nearest one.
+std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
+{
+    const Vec3 location = FromPov(camera.Location);
+    const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens);
+    if (distance == 0.0)
+        return "  Sharp plane..........at infinity\n";
+    const bool crosses = axisFocus > 0.0 && std::isfinite(axisFocus);
+    const Vec3 point = crosses ? axisFocus * lens.axis : lens.focus / (distance * distance);
+    return "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n" +
+           "    normal............." + Text(lens.focus / distance, 1.0) + "\n" +
+           Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
+}
+
 } // namespace
 
 void TiltLensView::AddProgress(POVMS_Object& message) const
@@ -195,11 +227,7 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
 {
     const tilt_lens::Lens& lens = *camera.TiltLens.lens;
     const double mm = 1.0 / lens.millimetre;
-    const Vec3 location{camera.Location[X], camera.Location[Y], camera.Location[Z]};
-    const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens);
-    // a point to check the plane by: on the axis where it crosses in front, else the nearest one
-    const bool crosses = axisFocus > 0.0 && std::isfinite(axisFocus);
-    const Vec3 point = crosses ? axisFocus * lens.axis : lens.focus / (distance * distance);
+    const double usual = 1.0 / Length(lens.focus);
 
     std::string text = "Tilt Lens\n";
     text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", Tidy(TiltOf(lens)),
@@ -214,15 +242,13 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
     text += CharacterOf(lens, camera.TiltLens.statement.character);
-    text += "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n";
-    text += "    normal............." + Text(lens.focus / distance, 1.0) + "\n";
-    text += Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
-    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), 1.0 / distance) + " from the lens\n";
+    text += FocusOf(camera.TiltLens) + PlaneOf(camera, lens);
+    text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), usual) + " from the lens\n";
     if (lens.diameter > 0.0)
     {
         const tilt_lens::SharpRange sharp = SharpRangeOf(lens, width, 1.0);
-        text += "  Sharp on the axis....from " + Distance(sharp.near, 1.0 / distance) +
-                " to " + Distance(sharp.far, 1.0 / distance) +
+        text += "  Sharp on the axis....from " + Distance(sharp.near, usual) +
+                " to " + Distance(sharp.far, usual) +
                 " (blur of 1 pixel)\n";
     }
     if (aids != NULL)

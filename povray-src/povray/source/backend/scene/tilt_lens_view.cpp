@@ -9,6 +9,7 @@
 #include "backend/colour/colour.h"
 #include "backend/control/messagefactory.h"
 #include "backend/scene/camera_record.h"
+#include "backend/scene/focus_target.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/threaddata.h"
@@ -86,6 +87,7 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     footprint(lens, aperture, view.GetWidth(), view.GetHeight()),
     limits(LimitsOf(camera)),
     samplesSpread(!lens.distorts && lens.fieldCurvature == 0.0 && camera.TiltLens.statement.character.opticalVignetting == 0.0),
+    seed(camera.TiltLens.statement.sampleSeed),
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
@@ -130,14 +132,18 @@ void TiltLensView::Add(const tilt_lens::SamplingStatistics& tile)
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
-    FinishCameraRecord(camera, *viewData.sceneData);
-    if (!camera.TiltLens.given)
-        return;
     const TiltLensPlace place = camera.TiltLens.place;
     MessageFactory messages(10, 370, "Render", viewData.sceneData->backendAddress,
                             viewData.sceneData->frontendAddress, viewData.sceneData->sceneId, viewData.viewId);
+    const auto warn = [&](const std::string& text)
+    { messages.WarningAt(0, place.file.c_str(), place.line, place.column, place.offset, "%s", text.c_str()); };
     try
     {
+        for (const std::string& warning : FindFocus(camera, viewData.sceneData))
+            warn(warning);
+        FinishCameraRecord(camera, viewData.sceneData);
+        if (!camera.TiltLens.given)
+            return;
         viewData.tiltLens = TiltLensView::Create(camera, viewData);
 
         const TiltLensAids* aids = viewData.tiltLens ? viewData.tiltLens->aids.get() : NULL;
@@ -145,6 +151,11 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, viewData.width, aids).c_str());
         RenderBackend::SendViewOutput(viewData.viewId, viewData.sceneData->frontendAddress,
                                       kPOVMsgIdent_RenderOptions, report);
+    }
+    catch (const tilt_lens::OpticsError& error)
+    {
+        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
+                         place.offset, "%s", error.what());
     }
     catch (const std::invalid_argument& error)  // a bokeh picture without light
     {
@@ -154,12 +165,11 @@ void View::StartTiltLens(unsigned int& tracingmethod)
     if (!viewData.tiltLens)
         return;
     if (tracingmethod != 0)
-        messages.WarningAt(0, place.file.c_str(), place.line, place.column, place.offset,
-                           viewData.tiltLens->aids
-                               ? "Anti-aliasing (+A) is not used with focus_peaking, focus_map or show_planes: they "
-                                 "take one ray a pixel."
-                               : "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
-                                 "samples cover the pixel already. blur_samples and variance set the quality.");
+        warn(viewData.tiltLens->aids
+                 ? "Anti-aliasing (+A) is not used with focus_peaking, focus_map or show_planes: they "
+                   "take one ray a pixel."
+                 : "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
+                   "samples cover the pixel already. blur_samples and variance set the quality.");
     tracingmethod = TiltLensView::kTracingMethod;
     PlanTiltLensWork();
 }

@@ -75,6 +75,9 @@ class TiltLensView
     /// that images planes onto planes, to scale, and whose whole opening is seen from everywhere.
     const bool samplesSpread;
 
+    /// Of the pattern of samples.
+    const std::uint32_t seed;
+
     /// The pixels that are being sampled.
     const shared_ptr<tilt_lens::BlockCache> blocks;
 
