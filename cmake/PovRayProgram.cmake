@@ -13,7 +13,7 @@ file(GLOB_RECURSE povray_core "${POVRAY_SOURCE}/source/*.cpp")
 file(GLOB povray_vfe "${POVRAY_SOURCE}/vfe/*.cpp" "${POVRAY_SOURCE}/vfe/unix/*.cpp")
 set(povray_unix "${POVRAY_SOURCE}/unix/disp_text.cpp" "${POVRAY_SOURCE}/unix/disp_sdl.cpp")
 file(GLOB_RECURSE povray_own_core CONFIGURE_DEPENDS "${POVRAY_OWN}/source/*.cpp")
-file(GLOB_RECURSE povray_own_vfe CONFIGURE_DEPENDS "${POVRAY_OWN}/vfe/*.cpp")
+file(GLOB_RECURSE povray_own_unix CONFIGURE_DEPENDS "${POVRAY_OWN}/vfe/*.cpp" "${POVRAY_OWN}/unix/*.cpp")
 
 # What every file is compiled with, ours and upstream's. Both trees are searched for one include path:
 # "backend/render/x.h" is found wherever it lies.
@@ -26,13 +26,15 @@ set(povray_folders source source/backend source/base source/frontend vfe vfe/uni
 list(TRANSFORM povray_folders PREPEND "${POVRAY_SOURCE}/")
 target_include_directories(povray_settings INTERFACE ${povray_folders})
 target_include_directories(povray_settings INTERFACE "${POVRAY_OWN}/source" "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
-add_library(sdl_on_demand STATIC "${POVRAY_OWN}/unix/sdl_on_demand.cpp")
-target_include_directories(sdl_on_demand PRIVATE "${SDL_INCLUDE_DIR}")
-target_compile_options(sdl_on_demand PRIVATE -Wall)
-target_link_libraries(sdl_on_demand PRIVATE ${CMAKE_DL_LIBS})
+# Ours for upstream's Unix files: where the installation lies, what the console says, the preview's library.
+add_library(povray_own_unix STATIC ${povray_own_unix})
+target_include_directories(povray_own_unix PRIVATE "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
+target_compile_definitions(povray_own_unix PRIVATE TILT_LENS_INSTALL_PREFIX="${CMAKE_INSTALL_PREFIX}")
+target_compile_options(povray_own_unix PRIVATE -Wall -Wextra)
+target_link_libraries(povray_own_unix PRIVATE ${CMAKE_DL_LIBS})
 target_link_libraries(povray_settings INTERFACE tilt_lens
     PNG::PNG JPEG::JPEG TIFF::TIFF OpenEXR::OpenEXR ZLIB::ZLIB Boost::thread Boost::date_time
-    Threads::Threads sdl_on_demand m)
+    Threads::Threads povray_own_unix m)
 
 # Object libraries: all files reach the link, in no particular order. Upstream's own warnings are not ours
 # to mend (-w); our files keep theirs.
@@ -49,24 +51,27 @@ list(FILTER povray_alone INCLUDE REGEX "/backend/(shape|parser)/|/base/povms\\.c
 set_source_files_properties(${povray_alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # vfe reads the folders of the installation from two macros; ours make them an answer found at run time.
-add_library(povray_vfe OBJECT ${povray_vfe} ${povray_own_vfe})
+add_library(povray_vfe OBJECT ${povray_vfe})
 target_link_libraries(povray_vfe PRIVATE povray_settings)
 target_compile_options(povray_vfe PRIVATE -w "SHELL:-include vfe/unix/install_folders.h")
-target_compile_definitions(povray_vfe PRIVATE
-    POVCONFDIR_BACKWARD="/etc" TILT_LENS_INSTALL_PREFIX="${CMAKE_INSTALL_PREFIX}")
+target_compile_definitions(povray_vfe PRIVATE POVCONFDIR_BACKWARD="/etc")
 
 add_executable(povray ${povray_unix})
 target_link_libraries(povray PRIVATE povray_settings povray_core povray_vfe)
 target_compile_options(povray PRIVATE -w)
 set_target_properties(povray PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
+# For our files that include upstream's headers: warnings for our own lines only, neither for those headers, nor for
+# their message codes such as 'OCLA'.
+add_library(povray_own_settings INTERFACE)
+target_link_libraries(povray_own_settings INTERFACE povray_settings)
+target_include_directories(povray_own_settings SYSTEM INTERFACE ${povray_folders})
+target_compile_options(povray_own_settings INTERFACE -Wall -Wextra -Wno-multichar)
+
 # Without our patches nothing of upstream calls our files.
 if(TILT_LENS_PATCHES AND povray_own_core)
     add_library(povray_own OBJECT ${povray_own_core})
-    target_link_libraries(povray_own PRIVATE povray_settings)
-    # Warnings for our own lines only: not for upstream's headers, nor for their message codes such as 'OCLA'.
-    target_include_directories(povray_own SYSTEM PRIVATE ${povray_folders})
-    target_compile_options(povray_own PRIVATE -Wall -Wno-multichar)
+    target_link_libraries(povray_own PRIVATE povray_own_settings)
     target_link_libraries(povray PRIVATE povray_own)
 endif()
 
