@@ -191,7 +191,8 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     for (id.index = 0; id.index < samples; id.index++)
     {
         tilt_lens::SampleResult result;
-        tilt_lens::CameraRay camera{view->emitters.Generate({}, id, sequence(id.index))};
+        tilt_lens::CameraRay camera;
+        camera.sample = view->emitters.Generate({}, id, sequence(id.index));
         camera.FindRay(view->lens);
         TraceSample(sequence, id.index, camera, width, result);
         colour += ToColour(result.radiance);
@@ -234,7 +235,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     trace.threadData->Stats()[Number_Of_Samples] += statistics.Samples();
 }
 
-void TiltLensTracer::EstimateWork(unsigned int width, unsigned int height)
+void TiltLensTracer::EstimateWork(unsigned int width)
 {
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::kProbeSamples, limits.max);
@@ -264,7 +265,7 @@ void TraceTask::TiltLensSampling()
     unsigned int serial;
 
     TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
-    tracer.EstimateWork(GetViewData()->GetWidth(), GetViewData()->GetHeight());
+    tracer.EstimateWork(GetViewData()->GetWidth());
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {
         radiosity.BeforeTile(highReproducibility ? serial : 0);

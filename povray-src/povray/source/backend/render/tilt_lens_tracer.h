@@ -51,7 +51,8 @@ class TiltLensTracer : public AreaLightSampler
     void TraceTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone, std::vector<Colour>& pixels);
 
     /// Before the first tile, all threads together trace some pixels, so that progress can be told.
-    void EstimateWork(unsigned int width, unsigned int height);
+    /// @param width  of the whole picture, in pixels
+    void EstimateWork(unsigned int width);
 
     /// Of the last tile, pixel by pixel; empty for focus aids.
     const std::vector<TiltLensEffort>& Effort() const { return effort; }
