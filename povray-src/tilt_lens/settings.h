@@ -97,11 +97,8 @@ struct Settings
     /// @{
     /// Variance of one sample where a pixel's target is just `variance`: between those of texture and of blurred edges.
     double typicalSampleVariance = 0.003;
-    /// Least target over `variance`: of pixels that are quiet beside others, and of those among their like.
-    double leastTarget = 0.25, leastTargetAmongLike = 0.75;
-    /// Greatest target over `variance`, for pixels whose relative deviation is rareDeviation; beyond, the factor grows with
-    /// the root of the deviation up to greatestRareTarget.
-    double greatestTarget = 1.9, rareDeviation = 3.0, greatestRareTarget = 3.0;
+    /// Least target over `variance`; and the greatest, of pixels that deviate more than those around.
+    double leastTarget = 0.75, greatestTarget = 1.9;
     /// @}
 
     /// @name Emitter sampling (section 7)

@@ -4,7 +4,6 @@
 #include "tilt_lens/sampling/variance_target.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tilt_lens
 {
@@ -12,12 +11,8 @@ namespace tilt_lens
 double VarianceTarget::operator()(double relativeDeviation) const
 {
     // written so that a pixel among those without any noise, 0/0, may keep as much as one among its like
-    const double rare = settings.greatestTarget * std::sqrt(std::max(1.0, relativeDeviation / settings.rareDeviation));
-    const double greatest =
-        relativeDeviation > 1.0 ? std::min({relativeDeviation, rare, settings.greatestRareTarget}) : 1.0;
-    const double alike = settings.leastTargetAmongLike;
-    const double least = relativeDeviation < 1.0 ? std::max(settings.leastTarget, alike * relativeDeviation) : alike;
-    return variance * std::clamp(proportional, least, greatest);
+    const double greatest = relativeDeviation > 1.0 ? std::min(relativeDeviation, settings.greatestTarget) : 1.0;
+    return variance * std::clamp(proportional, settings.leastTarget, greatest);
 }
 
 } // namespace tilt_lens

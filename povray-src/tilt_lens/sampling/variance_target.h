@@ -4,7 +4,7 @@
 /// @file variance_target.h
 /// The variance that each pixel's mean may keep: docs/sampling.md, section 6.
 ///
-/// It is `variance` on the whole, but more where noise is strong and less where it is weak. Rays lower the mean square
+/// It is near `variance`, but more where noise stands out. Rays lower the mean square
 /// error of a picture most if a pixel gets them in proportion to the standard deviation of its samples, not to their
 /// variance: n samples of a deviation s leave s^2/n, which is then in proportion to n.
 ///
@@ -28,8 +28,8 @@ class VarianceTarget
     VarianceTarget(const SamplingLimits& limits, std::uint32_t samples) :
         variance(limits.variance), proportional(samples * limits.variance / settings.typicalSampleVariance) {}
 
-    /// @param relativeDeviation  of one sample, over the mean of the neighbourhood: above 1 the target may exceed `variance`,
-    ///     below 1 it may fall below. Where all pixels deviate alike, all keep about `variance`, so that no ray is wasted.
+    /// @param relativeDeviation  of one sample, over the mean of the neighbourhood: above 1 the target may exceed `variance`.
+    ///     Where all pixels deviate alike, all keep about `variance`, so that no ray is wasted.
     double operator()(double relativeDeviation) const;
 
   private:
