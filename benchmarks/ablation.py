@@ -29,8 +29,7 @@ NEVER, ALWAYS = "1e30", "0"
 # Rule, the section of docs/sampling.md, and the settings that take it out.
 RULES = (
     ("shrinkage of the sample variance", 3, f"shrinkageSamples={ALWAYS}"),
-    ("prior of a quadrant's variance ratio", 3, f"quadrantRatioPrior={ALWAYS}"),
-    ("prior of the local variance ratio", 3, f"localRatioPrior={ALWAYS}"),
+    ("prior of the variance ratio", 3, f"varianceRatioPrior={ALWAYS}"),
     ("undetected error of what is blurred over a pixel", 4, f"blurReach={ALWAYS}"),
     ("reactivation", 4, f"reactivationFactor={NEVER}"),
     ("pooling in the degrees of freedom", 5, "pooledPixels=1"),

@@ -23,8 +23,7 @@ using Field = std::variant<double Settings::*, float Settings::*, std::uint32_t 
 #define FIELD(name) {#name, Field(&Settings::name)}
 const std::map<std::string, Field> fields = {
     FIELD(shrinkageSamples),
-    FIELD(quadrantRatioPrior),
-    FIELD(localRatioPrior),
+    FIELD(varianceRatioPrior),
     FIELD(blurReach),
     FIELD(reactivationFactor),
     FIELD(pooledPixels),

@@ -71,9 +71,9 @@ struct Settings
     /// @{
     /// Samples after which a pixel's sample variance counts as much as that of the 3 by 3 pixels around.
     double shrinkageSamples = 4.0;
-    /// Noisy pixels, all as noisy, that the variance ratio of the round before counts as: in a quadrant of a block, and in
-    /// the 5 by 5 pixels around one, where it is the quadrant's.
-    double quadrantRatioPrior = 2.0, localRatioPrior = 6.0;
+    /// Noisy pixels, all as noisy, that what was known before counts as: for a quadrant of a block its variance ratio of
+    /// the round before, for the 5 by 5 pixels around one that of their quadrant.
+    double varianceRatioPrior = 2.0;
     /// @}
 
     /// @name Undetected error (section 4)

@@ -89,12 +89,13 @@ TEST(VarianceRatio, OfConvergedPixelsStaysAndTheyTellNothing)
 
 TEST(VarianceRatio, OfFewNoisyPixelsLeansTowardsTheOneBefore)
 {
+    const double prior = settings.varianceRatioPrior;
     VarianceRatioTerms one;
     one.dualBuffer = 0.0, one.independent = 1.0, one.squaredIndependent = 1.0;
-    EXPECT_NEAR(one.Ratio(0.9, 2.0, 1.0), 0.9 * 2.0 / 3.0, 1e-15);
+    EXPECT_NEAR(one.Ratio(0.9, 1.0), 0.9 * prior / (1.0 + prior), 1e-15);
     VarianceRatioTerms many = one;  // means over 25 pixels
-    EXPECT_NEAR(many.Ratio(0.9, 2.0, 25.0), 0.9 * 2.0 / 27.0, 1e-15);
-    EXPECT_EQ(VarianceRatioTerms().Ratio(0.9, 2.0, 1.0), 0.9) << "no noise at all";
+    EXPECT_NEAR(many.Ratio(0.9, 25.0), 0.9 * prior / (25.0 + prior), 1e-15);
+    EXPECT_EQ(VarianceRatioTerms().Ratio(0.9, 1.0), 0.9) << "no noise at all";
 }
 
 // Four steps of an iteration: a few per cent where samples are few.

@@ -40,11 +40,12 @@ void VarianceRatioTerms::Add(const PixelStatistics& pixel)
     squaredIndependent += Square(ofPixel);
 }
 
-double VarianceRatioTerms::Ratio(double before, double prior, double pixels) const
+double VarianceRatioTerms::Ratio(double before, double pixels) const
 {
     if (!(squaredIndependent > 0.0))
         return before;
     const double noisyPixels = pixels * Square(independent) / squaredIndependent;
+    const double prior = settings.varianceRatioPrior;
     return (noisyPixels * dualBuffer / independent + prior * before) / (noisyPixels + prior);
 }
 
@@ -66,7 +67,7 @@ void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples)
     for (std::size_t q = 0; q < ratio.size(); q++)
     {
         double& dualBufferRatio = estimate.dualBufferRatio[q];
-        dualBufferRatio = std::min(1.0, terms[q].Ratio(dualBufferRatio, settings.quadrantRatioPrior, 1.0));
+        dualBufferRatio = std::min(1.0, terms[q].Ratio(dualBufferRatio, 1.0));
         ratio[q] = RatioOfMean(dualBufferRatio, std::max(2u, samples));
     }
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
@@ -84,7 +85,7 @@ std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate)
     for (std::size_t i = 0; i < terms.size(); i++)
     {
         const double ofQuadrant = estimate.dualBufferRatio[estimate.QuadrantOf(i)];
-        const double around = terms[i].Ratio(ofQuadrant, settings.localRatioPrior, Square(2 * kRatioRadius + 1));
+        const double around = terms[i].Ratio(ofQuadrant, Square(2 * kRatioRadius + 1));
         // the dual buffers overstate all ratios of a quadrant alike
         ratios.push_back(ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, around) / ofQuadrant : 0.0);
     }

@@ -27,10 +27,9 @@ struct VarianceRatioTerms
     double squaredIndependent = 0.0;  ///< the square of that of each pixel
 
     void Add(const PixelStatistics& pixel);
-    /// The ratio of the first two, shrunk towards one that was known before.
-    /// @param prior   pixels, all as noisy, that `before` counts as
+    /// The ratio of the first two, shrunk towards one that was known before (settings.varianceRatioPrior).
     /// @param pixels  that the terms are the mean of; 1 where they are sums
-    double Ratio(double before, double prior, double pixels) const;
+    double Ratio(double before, double pixels) const;
 };
 
 void AddTo(VarianceRatioTerms& sum, const VarianceRatioTerms& terms);
