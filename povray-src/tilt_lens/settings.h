@@ -124,8 +124,6 @@ struct Settings
 
     /// @name Reconstruction (section 8)
     /// @{
-    /// Square difference, over a pixel's squared radiance, that counts as little as its noise does.
-    float faintDifference = 0.003f;
     /// Least risk of a filter over that of the unfiltered pixels: less is chance.
     float leastRisk = 0.05f;
     /// Risk over that of the unfiltered pixels from which on a filter has no weight.
@@ -136,8 +134,6 @@ struct Settings
     float chanceRisk = 2.0f;
     /// Share of a pixel's variance that remains whatever the filters leave of the noise: their bias.
     float leastResidualRatio = 0.15f;
-    /// Noisy pixels of 25, all as noisy, from which on the residual variance ratio is known.
-    float leastNoisyPixels = 3.0f;
     /// Least semi-axis of a circle of confusion, in pixels, from which on a sample serves other pixels too.
     float leastSpreadRadius = 1.0f;
     /// Samples of a pixel that serve other pixels: the first ones of its first round.

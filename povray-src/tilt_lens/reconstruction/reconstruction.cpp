@@ -143,11 +143,8 @@ class RiskWeightedMean
         const Float4 least = Float4() + 1e-30f, most = Float4() + 1e30f;
         risky.ForEachFour([&](int i)
         {
-            Float4 light = Float4();
-            for (int c = 0; c < kChannels; c++)
-                light += Load<Float4>(&around.Mean(c)[i]) * Load<Float4>(&around.Mean(c)[i]);
             const Float4 variance = Min(Load<Float4>(&around.Noise()[i]), most);
-            const Float4 unit = 1.0f / (variance + settings.faintDifference * light + least);
+            const Float4 unit = 1.0f / (variance + least);
             Store(&units[i], unit);
             Store(&noises[i], unit * variance);
         });
@@ -231,24 +228,21 @@ class RiskWeightedMean
     }
 };
 
-/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around; 1 where too few of them
-/// are noisy to tell.
+/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around; 1 where none is noisy.
 BlockPlane ResidualVarianceRatio(const BlockPlane& before, const BlockPlane& after)
 {
     BlockPlane ratio;
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)
         {
-            float b = 0.0f, a = 0.0f, squared = 0.0f;
+            float b = 0.0f, a = 0.0f;
             for (int v = std::max(0, y - kRatioRadius); v <= std::min(kSide - 1, y + kRatioRadius); v++)
                 for (int u = std::max(0, x - kRatioRadius); u <= std::min(kSide - 1, x + kRatioRadius); u++)
                 {
                     b += before[v * kSide + u];
-                    squared += before[v * kSide + u] * before[v * kSide + u];
                     a += after[v * kSide + u];
                 }
-            const bool known = b * b > settings.leastNoisyPixels * squared;
-            ratio[y * kSide + x] = known ? std::min(1.0f, a / b + settings.leastResidualRatio) : 1.0f;
+            ratio[y * kSide + x] = b > 0.0f ? std::min(1.0f, a / b + settings.leastResidualRatio) : 1.0f;
         }
     return ratio;
 }

@@ -5,12 +5,11 @@
 /// The picture from its pixels' means: docs/sampling.md, section 8. Candidates, most of them linear filters F of the means
 /// (filters.h), are averaged at each pixel with weights of 1 / risk^2, where Stein's estimate of the risk is
 ///
-///     risk = mean over the 7 by 7 pixels q around of (|F q - q|^2 - (1 - 2 F_0) var q) / (var q + f |q|^2)
+///     risk = mean over the 7 by 7 pixels q around of (|F q - q|^2 - (1 - 2 F_0) var q) / var q
 ///
-/// with F_0 a filter's own tap of the pixel, f = settings.faintDifference, and squares and variances summed over the
-/// channels. What a filter changes is noise that it takes off and error that it makes; what is more than the noise explains
-/// is error. It counts in units of a pixel's noise and brightness, since beside a lamp a dark pixel would take harm from
-/// what is good for the lamp. Errors that stand out of the noise count in full for the 3 by 3 pixels around, for others at
+/// with F_0 a filter's own tap of the pixel, and squares and variances summed over the channels. What a filter changes is
+/// noise that it takes off and error that it makes; what is more than the noise explains is error. It counts in units of a
+/// pixel's noise, since beside a lamp a dark pixel would take harm from what is good for the lamp. Errors that stand out of the noise count in full for the 3 by 3 pixels around, for others at
 /// most settings.riskLimit times the noise, so that an edge does not keep all that is around it noisy.
 ///
 /// Two candidates are the spread estimate S of each pixel (padded_spread.h), alone and with the mean over 9 by 9 pixels of
