@@ -50,10 +50,8 @@ RULES = (
     ("small circles serve their own pixel alone", 8, f"leastSpreadRadius={ALWAYS}"),
     ("preference of the spread estimate", 8, "spreadWeight=1"),
     ("rows without noise left alone", 8, f"leastRowVariance={ALWAYS}"),
-    ("forecast of the reconstruction", 9, f"greatestForecastRatio={ALWAYS}"),
-    ("only great forecasts count", 9, "greatestForecastRatio=1"),
+    ("forecast of the reconstruction", 9, f"forecastCost={NEVER}"),
     ("forecast only where it may save its time", 9, f"forecastCost={ALWAYS}"),
-    ("no forecast for noise as bright as the pixel", 9, f"greatestForecastNoise={NEVER}"),
     ("no reconstruction where little is hit", 9, f"leastHitFraction={ALWAYS}"),
     ("reconstruction after many hits", 9, f"enoughHits={NEVER}"),
 )

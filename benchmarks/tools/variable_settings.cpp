@@ -49,9 +49,7 @@ const std::map<std::string, Field> fields = {
     FIELD(spreadSamples),
     FIELD(spreadWeight),
     FIELD(leastRowVariance),
-    FIELD(greatestForecastRatio),
     FIELD(forecastCost),
-    FIELD(greatestForecastNoise),
     FIELD(leastHitFraction),
     FIELD(enoughHits)};
 #undef FIELD

@@ -146,13 +146,8 @@ struct Settings
 
     /// @name Forecast of the reconstruction in the stop rule (section 9)
     /// @{
-    /// Residual variance ratio from which on the forecast does not count: it is as uncertain as what it would save.
-    double greatestForecastRatio = 0.5;
     /// Rays a pixel of a block that a forecast must save: about what it takes the time of.
     double forecastCost = 2.0;
-    /// Variance of a pixel's mean over its squared radiance above which the forecast does not count: a few hits of
-    /// something bright say little of how often it is hit.
-    double greatestForecastNoise = 0.25;
     /// Share of the first samples of a block and its neighbours, or of a quadrant, that must have hit anything for the
     /// block to be reconstructed: what hits nothing is cheaper to sample.
     double leastHitFraction = 1.0 / 6.0;

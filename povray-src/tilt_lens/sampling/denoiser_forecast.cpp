@@ -21,15 +21,6 @@ std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
     return pixel / estimate.area.width * kBlockSide + pixel % estimate.area.width;
 }
 
-/// Whether a pixel's noise is small beside its brightness.
-bool IsKnown(const BlockStatistics& statistics, std::size_t place)
-{
-    double light = 0.0;
-    for (std::size_t c = 0; c < Radiance().size(); c++)
-        light += double(statistics.Mean(c)[place]) * statistics.Mean(c)[place];
-    return statistics.Noise()[place] <= settings.greatestForecastNoise * light;
-}
-
 /// Mean variance of one sample over the 3 by 3 pixels around each, as far as they are in the block.
 std::vector<Radiance> VarianceAround(const BlockEstimate& estimate)
 {
@@ -45,8 +36,6 @@ Radiance ForecastVariance(const Candidate& candidate, const BlockEstimate& estim
     const PixelEstimate& pixel = estimate.pixels[candidate.pixel];
     const std::size_t place = PlaneIndex(estimate, candidate.pixel);
     Radiance variance = candidate.variance;
-    if (pixel.residualVarianceRatio >= settings.greatestForecastRatio || !IsKnown(*estimate.statistics, place))
-        return variance;
     for (std::size_t c = 0; c < variance.size(); c++)
     {
         const double seen = pixel.varianceRatio * pixel.statistics.Variation().variance[c] / samples /
@@ -106,10 +95,7 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
 void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& estimate, const Neighbourhood& around,
                            const SamplingLimits& limits, std::uint32_t samples)
 {
-    if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& one)
-        {
-            return estimate.pixels[one.pixel].residualVarianceRatio < settings.greatestForecastRatio && !one.HasConverged();
-        }))
+    if (std::all_of(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.HasConverged(); }))
         return;
     UpdateBlockStatistics(estimate, samples);
     // The residual ratio rises as noise falls, so that the last round's value is optimistic: no forecast if even that would
