@@ -52,8 +52,6 @@ RULES = (
     ("rows without noise left alone", 8, f"leastRowVariance={ALWAYS}"),
     ("forecast of the reconstruction", 9, f"forecastCost={NEVER}"),
     ("forecast only where it may save its time", 9, f"forecastCost={ALWAYS}"),
-    ("no reconstruction where little is hit", 9, f"leastHitFraction={ALWAYS}"),
-    ("reconstruction after many hits", 9, f"enoughHits={NEVER}"),
 )
 # The same, of the emitter sampling: samples change.
 EMITTER_RULES = (

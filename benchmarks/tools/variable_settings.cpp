@@ -49,9 +49,7 @@ const std::map<std::string, Field> fields = {
     FIELD(spreadSamples),
     FIELD(spreadWeight),
     FIELD(leastRowVariance),
-    FIELD(forecastCost),
-    FIELD(leastHitFraction),
-    FIELD(enoughHits)};
+    FIELD(forecastCost)};
 #undef FIELD
 
 } // namespace

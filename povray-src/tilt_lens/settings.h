@@ -148,11 +148,6 @@ struct Settings
     /// @{
     /// Rays a pixel of a block that a forecast must save: about what it takes the time of.
     double forecastCost = 2.0;
-    /// Share of the first samples of a block and its neighbours, or of a quadrant, that must have hit anything for the
-    /// block to be reconstructed: what hits nothing is cheaper to sample.
-    double leastHitFraction = 1.0 / 6.0;
-    /// Samples a pixel that hit anything from which on it is reconstructed all the same.
-    double enoughHits = 32.0;
     /// @}
 };
 

@@ -35,7 +35,7 @@ struct Prepared
     SamplingLimits limits;
 
     Prepared(const SamplingLimits& limits, const Tracer& trace) :
-        estimate(FirstEstimate(kMiddle, limits.FirstRound(), trace)), round(estimate, limits.FirstRound()),
+        estimate(FirstEstimate(kMiddle, limits.FirstRound(), trace)), round(estimate),
         around(Alone(round), limits), limits(limits)
     {
         UpdateVarianceRatios(estimate, limits.FirstRound());
@@ -143,7 +143,7 @@ TEST(Neighbourhood, LooksAtFirstSamplesBesideTheBlock)
 {
     const BlockEstimate own = FirstEstimate(kMiddle, 8, Constant);
     const BlockEstimate left = FirstEstimate({0, kBlockSide, kBlockSide, kBlockSide}, 8, WhiteNoise);
-    const FirstRound ownRound(own, 8), leftRound(left, 8);
+    const FirstRound ownRound(own), leftRound(left);
     FirstRounds rounds = Alone(ownRound);
     rounds[3] = &leftRound;
     const Neighbourhood around(rounds, Limits(8, 1024, 1e-4));

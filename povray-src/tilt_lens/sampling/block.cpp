@@ -68,9 +68,9 @@ void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
     const std::shared_ptr<SpreadSums> spread = limits.Denoises() ? std::make_shared<SpreadSums>() : nullptr;
     TakeSamples(*estimate, samples, spread.get(), trace);
     UpdateVarianceRatios(*estimate, samples);
-    auto round = std::make_unique<FirstRound>(*estimate, samples);
-    if (IsWorthReconstructing(*estimate, limits, round->greatestHitFraction >= settings.leastHitFraction))
+    if (limits.Denoises())
         UpdateBlockStatistics(*estimate, samples);
+    auto round = std::make_unique<FirstRound>(*estimate);
     round->statistics = estimate->statistics;
     if (spread && spread->IsSpread())
         round->spread = spread;
@@ -106,7 +106,7 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
         UpdateVarianceRatios(estimate, samples);
         Reactivate(estimate, around);
     }
-    if (IsWorthReconstructing(estimate, limits, around.HasEnoughHits()))
+    if (limits.Denoises())
         UpdateBlockStatistics(estimate, samples);
 
     for (const PixelEstimate& pixel : estimate.pixels)

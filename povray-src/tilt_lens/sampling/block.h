@@ -58,7 +58,7 @@ class Block
     const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
     /// Rows whose noise is noticed beside the `variance` asked for; with one sample a pixel all.
     Rows NoisyRows(const SamplingLimits& limits) const;
-    /// Null where the reconstruction leaves the block out.
+    /// Null where nothing is denoised.
     const BlockStatistics* Statistics() const { return statistics.get(); }
     /// What the samples of its first round have sent to other pixels; null: nothing.
     const SpreadSums* Spread() const { return firstRound->spread.get(); }

@@ -15,24 +15,14 @@ bool BlockEstimate::IsUniform() const
         { return IsNonZero(pixel.statistics.Variation().variance); });
 }
 
-FirstRound::FirstRound(const BlockEstimate& estimate, std::uint32_t samples) :
-    area(estimate.area), uniform(estimate.IsUniform()), hitFraction(0.0), greatestHitFraction(0.0)
+FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), uniform(estimate.IsUniform())
 {
-    std::uint64_t allHits = 0;
-    Quadrants hits{}, taken{};
-    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+    for (const PixelEstimate& pixel : estimate.pixels)
     {
-        const PixelStatistics& pixel = estimate.pixels[i].statistics;
-        const std::size_t quadrant = estimate.QuadrantOf(i);
-        const Radiance relative = RelativeTo(pixel.Mean(), pixel.Variation().variance);
-        pixels.push_back({pixel.Variation(), std::sqrt(LargestChannel(relative)), pixel.BlurRadius()});
-        hits[quadrant] += pixel.Hits();
-        taken[quadrant] += samples;
-        allHits += pixel.Hits();
+        const PixelStatistics& own = pixel.statistics;
+        const Radiance relative = RelativeTo(own.Mean(), own.Variation().variance);
+        pixels.push_back({own.Variation(), std::sqrt(LargestChannel(relative)), own.BlurRadius()});
     }
-    hitFraction = double(allHits) / samples / pixels.size();
-    for (std::size_t quadrant = 0; quadrant < taken.size(); quadrant++)
-        greatestHitFraction = std::max(greatestHitFraction, hits[quadrant] / std::max(1.0, taken[quadrant]));
 }
 
 const FirstRound* FirstRoundAt(const FirstRounds& rounds, std::int64_t x, std::int64_t y)

@@ -40,7 +40,7 @@ struct BlockEstimate
     Area area;
     std::vector<PixelEstimate> pixels;          ///< row by row
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by the dual buffers over that of independent samples
-    std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: it leaves the block out
+    std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: nothing is denoised
     std::uint32_t statisticsSamples = 0;        ///< of an active pixel, when `statistics` were made; 0: never
     std::shared_ptr<const PaddedSpread> spread; ///< what first rounds have sent; null: nothing, or not known yet
 
@@ -68,12 +68,10 @@ struct FirstRound
     Area area;
     std::vector<FirstRoundPixel> pixels;  ///< row by row
     bool uniform;                         ///< no sample differs from the others of its pixel
-    double hitFraction;                   ///< samples that hit anything, of all
-    double greatestHitFraction;           ///< the same, of the quadrant that hit most
-    std::shared_ptr<const BlockStatistics> statistics;  ///< null: too few hits to reconstruct the block for its own sake
+    std::shared_ptr<const BlockStatistics> statistics;  ///< null: nothing is denoised
     std::shared_ptr<const SpreadSums> spread;           ///< what its samples have sent to other pixels; null: nothing
 
-    FirstRound(const BlockEstimate& estimate, std::uint32_t samples);
+    explicit FirstRound(const BlockEstimate& estimate);
 
     const FirstRoundPixel& At(std::uint32_t x, std::uint32_t y) const { return pixels[area.IndexOf(x, y)]; }
 };

@@ -82,7 +82,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         const double deviation = std::sqrt(pixel.variance / pixel.varianceRatio * samples);
         candidates.push_back({i, variance, target(deviation / around.MeanDeviation()) / confidence});
     }
-    if (IsWorthReconstructing(estimate, limits, around.HasEnoughHits()))
+    if (limits.Denoises())
         ApplyDenoiserForecast(candidates, estimate, around, limits, samples);
 
     for (const Candidate& one : candidates)

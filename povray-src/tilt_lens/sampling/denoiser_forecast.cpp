@@ -59,16 +59,6 @@ BlockPlane ForecastRatios(const BlockEstimate& estimate, const Neighbourhood& ar
 
 } // namespace
 
-bool IsWorthReconstructing(const BlockEstimate& estimate, const SamplingLimits& limits, bool enoughHits)
-{
-    if (!limits.Denoises() || enoughHits)
-        return limits.Denoises();
-    std::uint64_t hits = 0;
-    for (const PixelEstimate& pixel : estimate.pixels)
-        hits += pixel.statistics.Hits();
-    return hits >= settings.enoughHits * estimate.pixels.size();
-}
-
 void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
 {
     if (samples == estimate.statisticsSamples)

@@ -26,10 +26,6 @@ struct Candidate
     bool HasConverged() const { return LargestChannel(variance) <= target; }
 };
 
-/// Whether so many samples have hit anything that the block is worth reconstructing.
-/// @param enoughHits  the first round's, as Neighbourhood::HasEnoughHits
-bool IsWorthReconstructing(const BlockEstimate& estimate, const SamplingLimits& limits, bool enoughHits);
-
 /// Makes the block's statistics for the reconstruction from the samples so far.
 /// @param samples  of an active pixel: of so many they are made only once
 void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);

@@ -13,20 +13,17 @@ Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& li
 {
     if (!(limits.variance > 0.0))
         return;  // nobody asks
-    double deviations = 0.0, hits = 0.0;
-    std::size_t pixels = 0, blocks = 0;
+    double deviations = 0.0;
+    std::size_t pixels = 0;
     for (const FirstRound* round : rounds)
         if (round != nullptr)
         {
             for (const FirstRoundPixel& pixel : round->pixels)
                 deviations += pixel.deviation;
             pixels += round->pixels.size();
-            hits += round->hitFraction;
-            blocks++;
             uniformAround = uniformAround && (round == rounds[4] || round->uniform);
         }
     meanDeviation = deviations / pixels;
-    enoughHits = rounds[4]->greatestHitFraction >= settings.leastHitFraction || hits >= settings.leastHitFraction * blocks;
     if (!rounds[4]->uniform || !uniformAround)
         FindBlurred();
 }

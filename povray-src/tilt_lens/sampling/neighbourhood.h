@@ -26,8 +26,6 @@ class Neighbourhood
     double MeanDeviation() const { return meanDeviation; }
     /// Whether no sample of the neighbours differs from the others of its pixel.
     bool IsUniformAround() const { return uniformAround; }
-    /// Whether so many of the samples hit anything that the block is worth reconstructing, for itself or for others.
-    bool HasEnoughHits() const { return enoughHits; }
     /// How the first samples vary of what is blurred so far that it may cover a pixel of the block too, wherever in the
     /// block or just beside it they are: mean variance, greatest deviation.
     const SampleVariation& Blurred(std::size_t pixel) const { return blurred[pixel]; }
@@ -40,7 +38,6 @@ class Neighbourhood
     const FirstRounds rounds;
     double meanDeviation = 0.0;
     bool uniformAround = true;
-    bool enoughHits = false;
     std::vector<SampleVariation> blurred;
 
     void FindBlurred();

@@ -47,9 +47,8 @@ class PixelStatistics
     std::uint32_t Samples() const { return samples; }
     std::uint32_t EmitterSamples() const { return emitterSamples; }
     std::uint32_t NotFinite() const { return notFinite; }
-    std::uint32_t Hits() const { return hits; }                      ///< samples that hit anything
-    double BlurRadius() const { return blurRadius; }                 ///< the largest of the first round, pixels
-    double ExpectedEmission() const { return expectedEmission; }     ///< of the last emitter sample
+    double BlurRadius() const { return blurRadius; }              ///< the largest of the first round, pixels
+    double ExpectedEmission() const { return expectedEmission; }  ///< of the last emitter sample
 
     Radiance Mean() const;
     const SampleVariation& Variation() const { return variation; }
@@ -66,7 +65,7 @@ class PixelStatistics
     std::uint32_t samples = 0;
     std::uint32_t firstBuffer = 0;  ///< samples in the first buffer
     std::uint32_t roundBegin = 0;   ///< samples before this round
-    std::uint32_t emitterSamples = 0, notFinite = 0, hits = 0;
+    std::uint32_t emitterSamples = 0, notFinite = 0;
     double blurRadius = 0.0, expectedEmission = 0.0;
 
     template<class Channels>
@@ -89,7 +88,6 @@ inline void PixelStatistics::Add(const SampleResult& result)
     static constexpr Radiance black{};
     const bool finite = IsFinite(result.radiance);
     notFinite += !finite;
-    hits += result.hit;
     if (roundBegin == 0)
         blurRadius = std::max(blurRadius, result.blurRadius);
     const Radiance& value = finite ? result.radiance : black;

@@ -31,7 +31,6 @@ struct SampleResult
     double expectedEmission = 0.0;  ///< of an emitter-sampled sample: what its emitters bring the pixel if nothing hides
                                     ///< them (emitter_sampling.h); 0 for any other sample
     CircleOfConfusion circle;       ///< of the surface that was hit, in the whole picture
-    bool hit = true;                ///< anything on the ray's way, were it only haze
 
     /// A sharp surface of this radiance.
     SampleResult& operator=(const Radiance& value)

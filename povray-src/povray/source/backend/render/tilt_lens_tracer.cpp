@@ -84,7 +84,6 @@ void TiltLensTracer::TraceCameraRay(const PixelSampler& itsPixel, unsigned int i
         result = Radiance{};
         result.expectedEmission = sample.expectedEmission;
         result.circle = tilt_lens::CircleOfConfusion();
-        result.hit = false;
         return;
     }
     // from a point of the lens through the focus of that film point
@@ -116,7 +115,6 @@ void TiltLensTracer::TraceCameraRay(const PixelSampler& itsPixel, unsigned int i
     result.radiance = {sample.weight * colour[pRED], sample.weight * colour[pGREEN], sample.weight * colour[pBLUE],
                        sample.weight * colour[pFILTER], sample.weight * colour[pTRANSM]};
     result.expectedEmission = sample.expectedEmission;
-    result.hit = distance < HUGE_VAL || !trace.sceneData->atmosphere.empty();
     result.circle = view->samplesSpread ? view->footprint.CircleOf({sample.x, sample.y}, sample.point,
                                                                    camera.length / distance - camera.ray.w)
                                         : tilt_lens::CircleOfConfusion();
