@@ -57,7 +57,6 @@ RULES = (
 EMITTER_RULES = (
     ("emitters found by chance left out", 7, f"chanceHits={NEVER}"),
     ("emitters of little variance left out", 7, f"leastEmitterMoment={ALWAYS}"),
-    ("emitters of little light left out", 7, f"leastEmitterSquare={ALWAYS}"),
     ("choice of the film point", 7, f"lensPointBlur={ALWAYS}"),
     ("half of the samples at bright emitters", 7, f"brightEmission={NEVER}"),
     ("a quarter of the samples at faint emitters", 7, "emitterShare=0.5"),

@@ -32,8 +32,6 @@ const std::map<std::string, Field> fields = {
     FIELD(greatestTarget),
     FIELD(chanceHits),
     FIELD(leastEmitterMoment),
-    FIELD(leastEmitterSquare),
-    FIELD(leastEmitterVariance),
     FIELD(lensPointBlur),
     FIELD(emitterShare),
     FIELD(brightEmitterShare),

@@ -107,9 +107,6 @@ struct Settings
     double chanceHits = 2.0;
     /// Second moment of what one sample gets of an emitter (square of white) below which it is not worth a sample.
     double leastEmitterMoment = 0.05;
-    /// Square of what an emitter brings a pixel, over `variance`, below which it is not worth a sample; `variance` counts as
-    /// at least leastEmitterVariance.
-    double leastEmitterSquare = 0.25, leastEmitterVariance = 1e-6;
     /// Blur, in pixels, from which on the lens point is chosen and not the film point.
     double lensPointBlur = 1.5;
     /// Share of a pixel's samples that is sent at emitters, and that where their expected emission in the pixel (1 is white)

@@ -28,7 +28,7 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
     if (limits.FirstRound() < kEmitterStratum)
         return;
     for (const Emitter& emitter : all)
-        Keep(emitter, limits.variance);
+        Keep(emitter);
     Distribute();
 }
 
@@ -65,7 +65,7 @@ EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) c
 }
 
 /// Takes an emitter into the list if it is worth samples of its own.
-bool EmitterSampler::Keep(const Emitter& emitter, double variance)
+bool EmitterSampler::Keep(const Emitter& emitter)
 {
     const double ahead = Dot(emitter.centre, lens.axis);
     const double distance = Length(emitter.centre);
@@ -82,10 +82,8 @@ bool EmitterSampler::Keep(const Emitter& emitter, double variance)
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
     const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected, a sample
     const double emission = hits * emitter.radiance;
-    const double least = settings.leastEmitterSquare * std::max(variance, settings.leastEmitterVariance);
     const bool foundByChance = hits > settings.chanceHits;
-    const bool dim = hits * emitter.radiance * emitter.radiance < settings.leastEmitterMoment || emission * emission < least;
-    if (foundByChance || dim)
+    if (foundByChance || hits * emitter.radiance * emitter.radiance < settings.leastEmitterMoment)
         return false;
     covers = {covers.left - imageRadius, covers.right + imageRadius, covers.top - imageRadius, covers.bottom + imageRadius};
     const bool chooseLensPoint = std::min(across, along) > settings.lensPointBlur;

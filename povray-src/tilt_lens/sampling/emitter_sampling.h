@@ -129,7 +129,7 @@ class EmitterSampler
     static std::uint32_t SeedOf(const SampleId& id) { return PixelHash(id.x, id.y, 0x52696d, id.index); }
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;
-    bool Keep(const Emitter& emitter, double variance);
+    bool Keep(const Emitter& emitter);
     Box BlurBoxOf(const Vec3& centre, bool& whole) const;
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
