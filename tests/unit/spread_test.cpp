@@ -17,6 +17,7 @@
 
 #include "random_cameras.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
+#include "tilt_lens/sampling/sequence.h"
 
 namespace tilt_lens
 {
@@ -24,6 +25,8 @@ namespace
 {
 
 constexpr int kSide = int(kBlockSide), kReach = SpreadSums::kReach;
+/// Far from the edges of the picture.
+constexpr Area kBlock{10 * kBlockSide, 10 * kBlockSide, kBlockSide, kBlockSide};
 constexpr double kWidth = 640.0, kHeight = 480.0;
 
 Vec3 ChiefThrough(const Lens& lens, const Vec3& point)
@@ -94,14 +97,14 @@ CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float ra
     return {x, y, radius, 0.0f, 0.0f, radius, &lens};
 }
 
-TEST(SpreadSums, SharesAddUpToOneWithTheSamplesOwn)
+TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
 {
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
     {
         const LensFootprint lens(RoundLens(), aperture, kWidth, kHeight);
         for (const float radius : {0.3f, 1.0f, 1.7f, 4.0f, 6.9f, 30.0f, 1e6f})
         {
-            auto sums = std::make_unique<SpreadSums>();
+            auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
             sums->Add(3, 15, 0, CircleAt(lens, 3.2f + 0.5f * radius, 15.4f, radius), Radiance{0.5, 1.0, 2.0, 0.0, 0.0});
             double share = sums->OwnShare(3, 15), red = 0.5 * sums->OwnShare(3, 15);
             for (int y = -kReach; y < kSide + kReach; y++)
@@ -113,11 +116,52 @@ TEST(SpreadSums, SharesAddUpToOneWithTheSamplesOwn)
                     EXPECT_TRUE(both[3] == 0.0f || std::max(std::abs(x - 3), std::abs(y - 15)) <= kReach);
                     EXPECT_TRUE(both[3] == 0.0f || std::hypot(x + 0.5 - 3.2 - 0.5 * radius, y + 0.5 - 15.4) <= 1.0001 * radius);
                 }
-            EXPECT_NEAR(share, 1.0, 1e-5) << radius;
-            EXPECT_NEAR(red, 0.5, 1e-5) << radius;
+            EXPECT_NEAR(red, 0.5 * share, 1e-5) << radius;
+            if (radius <= 4.0f)
+            {
+                EXPECT_NEAR(share, 1.0, 0.01) << radius;
+            }
             EXPECT_EQ(sums->OwnSamples(3, 15), 1.0f);
             EXPECT_EQ(sums->IsSpread(), radius >= 1.0f) << radius;
         }
+    }
+}
+
+/// Spread estimate of a pixel of what all pixels of a picture of 3 by 3 blocks send, whose radiance is the squared distance of
+/// the point from the pixel's middle.
+double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
+    SpreadSum received;
+    for (int i = 0; i < 9; i++)
+    {
+        const int left = i % 3 * kSide, top = i / 3 * kSide;
+        SpreadSums sums({std::uint32_t(left), std::uint32_t(top), kBlockSide, kBlockSide}, 3.0 * kSide, 3.0 * kSide);
+        for (int pixel = 0; pixel < kSide * kSide; pixel++)
+            for (std::uint32_t sample = 0; sample < 64; sample++)
+            {
+                const int x = pixel % kSide, y = pixel / kSide;
+                const SequencePoint point = PixelSampler(left + x, top + y, 0)(sample);
+                const AperturePoint seen = Aperture::Disc()(point.lensU, point.lensV);
+                const float atX = x + 0.5f + radius * float(seen.a), atY = y + 0.5f + radius * float(seen.b);
+                const double value = std::pow(left + atX - pixelX - 0.5, 2.0) + std::pow(top + atY - pixelY - 0.5, 2.0);
+                sums.Add(x, y, sample % 4, CircleAt(lens, atX, atY, radius), {value, value, value, 0.0, 0.0});
+            }
+        const int x = pixelX - left, y = pixelY - top;
+        if (std::min(x, y) >= -kReach && std::max(x, y) < kSide + kReach)
+            received.Add(sums.At(x, y));
+    }
+    const Float4 all = received.buffer[0] + received.buffer[1];
+    return all[0] / all[3];
+}
+
+TEST(SpreadSums, AllPartsOfTheLensCountAlikeHoweverWideTheCircle)
+{
+    for (const float radius : {4.0f, 8.0f, 12.0f, 20.0f})
+    {
+        const double mean = radius * radius / 2.0;
+        EXPECT_NEAR(MeanSquareDistanceOf(24, 24, radius), mean, 0.04 * mean) << radius;
+        EXPECT_NEAR(MeanSquareDistanceOf(0, 24, radius), mean, 0.08 * mean) << "at an edge of the picture, " << radius;
     }
 }
 
@@ -125,7 +169,7 @@ TEST(SpreadSums, WhatIsSharpOrNotFiniteServesItsOwnPixelAlone)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     const double infinite = std::numeric_limits<double>::infinity();
-    auto sums = std::make_unique<SpreadSums>();
+    auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
     sums->Add(5, 5, 0, CircleOfConfusion(), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     sums->Add(5, 5, 1, CircleAt(lens, 5.5f, 5.5f, 5.0f), Radiance{infinite, 1.0, 1.0, 0.0, 0.0});
     sums->Add(5, 5, 2, CircleAt(lens, 5.5f, 5.5f, std::nanf("")), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
@@ -144,7 +188,7 @@ std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float ra
     PaddedSpread::Sent places;
     for (int i = 0; i < 9; i++)
     {
-        blocks[i] = std::make_unique<SpreadSums>();
+        blocks[i] = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
         for (int y = 0; y < kSide; y++)
             for (int x = 0; x < kSide; x++)
                 for (int sample = 0; sample < 2; sample++)
@@ -160,7 +204,7 @@ std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float ra
 TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesAreTheSamples)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
-    const auto received = Received(lens, 4.0f, [](int, int, int) { return 0.7; });
+    const auto received = Received(lens, 3.0f, [](int, int, int) { return 0.7; });
     for (int y = -PaddedBlock::kBorder; y < kSide + PaddedBlock::kBorder; y++)
         for (int x = -PaddedBlock::kBorder; x < kSide + PaddedBlock::kBorder; x++)
         {
@@ -179,7 +223,7 @@ TEST(PaddedSpread, IsNothingWhereNothingWasSent)
 TEST(PaddedSpread, WhatHasReceivedNothingKeepsItsOwn)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
-    auto sums = std::make_unique<SpreadSums>();
+    auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
     for (int sample = 0; sample < 2; sample++)
         sums->Add(0, 0, sample, CircleAt(lens, 0.5f, 0.5f, 2.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     PaddedSpread::Sent sent{};

@@ -56,6 +56,19 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
 namespace
 {
 
+/// A circle of confusion along one axis of the picture.
+struct Extent
+{
+    float middle, half;  ///< pixels
+
+    /// Pixels' sides of it from which samples reach a pixel: those at most kReach away that lie in the picture.
+    float SendersTo(int pixel, const PictureSpan& picture) const
+    {
+        const float from = std::max({middle - half, float(pixel - SpreadSums::kReach), picture.begin});
+        return std::max(1.0f, std::min({middle + half, float(pixel + SpreadSums::kReach + 1), picture.end}) - from);
+    }
+};
+
 /// The pixels of a circle of confusion that are at most kReach away from the sample's own, row by row.
 class CirclePixels
 {
@@ -76,18 +89,21 @@ class CirclePixels
             return;
         for (int i = 0; i < kRows; i++)
         {
-            const float down = row + i - SpreadSums::kReach + 0.5f - circle.y, left = 1.0f - down * down / yy;
+            const float below = row + i - SpreadSums::kReach + 0.5f - circle.y, left = 1.0f - below * below / yy;
             if (!(left > 0.0f))
                 continue;
-            const float middle = circle.x + xy / yy * down - 0.5f, half = std::sqrt(determinant / yy * left);
+            const float middle = circle.x + xy / yy * below - 0.5f, half = std::sqrt(determinant / yy * left);
             const float first = float(column - SpreadSums::kReach), last = float(column + SpreadSums::kReach);
             begin[i] = int(std::ceil(std::clamp(middle - half, first, last + 1.0f)));
             end[i] = std::max(begin[i], int(std::floor(std::clamp(middle + half, first - 1.0f, last))) + 1);
             count += end[i] - begin[i];
         }
+        across = {circle.x, std::sqrt(xx)};
+        down = {circle.y, std::sqrt(yy)};
     }
 
     int begin[kRows] = {}, end[kRows] = {}, count = 0;
+    Extent across{}, down{};
 };
 
 /// The densities of a lens that is not the unit disc, of the pixels of a circle; their sum is left in `sum`.
@@ -107,7 +123,22 @@ std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixe
     return densities;
 }
 
+/// Shares of the pixels of a row, from kReach before the sample's own to kReach behind it, relative to its own.
+std::array<float, CirclePixels::kRows> SharesAlong(const Extent& across, int column, const PictureSpan& columns)
+{
+    std::array<float, CirclePixels::kRows> shares;
+    const float sendersToItself = across.SendersTo(column, columns);
+    for (int i = 0; i < CirclePixels::kRows; i++)
+        shares[i] = sendersToItself / across.SendersTo(column + i - SpreadSums::kReach, columns);
+    return shares;
+}
+
 } // namespace
+
+SpreadSums::SpreadSums(const Area& block, double width, double height) :
+    columns{-float(block.left), float(width - block.left)}, rows{-float(block.top), float(height - block.top)}
+{
+}
 
 void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
 {
@@ -128,18 +159,21 @@ void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfCo
     }
     spread = true;
     const int buffer = (column + row + number) % 2;  // so that the only sample of each pixel serves both
-    Float4 sent = value / sum;
+    const std::array<float, CirclePixels::kRows> shares = SharesAlong(pixels.across, column, columns);
+    const float sendersToItsRow = pixels.down.SendersTo(row, rows);
     std::size_t next = 0;
     for (int i = 0; i < CirclePixels::kRows; i++)
+    {
+        const Float4 ofRow = sendersToItsRow / (sum * pixels.down.SendersTo(row + i - kReach, rows)) * value;
         for (int x = pixels.begin[i]; x < pixels.end[i]; x++)
         {
-            if (shaped)
-                sent = densities[next++] / sum * value;
+            const Float4 sent = (shaped ? densities[next++] : 1.0f) * shares[x - column + kReach] * ofRow;
             if (i == kReach && x == column)
                 itself.share += sent[3];
             else
                 sums[(row + i) * kSide + x + kReach].buffer[buffer] += sent;
         }
+    }
 }
 
 } // namespace tilt_lens

@@ -3,8 +3,11 @@
 
 /// @file spread.h
 /// Each sample serves all pixels of its circle of confusion: docs/sampling.md, section 8. A point that a ray has hit is seen
-/// by every pixel of its circle, so its radiance is spread over them with shares that add up to 1. What a pixel has received,
-/// over the shares that it has received, is the spread estimate S of the pixel, made of the rays of many.
+/// by every pixel of its circle, so its radiance is spread over them. What a pixel has received, over the shares that it has
+/// received, is the spread estimate S of the pixel, made of the rays of many.
+///
+/// Samples reach at most kReach pixels, so that of a wide circle some parts of the lens send a pixel more samples than others.
+/// A share is therefore one over the number of pixels that could have sent the pixel that sample (the balance heuristic).
 ///
 /// S knows nothing of what hides the point from other pixels, and is no more than a candidate of the reconstruction.
 ///
@@ -21,6 +24,7 @@
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/math/area.h"
 #include "tilt_lens/math/radiance.h"
 #include "tilt_lens/math/simd.h"
 #include "tilt_lens/settings.h"
@@ -68,6 +72,12 @@ class LensFootprint
     std::vector<float> density;
 };
 
+/// The columns or the rows of the whole picture, relative to the first of a block.
+struct PictureSpan
+{
+    float begin, end;
+};
+
 /// Sums of what other pixels' samples have sent to a pixel.
 struct SpreadSum
 {
@@ -88,6 +98,10 @@ class SpreadSums
     static constexpr int kReach = kSpreadReach;
     static constexpr int kSide = int(kBlockSide) + 2 * kReach;
 
+    /// @param block  whose pixels send, in the whole picture
+    /// @param width, height  of the whole picture, pixels
+    SpreadSums(const Area& block, double width, double height);
+
     /// @param column, row  of the sample's pixel in the block
     /// @param number  of the sample
     /// @param circle  with a centre relative to the block's upper left corner
@@ -107,6 +121,7 @@ class SpreadSums
         float share = 0.0f, samples = 0.0f;
     };
 
+    PictureSpan columns, rows;
     std::array<SpreadSum, kSide * kSide> sums{};
     std::array<Own, kBlockSide * kBlockSide> own{};
     bool spread = false;

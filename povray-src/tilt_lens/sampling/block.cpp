@@ -65,7 +65,8 @@ void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
         return;
     const std::uint32_t samples = limits.FirstRound();
     auto estimate = std::make_unique<BlockEstimate>(area);
-    const std::shared_ptr<SpreadSums> spread = limits.Denoises() ? std::make_shared<SpreadSums>() : nullptr;
+    const std::shared_ptr<SpreadSums> spread =
+        limits.Denoises() ? std::make_shared<SpreadSums>(area, width, height) : nullptr;
     TakeSamples(*estimate, samples, spread.get(), trace);
     UpdateVarianceRatios(*estimate, samples);
     if (limits.Denoises())

@@ -43,7 +43,8 @@ class Block
     /// The block and its eight neighbours, row by row; null outside the picture.
     using Neighbours = std::array<const Block*, 9>;
 
-    explicit Block(const Area& area) : area(area) {}
+    /// @param width, height  of the whole picture
+    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), width(width), height(height) {}
 
     const Area area;
 
@@ -67,6 +68,7 @@ class Block
   private:
     enum class Phase { Unsampled, FirstRoundTaken, Converged };
 
+    const std::uint32_t width, height;
     std::mutex busy;
     std::atomic<Phase> phase{Phase::Unsampled};
     std::unique_ptr<const BlockEstimate> afterFirstRound;  ///< until the block has converged

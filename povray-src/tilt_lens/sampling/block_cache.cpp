@@ -72,7 +72,7 @@ std::shared_ptr<Block> BlockCache::Get(const Place& place)
     Entry& entry = entries[place];
     if (!entry.block)
     {
-        entry.block = std::make_shared<Block>(PixelsOf(place));
+        entry.block = std::make_shared<Block>(PixelsOf(place), width, height);
         for (std::int64_t dy = -kDependencyRadius; dy <= kDependencyRadius; dy++)
             for (std::int64_t dx = -kDependencyRadius; dx <= kDependencyRadius; dx++)
                 entry.users += HasToCome({place.first + dy, place.second + dx});

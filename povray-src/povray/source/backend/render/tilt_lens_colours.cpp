@@ -24,7 +24,6 @@ void TiltLensTracer::TraceColours(const tilt_lens::PixelSampler& itsPixel, unsig
 {
     const double within = itsPixel.PaddedPair(itsIndex, kHuePair).u;
     tilt_lens::Radiance mixed{};
-    bool hit = false;
     double blurRadius = 0.0;
     for (int colour = pRED; colour <= pBLUE; colour++)
     {
@@ -34,12 +33,10 @@ void TiltLensTracer::TraceColours(const tilt_lens::PixelSampler& itsPixel, unsig
         mixed[colour] = result.radiance[colour];
         for (int c = pFILTER; c <= pTRANSM; c++)
             mixed[c] += result.radiance[c] / 3.0;
-        hit = hit || result.hit;
         blurRadius = std::max(blurRadius, result.blurRadius);
     }
     result.radiance = mixed;
     result.circle = tilt_lens::CircleOfConfusion();  // the three colours have three circles: it serves its own pixel alone
-    result.hit = hit;
     result.blurRadius = blurRadius;
 }
 
