@@ -4,17 +4,23 @@
 /// @file replay_samples.cpp
 /// Samples pictures from recorded samples (record_samples), with any settings of the sampler:
 ///
-///     replay_samples FILE WIDTH HEIGHT SAMPLES --variances V,V --denoise 0,1 < lines of settings
+///     replay_samples FILE WIDTH HEIGHT SAMPLES --variances V,V --denoise 0,1 [--least N] [--most N] [--picture PREFIX]
+///         < lines of settings
+///
+/// The recording may be of a part of a picture, which is then a picture of its own. --least and --most are `blur_samples`. With
+/// --picture, pictures are written as PREFIX0.pfm, PREFIX1.pfm, ..., one for each object, and PREFIXtrue.pfm.
 ///
 /// Each line is a list NAME=VALUE,... of settings, and may be empty. For each line, variance and denoise one JSON object: the
 /// mean square error against the mean of all recorded samples (red, green and blue, linear, clipped to 0 to 1), the share of
-/// pixels that are off by more than 2 sqrt(V), and samples per pixel. A pixel takes at most a quarter of the recorded samples.
+/// pixels that are off by more than 2 sqrt(V), and samples per pixel. A pixel takes at most a quarter of the recorded samples
+/// unless --most says otherwise.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -44,9 +50,21 @@ struct Recording
         truth(std::size_t(width) * height)
     {
         std::ifstream file(path, std::ios::binary);
+        std::uint16_t left = 65535, top = 65535;
+        for (RecordedSample one; file.read(reinterpret_cast<char*>(&one), sizeof one);)
+        {
+            left = std::min(left, one.x);
+            top = std::min(top, one.y);
+        }
+        file.clear();
+        file.seekg(0);
         std::size_t count = 0;
         for (RecordedSample one; file.read(reinterpret_cast<char*>(&one), sizeof one); count++)
         {
+            one.x -= left;
+            one.y -= top;
+            one.circle[0] -= left;
+            one.circle[1] -= top;
             if (one.x >= width || one.y >= height || one.index >= samples)
                 throw std::runtime_error(path + " has samples of another size of picture");
             taken[At(one.x, one.y, one.index)] = one;
@@ -69,10 +87,25 @@ struct Recording
     }
 };
 
-json Replay(const Recording& recording, double variance, bool denoise)
+/// Writes a portable float map: rows from below.
+void Write(const std::string& path, std::uint32_t width, std::uint32_t height,
+           const std::function<std::array<double, 3>(std::uint32_t, std::uint32_t)>& pixel)
 {
-    SamplingLimits limits;
-    limits.max = recording.samples / 4;
+    std::ofstream file(path, std::ios::binary);
+    file << "PF\n" << width << " " << height << "\n-1.0\n";
+    for (std::uint32_t y = height; y-- > 0;)
+        for (std::uint32_t x = 0; x < width; x++)
+            for (const double value : pixel(x, y))
+            {
+                const float one = float(value);
+                file.write(reinterpret_cast<const char*>(&one), sizeof one);
+            }
+    if (!file)
+        throw std::runtime_error("cannot write " + path);
+}
+
+json Replay(const Recording& recording, SamplingLimits limits, double variance, bool denoise, const std::string& picture)
+{
     limits.variance = variance;
     limits.denoise = denoise;
     const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);  // recorded circles lie in the picture already
@@ -95,6 +128,12 @@ json Replay(const Recording& recording, double variance, bool denoise)
             beyond += worst > 4.0 * variance;
             samples += sampler.Samples(x, y);
         }
+    if (!picture.empty())
+        Write(picture, all.width, all.height, [&](std::uint32_t x, std::uint32_t y)
+        {
+            const Radiance mean = sampler.Mean(x, y);
+            return std::array<double, 3>{mean[0], mean[1], mean[2]};
+        });
     const double pixels = all.Size();
     return {{"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels},
             {"samples", samples / pixels}};
@@ -109,25 +148,40 @@ int main(int count, char** values)
     std::uint32_t width = 0, height = 0, samples = 0;
     std::vector<double> variances;
     std::vector<bool> denoise;
+    SamplingLimits limits;
+    limits.max = 0;
+    std::string picture;
     app.add_option("file", path)->required();
     app.add_option("width", width)->required();
     app.add_option("height", height)->required();
     app.add_option("samples", samples)->required();
     app.add_option("--variances", variances)->delimiter(',')->required();
     app.add_option("--denoise", denoise)->delimiter(',')->required();
+    app.add_option("--least", limits.min);
+    app.add_option("--most", limits.max);
+    app.add_option("--picture", picture);
     CLI11_PARSE(app, count, values);
     try
     {
         const Recording recording(path, width, height, samples);
+        limits.max = limits.max == 0 ? samples / 4 : limits.max;
+        limits.min = std::min(limits.min, limits.max);
+        if (limits.max > samples)
+            throw std::runtime_error("--most is more than the recorded samples");
+        int made = 0;
+        if (!picture.empty())
+            Write(picture + "true.pfm", width, height, [&](std::uint32_t x, std::uint32_t y)
+                { return recording.truth[std::size_t(y) * width + x]; });
         for (std::string line; std::getline(std::cin, line);)
         {
             Vary(line);
             for (const bool on : denoise)
                 for (const double variance : variances)
                 {
-                    json made = Replay(recording, variance, on);
-                    made["settings"] = line;
-                    std::cout << made << "\n";
+                    const std::string file = picture.empty() ? "" : picture + std::to_string(made++) + ".pfm";
+                    json found = Replay(recording, limits, variance, on, file);
+                    found["settings"] = line;
+                    std::cout << found << "\n";
                 }
         }
     }

@@ -1,0 +1,74 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Makes the crops of docs/sampling.md: few rays a pixel without and with samples that serve other pixels.
+
+    python3 run_module.py benchmarks.spread_crops [--tools FOLDER]
+
+Parts of gallery pictures of 1280 by 720 are recorded and replayed with the same rays in all columns (record_samples and
+replay_samples, which `ninja -C build ablation_tools` builds). Needs oiiotool (Debian: openimageio-tools)."""
+
+import argparse
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from tools.repository import BUILD, ROOT
+
+GALLERY = ROOT / "scenes" / "gallery"
+PICTURES = ROOT / "docs" / "pictures" / "sampling"
+PICTURE = (1280, 720)
+SIZE = (144, 80)            # of a crop, whole blocks
+RECORDED = 256              # samples of each pixel; their mean is the last column
+CROPS = {"miniature_town": (160, 560), "chess_by_swing": (896, 416)}  # upper left corners, whole blocks
+RAYS = (2, 4)               # a pixel, of the rows
+COLUMNS = ("spreadSamples=0,leastRowVariance=0", "leastRowVariance=0")  # without and with
+SCALE = 3
+
+
+def record(tools, scene, corner, path):
+    """Writes the samples of a crop."""
+    (left, top), (width, height) = corner, SIZE
+    command = [tools / "record_samples", f"+I{GALLERY / scene}.pov", f"+L{GALLERY}", f"+L{ROOT / 'scenes' / 'include'}",
+               f"+W{PICTURE[0]}", f"+H{PICTURE[1]}", f"+SC{left + 1}", f"+EC{left + width}", f"+SR{top + 1}",
+               f"+ER{top + height}", "-D", "-P", "-C", "-A", "-GA", "+WT1", "+FN", f"+O{path.with_suffix('.png')}"]
+    subprocess.run([str(part) for part in command], check=True, capture_output=True, cwd=path.parent,
+                   env={**os.environ, "TILT_LENS_RECORD": str(path), "TILT_LENS_RECORD_SAMPLES": str(RECORDED),
+                        "TILT_LENS_SETTINGS": ""})
+
+
+def replay(tools, samples, rays, prefix):
+    """Writes the pictures of COLUMNS with this many rays a pixel, and the mean of all samples."""
+    command = [tools / "replay_samples", samples, *SIZE, RECORDED, "--variances", 1, "--denoise", 1, "--least", rays, "--most",
+               rays, "--picture", prefix]
+    subprocess.run([str(part) for part in command], check=True, capture_output=True, text=True,
+                   input="".join(f"{settings}\n" for settings in COLUMNS))
+
+
+def make(tools, scene, corner, folder):
+    """A picture with a row for each number of rays: without, with, and the mean of all recorded samples."""
+    samples = folder / f"{scene}.samples"
+    record(tools, scene, corner, samples)
+    shown = []
+    for rays in RAYS:
+        replay(tools, samples, rays, folder / f"{scene}_{rays}_")
+        shown += [folder / f"{scene}_{rays}_{column}.pfm" for column in (*range(len(COLUMNS)), "true")]
+    across, down = SIZE[0]*SCALE, SIZE[1]*SCALE
+    subprocess.run(["oiiotool", *map(str, shown), "--clamp:min=0:max=1", "--mosaic:pad=2", f"{len(COLUMNS) + 1}x{len(RAYS)}",
+                    "--powc", str(1/2.2), "--resize:filter=box", f"{across*(len(COLUMNS) + 1)}x{down*len(RAYS)}",
+                    "--nosoftwareattrib", "--compression", "jpeg:88", "-o", str(PICTURES / f"spread_{scene}.jpg")], check=True)
+
+
+def main():
+    """The command."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--tools", type=pathlib.Path, default=BUILD / "tests" / "benchmarks" / "tools")
+    tools = parser.parse_args().tools
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        for scene, corner in CROPS.items():
+            make(tools, scene, corner, pathlib.Path(name))
+
+
+if __name__ == "__main__":
+    main()
