@@ -1,0 +1,117 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/glass/prescription.h"
+
+#include <cmath>
+
+#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/glass/prescription_rows.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// Rows of a lens; more are a file that is none.
+constexpr std::size_t kMostRows = 200;
+
+/// Of indices: those of glass in visible light end at 2.2, diamond has 2.42, germanium in the infrared 4.
+constexpr double kMostIndex = 4.0;
+
+/// What each number must be. A conic that ends before its rim is no error: the rays beyond it find no surface.
+void RequireSensible(const ReadRow& read, bool last)
+{
+    const PrescriptionRow& row = read.row;
+    if (!std::isfinite(row.radius) || !std::isfinite(row.conic))
+        throw PrescriptionError(read.line, "a radius or conic constant that is not finite. Write a plane as radius 0.");
+    if (!(row.diameter > 0.0) || !std::isfinite(row.diameter))
+        throw PrescriptionError(read.line, "a clear diameter of " + Number(row.diameter) + ". It must be larger than 0; give the "
+                                           "diameter that lets light through.");
+    if (!(row.thickness >= 0.0 || last) || !std::isfinite(row.thickness))
+        throw PrescriptionError(read.line, "a thickness of " + Number(row.thickness) + ". It is the distance to the next surface "
+                                           "towards the film and must not be negative.");
+    if (!(row.index >= 1.0 && row.index <= kMostIndex))
+        throw PrescriptionError(read.line, "an index of refraction of " + Number(row.index) + ". It must be from 1 (air; pbrt's files "
+                                           "may have 0) to " + Number(kMostIndex) + ".");
+}
+
+/// Gives rows without an index that of the medium before them, and finds the stop: the row that the file marks as such, or the
+/// one plane that separates nothing. Beside a marked one, such planes are rims.
+std::size_t FindStop(std::vector<ReadRow>& rows)
+{
+    std::vector<std::size_t> marked, planes;
+    double before = 1.0;
+    for (std::size_t i = 0; i < rows.size(); i++)
+    {
+        PrescriptionRow& row = rows[i].row;
+        if (rows[i].stop)
+            row.index = before;
+        if (rows[i].stop && row.radius != 0.0)
+            throw PrescriptionError(rows[i].line, "a stop that is curved. It must be a plane; give it a row of its own.");
+        if (rows[i].stop)
+            marked.push_back(i);
+        else if (row.radius == 0.0 && row.index == before && row.aspheric.empty())
+            planes.push_back(i);
+        before = row.index;
+    }
+    const std::vector<std::size_t>& stops = marked.empty() ? planes : marked;
+    if (stops.empty())
+        throw PrescriptionError(0, "no stop. One row must be the aperture stop: radius 0 and index 0 in the forms of pbrt and ISET, the "
+                                   "material \"iris\" in lentil's.");
+    if (stops.size() > 1)
+        throw PrescriptionError(rows[stops[1]].line, "a second stop (the first is in line " + std::to_string(rows[stops[0]].line) +
+                                                     "). One row is the aperture stop; give a further rim in air the index 1, a "
+                                                     "plane surface of glass an index of its own.");
+    return stops[0];
+}
+
+} // namespace
+
+Prescription ReadPrescription(const std::string& text, const std::string& choice)
+{
+    const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (start == std::string::npos)
+        throw PrescriptionError(1, "nothing: the file is empty.");
+    const bool json = text[start] == '{' || text[start] == '[';
+    if (!json && !choice.empty())
+        throw PrescriptionError(0, "one lens, but '#" + choice + "' behind the file's name chooses one of several. Remove it.");
+    std::vector<ReadRow> rows = json ? ReadJsonRows(text, choice) : ReadPbrtRows(text);
+    if (rows.size() < 2 || rows.size() > kMostRows)
+        throw PrescriptionError(0, std::to_string(rows.size()) + " surfaces. A lens has 2 to " + std::to_string(kMostRows) + ".");
+    Prescription prescription;
+    prescription.stop = FindStop(rows);
+    for (std::size_t i = 0; i < rows.size(); i++)
+    {
+        RequireSensible(rows[i], i + 1 == rows.size());
+        prescription.rows.push_back(rows[i].row);
+    }
+    if (rows[0].row.thickness == 0.0 && prescription.stop != 0)
+        throw PrescriptionError(rows[0].line, "a thickness of 0 behind the first surface. In some old files the second column is the "
+                                              "distance from the surface before; move that column up by one row.");
+    if (prescription.rows.back().index != 1.0)
+        throw PrescriptionError(rows.back().line, "an index of " + Number(prescription.rows.back().index) + " behind the last surface. "
+                                                  "The film is in air; the last index must be 1.");
+    return prescription;
+}
+
+Prescription Scaled(const Prescription& prescription, double factor)
+{
+    Prescription scaled = prescription;
+    for (PrescriptionRow& row : scaled.rows)
+    {
+        row.radius *= factor;
+        row.thickness *= factor;
+        row.diameter *= factor;
+        double power = factor * factor * factor;
+        for (double& coefficient : row.aspheric)
+        {
+            coefficient /= power;
+            power *= factor * factor;
+        }
+    }
+    return scaled;
+}
+
+} // namespace tilt_lens

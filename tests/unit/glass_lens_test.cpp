@@ -1,0 +1,311 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// A lens of glass: cardinal points by closed forms, real rays by Snell's law, surfaces that focus without any aberration, the
+// limit of rays near the axis, the way back, and how rays end.
+
+#include "tilt_lens/glass/glass_lens.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace tilt_lens
+{
+namespace
+{
+
+PrescriptionRow Row(double radius, double thickness, double index, double diameter)
+{
+    PrescriptionRow row;
+    row.radius = radius;
+    row.thickness = thickness;
+    row.index = index;
+    row.diameter = diameter;
+    return row;
+}
+
+/// One element behind a stop that lies so far before it.
+Prescription Singlet(double first, double second, double thickness, double index, double stopBefore = 1.0, double diameter = 20.0)
+{
+    Prescription lens;
+    lens.rows = {Row(0.0, stopBefore, 1.0, 8.0), Row(first, thickness, index, diameter), Row(second, 0.0, 1.0, diameter)};
+    return lens;
+}
+
+/// The double Gauss of pbrt's file dgauss.50mm.dat (US patent 2,673,491).
+Prescription DoubleGauss()
+{
+    return ReadPrescription("29.475 3.76 1.67 25.2\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23\n40.77 3.275 1.699 23\n12.75 5.705 1 18\n"
+                            "0 4.5 0 17.1\n-14.495 1.18 1.603 17\n40.77 6.065 1.658 20\n-20.385 0.19 1 20\n437.065 3.22 1.717 20\n"
+                            "-39.73 0 1 20\n");
+}
+
+/// With a conic, an asphere and a curved first surface.
+Prescription Aspheric()
+{
+    Prescription lens = Singlet(30.0, -45.0, 6.0, 1.6, 2.0, 16.0);
+    lens.rows[1].conic = -0.7;
+    lens.rows[2].aspheric = {2e-5, -3e-8};
+    return lens;
+}
+
+Vec3 Towards(const Vec3& from, const Vec3& to) { return Normalized(to - from); }
+
+/// Height of a ray at a depth.
+Vec3 At(const GlassRay& ray, double z) { return ray.origin + ((z - ray.origin.z) / ray.direction.z) * ray.direction; }
+
+TEST(CardinalPoints, ThickLens)
+{
+    // the lensmaker's equation, and where the principal points lie
+    const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
+    const CardinalPoints points = GlassLens(Singlet(a, b, d, n)).Cardinal();
+    const double f = 1.0 / ((n - 1.0) * (1.0 / a - 1.0 / b + (n - 1.0) * d / (n * a * b)));
+    const double front = -f * (n - 1.0) * d / (n * b), rear = -f * (n - 1.0) * d / (n * a);  // behind the vertices
+    EXPECT_NEAR(points.focalLength, f, 1e-12 * f);
+    EXPECT_NEAR(points.frontVertex - 1.0, front, 1e-12);  // the first row is the stop, 1 mm before the glass
+    EXPECT_NEAR(points.separation, d + rear - front, 1e-12);
+    EXPECT_NEAR(points.backFocus, f + rear, 1e-12);
+}
+
+TEST(CardinalPoints, ThinLensAndBall)
+{
+    const CardinalPoints thin = GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5)).Cardinal();
+    EXPECT_NEAR(thin.focalLength, 50.0, 1e-8);
+    EXPECT_NEAR(thin.separation, 0.0, 1e-8);
+    // both principal points of a ball lie in its middle
+    const CardinalPoints ball = GlassLens(Singlet(10.0, -10.0, 20.0, 1.5)).Cardinal();
+    EXPECT_NEAR(ball.focalLength, 1.5 * 10.0 / (2.0 * 0.5), 1e-12);
+    EXPECT_NEAR(ball.separation, 0.0, 1e-12);
+    EXPECT_NEAR(ball.frontVertex, 11.0, 1e-12);
+}
+
+TEST(CardinalPoints, Pupils)
+{
+    // a stop before the glass is its own entrance pupil; the film sees it through the lens
+    const GlassLens lens(Singlet(50.0, -50.0, 1e-9, 1.5, 20.0));
+    const CardinalPoints& points = lens.Cardinal();
+    EXPECT_NEAR(points.entrancePupil, 20.0, 1e-6);
+    EXPECT_NEAR(points.entranceRadius, 1.0, 1e-12);
+    EXPECT_NEAR(points.fNumber, 50.0 / 8.0, 1e-8);
+    EXPECT_NEAR(1.0 / points.exitPupil, 1.0 / 20.0 - 1.0 / 50.0, 1e-8);  // 1/image = 1/f - 1/object, on the scene's side
+    EXPECT_NEAR(points.exitMagnification, 50.0 / 30.0, 1e-8);
+    // a stop in the front focal point: telecentric
+    EXPECT_GT(std::fabs(GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5, 50.0)).Cardinal().exitPupil), 1e6);
+}
+
+TEST(CardinalPoints, TheNarrowestRimGivesTheFNumber)
+{
+    Prescription lens = Singlet(50.0, -50.0, 1e-9, 1.5);
+    lens.rows[1].diameter = 5.0;
+    EXPECT_NEAR(GlassLens(lens).Cardinal().fNumber, 10.0, 1e-8);
+}
+
+TEST(CardinalPoints, RefusesALensThatDoesNotCollect)
+{
+    EXPECT_THROW(GlassLens(Singlet(-50.0, 50.0, 2.0, 1.5)), PrescriptionError);
+    EXPECT_THROW(GlassLens(Singlet(0.0, 0.0, 2.0, 1.5)), PrescriptionError);
+}
+
+TEST(GlassLens, HasTheLimitsOfRaysNearTheAxis)
+{
+    for (const Prescription& prescription : {DoubleGauss(), Aspheric(), Singlet(40.0, -60.0, 7.0, 1.55)})
+    {
+        const GlassLens lens(prescription);
+        const CardinalPoints& points = lens.Cardinal();
+        const double film = -points.separation - points.focalLength, height = 1e-3;
+        StopPoint stop;
+        // from the middle of the film, focused at infinity: parallel to the axis, at the height that it has in H'
+        GlassRay ray{{0.0, 0.0, film}, Towards({0.0, 0.0, film}, {height, 0.0, -points.separation})};
+        ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
+        EXPECT_NEAR(ray.direction.x, 0.0, 1e-6 * height / points.focalLength);
+        EXPECT_NEAR(ray.origin.x, height, 1e-6 * height);
+        // towards H' and out of H in the same direction
+        ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, -points.separation})};
+        const Vec3 before = ray.direction;
+        ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
+        EXPECT_NEAR(ray.direction.x, before.x, 1e-6 * std::fabs(before.x));
+        EXPECT_NEAR(At(ray, 0.0).x, 0.0, 1e-6 * height);
+        // towards the middle of the exit pupil, through the middle of the stop, out of that of the entrance pupil
+        ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, points.exitPupil})};
+        if (ray.direction.z < 0.0)
+            ray.direction = -ray.direction;
+        ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
+        EXPECT_NEAR(stop.a, 0.0, 1e-6 * height);
+        EXPECT_NEAR(At(ray, points.entrancePupil).x, 0.0, 1e-6 * height);
+    }
+}
+
+TEST(GlassLens, FocusesParallelLightByAHyperboloid)
+{
+    // a plane first surface and a hyperboloid of conic constant -n^2 bring all parallel rays to one point, at any aperture
+    const double n = 1.5;
+    Prescription prescription = Singlet(0.0, -30.0, 8.0, n, 1.0, 50.0);
+    prescription.rows[0].diameter = 60.0;
+    prescription.rows[2].conic = -n * n;
+    const GlassLens lens(prescription);
+    const Vec3 focus{0.0, 0.0, -lens.Cardinal().separation - lens.Cardinal().focalLength};
+    EXPECT_NEAR(lens.Cardinal().focalLength, 60.0, 1e-12);
+    for (const double height : {0.1, 5.0, 15.0, 24.0})
+    {
+        GlassRay ray{{height, 0.3 * height, 100.0}, {0.0, 0.0, -1.0}};
+        StopPoint stop;
+        ASSERT_EQ(lens.TraceFromScene(ray, stop, false), Passage::Passed);
+        EXPECT_NEAR(At(ray, focus.z).x, 0.0, 1e-11);
+        EXPECT_NEAR(At(ray, focus.z).y, 0.0, 1e-11);
+    }
+}
+
+TEST(GlassLens, KeepsTheAplanaticPointsOfASphere)
+{
+    // rays that aim at a point n R behind the centre of a ball of glass meet at R/n behind it, whatever their angle
+    const double n = 1.6, R = 20.0;
+    Prescription prescription;
+    prescription.rows = {Row(0.0, 1.0, 1.0, 200.0), Row(R, 50.0, n, 40.0), Row(0.0, 0.0, 1.0, 200.0)};
+    const GlassLens lens(prescription);
+    const double centre = lens.Cardinal().frontVertex - 1.0 - R;
+    for (const double angle : {0.05, 0.2, 0.4})
+    {
+        // in air towards the point n R behind the centre; refracted, the ray goes through R/n behind the centre
+        const Vec3 aim{0.0, 0.0, centre - n * R}, direction{-std::sin(angle), 0.0, -std::cos(angle)};
+        GlassRay ray{aim - 100.0 * direction, direction};
+        StopPoint stop;
+        ASSERT_EQ(lens.TraceFromScene(ray, stop, false), Passage::Passed);
+        // the plane at the end refracts once more, where the ray has x
+        const double planeZ = lens.Cardinal().rearVertex, sine = -ray.direction.x / n;
+        const double x = ray.origin.x + (centre - R / n - planeZ) * (sine / std::sqrt(1.0 - sine * sine));
+        EXPECT_NEAR(x, 0.0, 1e-11) << angle;
+    }
+}
+
+TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
+{
+    // one refraction, looked at from outside: the point lies on the surface, and n sin is kept, in the plane of incidence
+    Prescription prescription;
+    prescription.rows = {Row(0.0, 5.0, 1.0, 60.0), Row(25.0, 400.0, 1.7, 20.0), Row(0.0, 0.0, 1.0, 500.0)};
+    prescription.rows[1].conic = -1.3;
+    prescription.rows[1].aspheric = {3e-5, -4e-8, 1e-11};
+    const GlassLens lens(prescription);
+    const double vertex = lens.Cardinal().frontVertex - 5.0;
+    const auto sag = [](double h)
+    {
+        const double square = h * h, c = 1.0 / 25.0;
+        return c * square / (1.0 + std::sqrt(1.0 + 0.3 * c * c * square)) + 3e-5 * std::pow(h, 4) - 4e-8 * std::pow(h, 6) + 1e-11 * std::pow(h, 8);
+    };
+    const double x = 7.0, y = -4.0, h = std::hypot(x, y), step = 1e-4;
+    const double slope = (sag(h + step) - sag(h - step)) / (2.0 * step);
+    const Vec3 point{x, y, vertex - sag(h)}, normal = Normalized(Vec3{slope * x / h, slope * y / h, 1.0});
+    const Vec3 in = Normalized(Vec3{-0.2, 0.1, -1.0});
+    // Snell's law with the normal by hand; then out through the plane
+    const double ratio = 1.0 / 1.7, cosine = -Dot(in, normal);
+    Vec3 expected = ratio * in + (ratio * cosine - std::sqrt(1.0 - ratio * ratio * (1.0 - cosine * cosine))) * normal;
+    expected.x *= 1.7;
+    expected.y *= 1.7;
+    expected.z = -std::sqrt(1.0 - expected.x * expected.x - expected.y * expected.y);
+    GlassRay ray{point - 30.0 * in, in};
+    StopPoint stop;
+    ASSERT_EQ(lens.TraceFromScene(ray, stop, false), Passage::Passed);
+    EXPECT_NEAR(ray.direction.x, expected.x, 1e-9);
+    EXPECT_NEAR(ray.direction.y, expected.y, 1e-9);
+}
+
+TEST(GlassLens, LeadsBackTheSameWay)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> part(-1.0, 1.0);
+    for (const Prescription& prescription : {DoubleGauss(), Aspheric()})
+    {
+        const GlassLens lens(prescription);
+        const double film = -lens.Cardinal().separation - 1.1 * lens.Cardinal().focalLength;
+        int passed = 0;
+        for (int i = 0; i < 2000; i++)
+        {
+            const Vec3 from{15.0 * part(random), 10.0 * part(random), film};
+            GlassRay ray{from, Towards(from, {12.0 * part(random), 12.0 * part(random), lens.Cardinal().rearVertex})};
+            const Vec3 direction = ray.direction;
+            StopPoint stop, back;
+            if (lens.Trace(ray, stop) != Passage::Passed)
+                continue;
+            passed++;
+            EXPECT_NEAR(Length(ray.direction), 1.0, 1e-14);
+            ray = {ray.origin + 20.0 * ray.direction, -ray.direction};
+            ASSERT_EQ(lens.TraceFromScene(ray, back), Passage::Passed);
+            EXPECT_NEAR(back.a, stop.a, 1e-11);
+            EXPECT_NEAR(back.b, stop.b, 1e-11);
+            EXPECT_NEAR(Length(ray.direction + direction), 0.0, 1e-11);
+            EXPECT_NEAR(Length(At(ray, film) - from), 0.0, 1e-9);
+        }
+        EXPECT_GT(passed, 100);
+    }
+}
+
+TEST(GlassLens, TellsHowARayEnds)
+{
+    const GlassLens lens(Singlet(20.0, -20.0, 18.0, 1.9, 1.0, 38.0));
+    const double rear = lens.Cardinal().rearVertex;
+    StopPoint stop;
+    GlassRay ray{{0.0, 0.0, rear - 10.0}, {0.0, 0.0, 1.0}};
+    EXPECT_EQ(lens.Trace(ray, stop), Passage::Passed);
+    EXPECT_EQ(stop.a, 0.0);
+    ray = {{30.0, 0.0, rear - 10.0}, {0.0, 0.0, 1.0}};
+    EXPECT_EQ(lens.Trace(ray, stop), Passage::Missed);
+    ray = {{19.5, 0.0, rear - 10.0}, {0.0, 0.0, 1.0}};
+    EXPECT_EQ(lens.Trace(ray, stop), Passage::Rim);
+    ray = {{0.0, 0.0, rear - 10.0}, Normalized(Vec3{0.8, 0.0, 1.0})};
+    EXPECT_EQ(lens.Trace(ray, stop), Passage::Stopped);
+    EXPECT_GT(stop.a, 1.0);
+    // from within: a plane first surface reflects what comes steeply out of the glass
+    Prescription flat;
+    flat.rows = {Row(0.0, 30.0, 1.8, 100.0), Row(-20.0, 1.0, 1.0, 38.0), Row(0.0, 0.0, 1.0, 38.0)};
+    flat.stop = 2;
+    const GlassLens plane(flat);
+    ray = {{18.9, 0.0, plane.Cardinal().rearVertex - 1.0}, {0.0, 0.0, 1.0}};
+    EXPECT_EQ(plane.Trace(ray, stop), Passage::Reflected);
+}
+
+TEST(GlassLens, StopsDown)
+{
+    GlassLens lens(DoubleGauss());
+    EXPECT_NEAR(lens.Cardinal().focalLength, 50.0, 0.5);
+    EXPECT_NEAR(lens.Cardinal().fNumber, 2.0, 0.02);
+    for (const double fNumber : {8.0, 2.8, 2.1})
+    {
+        lens.StopDown(fNumber);
+        // the widest ray of a point at infinity enters at half of focal length / f-number
+        double widest = 0.0;
+        for (double height = 0.0; height < 13.0; height += 1e-3)
+        {
+            GlassRay ray{{height, 0.0, 100.0}, {0.0, 0.0, -1.0}};
+            StopPoint stop;
+            if (lens.TraceFromScene(ray, stop) == Passage::Passed)
+                widest = height;
+        }
+        EXPECT_NEAR(widest, 0.5 * lens.Cardinal().focalLength / fNumber, 1.1e-3) << fNumber;
+    }
+    // no wider than it was made
+    lens.StopDown(1.5);
+    EXPECT_EQ(lens.StopRadius(), 0.5 * 17.1);
+}
+
+TEST(GlassLens, HasItsFirstSurfaceInABox)
+{
+    const GlassLens lens(DoubleGauss());
+    const GlassLens::Front box = lens.FrontBox();
+    EXPECT_EQ(box.radius, 12.6);
+    for (int i = -20; i <= 20; i++)
+    {
+        const double film = -lens.Cardinal().separation - lens.Cardinal().focalLength;
+        const Vec3 from{0.5 * i, 0.0, film};
+        GlassRay ray{from, Towards(from, {0.6 * i, 0.0, lens.Cardinal().rearVertex})};
+        StopPoint stop;
+        if (lens.Trace(ray, stop) != Passage::Passed)
+            continue;
+        EXPECT_LE(std::hypot(ray.origin.x, ray.origin.y), box.radius);
+        EXPECT_GE(ray.origin.z, box.low);
+        EXPECT_LE(ray.origin.z, box.high);
+    }
+}
+
+} // namespace
+} // namespace tilt_lens

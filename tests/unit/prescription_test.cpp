@@ -1,0 +1,195 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// Files of lenses: the three forms say the same, and what is wrong in one is told with its line.
+
+#include "tilt_lens/glass/prescription.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace tilt_lens
+{
+namespace
+{
+
+const char* const kPbrt = R"(# a triplet of no maker
+# radius  thickness  index  diameter
+20   3    1.6   14
+-80  2.5  1     14
+0    1    0     9      # the stop
+-25  1.5  1.7   10
++30. 4    0     10
+0    2.5  1.5   12
+-22  40   1     12
+)";
+
+const char* const kLentil = R"({
+  "a triplet": {
+    "optical-elements-patent": [
+      {"radius": 20, "thickness": 3, "ior": 1.6, "abbe": 50, "housing-radius": 7, "material": "X", "lens-geometry": "spherical"},
+      {"radius": -80, "thickness": 2.5, "ior": null, "housing-radius": 7, "material": "air", "lens-geometry": "spherical"},
+      {"radius": 99999, "thickness": 1, "ior": null, "housing-radius": 4.5, "material": "iris", "lens-geometry": "spherical"},
+      {"radius": -25, "thickness": 1.5, "ior": 1.7, "housing-radius": 5, "material": "X", "lens-geometry": "spherical"},
+      {"radius": 30, "thickness": 4, "ior": null, "housing-radius": 5, "material": "air", "lens-geometry": "spherical"},
+      {"radius": 99999, "thickness": 2.5, "ior": 1.5, "housing-radius": 6, "material": "X", "lens-geometry": "spherical"},
+      {"radius": -22, "thickness": 40, "ior": null, "housing-radius": 6, "material": "air", "lens-geometry": "spherical",
+       "aspherical-equation": null}
+    ]
+  }
+}
+)";
+
+const char* const kIset = R"({
+ "name": "a triplet",
+ "surfaces": [
+  {"radius": 20, "thickness": 3, "ior": 1.6, "semi_aperture": 7},
+  {"radius": -80, "thickness": 2.5, "ior": 1, "semi_aperture": 7, "conic_constant": 0},
+  {"radius": 0, "thickness": 1, "ior": 0, "semi_aperture": 4.5},
+  {"radius": [-25, -25], "thickness": 1.5, "ior": 1.7, "semi_aperture": [5, 5],
+   "transform": [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]},
+  {"radius": 30, "thickness": 4, "ior": 1, "semi_aperture": 5},
+  {"radius": 0, "thickness": 2.5, "ior": 1.5, "semi_aperture": 6},
+  {"radius": -22, "thickness": 40, "ior": 1, "semi_aperture": 6}
+ ]
+}
+)";
+
+void ExpectTriplet(const Prescription& lens)
+{
+    const double rows[7][4] = {{20, 3, 1.6, 14}, {-80, 2.5, 1, 14}, {0, 1, 1, 9}, {-25, 1.5, 1.7, 10},
+                               {30, 4, 1, 10},   {0, 2.5, 1.5, 12}, {-22, 40, 1, 12}};
+    ASSERT_EQ(lens.rows.size(), 7u);
+    EXPECT_EQ(lens.stop, 2u);
+    for (int i = 0; i < 7; i++)
+    {
+        EXPECT_EQ(lens.rows[i].radius, rows[i][0]) << i;
+        EXPECT_EQ(lens.rows[i].thickness, rows[i][1]) << i;
+        EXPECT_EQ(lens.rows[i].index, rows[i][2]) << i;
+        EXPECT_EQ(lens.rows[i].diameter, rows[i][3]) << i;
+        EXPECT_EQ(lens.rows[i].conic, 0.0) << i;
+        EXPECT_TRUE(lens.rows[i].aspheric.empty()) << i;
+    }
+}
+
+/// The text with a part replaced, which must be there.
+std::string With(std::string text, const std::string& part, const std::string& by)
+{
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return text.replace(at, part.size(), by);
+}
+
+void ExpectError(const std::string& text, int line, const std::string& part, const std::string& choice = "")
+{
+    try
+    {
+        ReadPrescription(text, choice);
+        ADD_FAILURE() << "no error for " << part;
+    }
+    catch (const PrescriptionError& error)
+    {
+        EXPECT_EQ(error.line, line) << error.what();
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+}
+
+TEST(Prescription, AllFormsSayTheSame)
+{
+    for (const char* text : {kPbrt, kLentil, kIset})
+        ExpectTriplet(ReadPrescription(text));
+    ExpectTriplet(ReadPrescription(kLentil, "a triplet"));
+    // a stop within air may also be written with the index of air, and a lens may stand alone in its file
+    ExpectTriplet(ReadPrescription(With(kPbrt, "0    1    0 ", "0    1    1 ")));
+    ExpectTriplet(ReadPrescription(With(kIset, "\"ior\": 0", "\"ior\": 1")));
+    ExpectTriplet(ReadPrescription(With(With(kLentil, "\"a triplet\": {", ""), "]\n  }", "]")));
+}
+
+TEST(Prescription, HasRimsBesideItsStop)
+{
+    const Prescription lens = ReadPrescription(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"));
+    EXPECT_EQ(lens.stop, 2u);
+    EXPECT_EQ(lens.rows.size(), 8u);
+    // without a mark nothing tells them apart
+    ExpectError(With(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"), "0    1    0 ", "0    1    1 "), 6, "second stop");
+}
+
+TEST(Prescription, HasAspheres)
+{
+    const Prescription both = ReadPrescription(With(kIset, "\"conic_constant\": 0", "\"conic_constant\": -1, \"aspherical-equation\": [3e-6]"));
+    EXPECT_EQ(both.rows[1].conic, -1.0);
+    EXPECT_EQ(both.rows[1].aspheric, std::vector<double>{3e-6});
+    const Prescription lentil = ReadPrescription(With(kLentil, "\"aspherical-equation\": null", "\"aspherical-equation\": [1e-5, -2e-8]"));
+    EXPECT_EQ(lentil.rows[6].aspheric, (std::vector<double>{1e-5, -2e-8}));
+    const Prescription iset = ReadPrescription(With(kIset, "\"conic_constant\": 0", "\"conic_constant\": -1.5"));
+    EXPECT_EQ(iset.rows[1].conic, -1.5);
+}
+
+TEST(Prescription, ScalesAllLengths)
+{
+    Prescription lens = ReadPrescription(kPbrt);
+    lens.rows[0].aspheric = {1e-4, 1e-6};
+    const Prescription twice = Scaled(lens, 2.0);
+    EXPECT_EQ(twice.rows[3].radius, -50.0);
+    EXPECT_EQ(twice.rows[3].thickness, 3.0);
+    EXPECT_EQ(twice.rows[3].diameter, 20.0);
+    EXPECT_EQ(twice.rows[3].index, 1.7);
+    // the sag at twice the height is twice the sag
+    const double h = 3.0;
+    EXPECT_NEAR(twice.rows[0].aspheric[0] * std::pow(2 * h, 4), 2 * 1e-4 * std::pow(h, 4), 1e-15);
+    EXPECT_NEAR(twice.rows[0].aspheric[1] * std::pow(2 * h, 6), 2 * 1e-6 * std::pow(h, 6), 1e-15);
+}
+
+TEST(Prescription, RefusesRowsOfPbrtWithTheirLine)
+{
+    ExpectError("", 1, "empty");
+    ExpectError(" \n\n", 1, "empty");
+    ExpectError("# nothing\n", 0, "0 surfaces");
+    ExpectError(With(kPbrt, "-80  2.5  1     14", "-80  2.5  1"), 4, "3 numbers");
+    ExpectError(With(kPbrt, "-80  2.5  1     14", "-80  2.5  1  14  50"), 4, "5 numbers");
+    ExpectError(With(kPbrt, "-80  2.5", "-8O  2.5"), 4, "'-8O' where a number should be");
+    ExpectError(With(kPbrt, "-80  2.5", "-80  2,5"), 4, "'2,5'");
+    ExpectError(With(kPbrt, "-80  2.5", "inf  2.5"), 4, "not finite");
+    ExpectError(With(kPbrt, "-80  2.5", "-80  -2.5"), 4, "thickness of -2.5");
+    ExpectError(With(kPbrt, "-80  2.5", "-80  nan"), 4, "thickness of nan");
+    ExpectError(With(kPbrt, "1.6   14", "0.6   14"), 3, "index of refraction of 0.6");
+    ExpectError(With(kPbrt, "1.6   14", "16   14"), 3, "index of refraction of 16");
+    ExpectError(With(kPbrt, "1.6   14", "1.6   0"), 3, "clear diameter of 0");
+    ExpectError(With(kPbrt, "0    1    0     9 ", "-400 1 1 9"), 0, "no stop");
+    ExpectError(With(kPbrt, "-25  1.5  1.7   10", "0 1.5 0 10"), 6, "second stop (the first is in line 5)");
+    ExpectError(With(kPbrt, "20   3  ", "20   0  "), 3, "column up by one row");
+    ExpectError(With(kPbrt, "-22  40   1 ", "-22  40  1.5"), 9, "The film is in air");
+    ExpectError(kPbrt, 0, "Remove it", "0001");
+}
+
+TEST(Prescription, RefusesJsonWithItsLine)
+{
+    ExpectError(With(kIset, "\"surfaces\": [", "\"surfaces\": ["  "\n\n {,"), 5, "no JSON");
+    ExpectError(With(kIset, "\"surfaces\"", "\"faces\""), 0, "no known form");
+    ExpectError(With(kIset, "\"ior\": 1.6, ", ""), 4, "without \"ior\"");
+    ExpectError(With(kIset, "\"thickness\": 2.5, \"ior\": 1,", "\"thickness\": \"thick\", \"ior\": 1,"), 5, "'thick'. It must be a number");
+    ExpectError(With(kIset, "[-25, -25]", "[-25, -26]"), 7, "\"radius\" with several values");
+    ExpectError(With(kIset, "\"ior\": 1.7", "\"ior\": [[400, 700], [1.7, 1.6]]"), 7, "\"ior\" with several values");
+    ExpectError(With(kIset, "[[1, 0, 0]", "[[1, 0.1, 0]"), 7, "transform");
+    ExpectError(With(kLentil, "\"lens-geometry\": \"spherical\"}", "\"lens-geometry\": \"cyl-y\"}"), 4, "cylindrical");
+    ExpectError(With(kLentil, "\"thickness\": 2.5", "\"thickness\": [2.5, 3, 4]"), 5, "a zoom");
+    ExpectError(With(kLentil, "\"ior\": 1.6", "\"ior\": null"), 4, "without \"ior\"");
+    ExpectError(With(kLentil, "\"radius\": 99999, \"thickness\": 1,", "\"radius\": 50, \"thickness\": 1,"), 6, "curved");
+}
+
+TEST(Prescription, ChoosesFromADatabase)
+{
+    const std::string lens = std::string(kLentil).substr(1, std::string(kLentil).rfind('}') - 1);
+    const std::string both = "{" + lens + "," + With(lens, "a triplet", "another") + "}";
+    ExpectTriplet(ReadPrescription(both, "another"));
+    ExpectError(both, 0, "\"FILE#a triplet\"; there are a triplet, another.");
+    ExpectError(both, 0, "no lens of the name 'third'", "third");
+    ExpectError(kIset, 0, "holds one lens", "third");
+    // the line is that of the lens that was chosen, 13 lines farther down
+    const std::string wrong = "{" + lens + "," + With(With(lens, "a triplet", "another"), "\"ior\": 1.6", "\"ior\": 9") + "}";
+    ExpectError(wrong, 4 + 13, "index of refraction of 9", "another");
+}
+
+} // namespace
+} // namespace tilt_lens
