@@ -1,0 +1,123 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// The lenses of scenes/include/lenses: each has the focal length, f-number and back focus that its source states, and forms a sharp
+// image, which a wrong digit in a row would not leave.
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "tilt_lens/glass/glass_lens.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+const std::string kFolder = std::string(TILT_LENS_SOURCE) + "/scenes/include/lenses/";
+
+std::string Whole(const std::string& name)
+{
+    std::ifstream file(kFolder + name);
+    EXPECT_TRUE(file.good()) << name;
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// Fields of a line, of which those in quotation marks may have commas.
+std::vector<std::string> Fields(const std::string& line)
+{
+    std::vector<std::string> fields(1);
+    bool quoted = false;
+    for (const char c : line)
+    {
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    }
+    return fields;
+}
+
+struct Stated
+{
+    std::string file, patent;
+    double focalLength, fNumber, backFocus;  ///< the last may be 0: not stated
+};
+
+std::vector<Stated> Lenses()
+{
+    std::istringstream table(Whole("lenses.csv"));
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "file,lens,patent,source,focal length mm,f-number,back focus mm");
+    std::vector<Stated> lenses;
+    while (std::getline(table, line))
+    {
+        const std::vector<std::string> fields = Fields(line);
+        EXPECT_EQ(fields.size(), 7u) << line;
+        lenses.push_back({fields[0], fields[2], std::stod(fields[4]), std::stod(fields[5]), fields[6].empty() ? 0.0 : std::stod(fields[6])});
+    }
+    return lenses;
+}
+
+/// Root mean square size of the image of a star on the axis, in a film moved to where it is smallest, in parts of the focal length.
+double AxialSpot(const GlassLens& lens, double fNumber)
+{
+    const CardinalPoints& points = lens.Cardinal();
+    const int rays = 100;
+    double xx = 0.0, xu = 0.0, uu = 0.0;
+    for (int i = 0; i < rays; i++)
+    {
+        const double height = 0.5 * points.focalLength / fNumber * std::sqrt((i + 0.5) / rays);
+        GlassRay ray{{height, 0.0, points.frontVertex + points.focalLength}, {0.0, 0.0, -1.0}};
+        StopPoint stop;
+        EXPECT_EQ(lens.TraceFromScene(ray, stop), Passage::Passed) << i;
+        const double slope = ray.direction.x / ray.direction.z;
+        const double x = ray.origin.x + (-points.separation - points.focalLength - ray.origin.z) * slope;
+        xx += x * x / rays;
+        xu += x * slope / rays;
+        uu += slope * slope / rays;
+    }
+    return std::sqrt(std::max(0.0, xx - xu * xu / uu)) / points.focalLength;
+}
+
+TEST(LensFiles, HaveWhatTheirSourcesState)
+{
+    const std::vector<Stated> lenses = Lenses();
+    EXPECT_GE(lenses.size(), 10u);
+    for (const Stated& stated : lenses)
+    {
+        SCOPED_TRACE(stated.file);
+        EXPECT_NE(stated.patent.find("US patent"), std::string::npos);
+        const std::string text = Whole(stated.file);
+        EXPECT_NE(text.find(stated.patent), std::string::npos) << "the file names its patent";
+        const CardinalPoints points = GlassLens(ReadPrescription(text)).Cardinal();
+        EXPECT_NEAR(points.focalLength / stated.focalLength, 1.0, 0.008);
+        EXPECT_NEAR(points.fNumber / stated.fNumber, 1.0, 0.025);
+        if (stated.backFocus > 0.0)
+        {
+            EXPECT_NEAR(points.backFocus / stated.backFocus, 1.0, 0.002);
+        }
+    }
+}
+
+TEST(LensFiles, FormSharpImages)
+{
+    for (const Stated& stated : Lenses())
+    {
+        SCOPED_TRACE(stated.file);
+        const GlassLens lens(ReadPrescription(Whole(stated.file)));
+        // 0.01 mm for a lens of 50 mm, at twice the f-number
+        EXPECT_LT(AxialSpot(lens, 2.0 * lens.Cardinal().fNumber), 0.01 / 50.0);
+    }
+}
+
+} // namespace
+} // namespace tilt_lens
