@@ -49,6 +49,7 @@ class SceneText(unittest.TestCase):
             ("camera { tilt_lens { } tilt_lens { } }", 1, {}),
             ("camera { angle Wide*2 }", 1, {"angle": "50"}),
             ("camera { location 0", 1, {}),
+            ('camera { tilt_lens { prescription "a.dat" } }', 1, {}),
         ):
             with self.subTest(text), self.assertRaises(EditError):
                 with_block(text, line, BLOCK, items)
@@ -66,7 +67,7 @@ class SceneText(unittest.TestCase):
     def test_each_item_of_the_language_is_written_or_kept(self):
         source = ROOT / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp"
         items = re.findall(r'^    \{"(\w+)", ', source.read_text(), re.MULTILINE)
-        self.assertEqual(sorted(items), sorted(scene_text.WRITTEN + scene_text.KEPT))
+        self.assertEqual(sorted(items), sorted(scene_text.WRITTEN + scene_text.KEPT + scene_text.REFUSED))
 
     def test_version(self):
         self.assertEqual(scene_text.version_of("// #version 3.5;\n#version 3.7;\n"), "3.7")

@@ -54,6 +54,7 @@ MADE = {
     **variants("stop", "f_stop.pov", "Stop", same((0.7, 1.4, 5.6))),
     **variants("lights", "lights.pov", "Shape", same((0, 1, 2, 3, 4, 5, 6, 7))),
     **variants("tiles", "wall_of_tiles.pov", "Shape", same((0, 1, 2, 3, 4, 5, 6))),
+    **variants("glass", "glass.pov", "Glass", same((0, 1)), WIDE),
     **variants("denoise", "denoise.pov", "Denoise", same((0, 1))),
     **variants("aids", "aids.pov", "Aid", same((1, 2, 3))),
     **{f"layers_{name}": ("aids.pov", ["Declare=Aid=0", "+N"], SMALL) for name in ("depth", "blur", "samples")},

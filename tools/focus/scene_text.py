@@ -11,6 +11,8 @@ WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blade
 AIDS = ("focus_peaking", "focus_map", "show_planes")
 KEPT = ("blade_curvature", "squeeze", "edge_light", "natural_vignetting", "optical_vignetting", "distortion",
         "field_curvature", "lateral_colour", "axial_colour", "denoise", "sample_seed", *AIDS)
+# Blocks with one of these are not written: the page knows the ideal lens alone, and would write its focal length beside them.
+REFUSED = ("prescription",)
 
 
 class EditError(Exception):
@@ -106,6 +108,9 @@ def kept_items(inside):
     code = blanked(inside)
     if "#" in code:
         raise EditError("the block has directives such as #if, which would be lost")
+    for word in REFUSED:
+        if re.search(rf"\b{word}\b", code):
+            raise EditError(f"the block has the item {word}, beside which the page's focal length must not stand")
     words = list(re.finditer(rf"\b(?:{'|'.join(WRITTEN + KEPT)})\b", code))
     ends = [word.start() for word in words[1:]] + [len(code)]
     items = [(word.group(), " ".join(code[word.start() : end].split())) for word, end in zip(words, ends)]

@@ -7,6 +7,7 @@
 
 #include "tilt_lens/camera/apply_character.h"
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/glass/apply_prescription.h"
 
 namespace tilt_lens
 {
@@ -303,8 +304,9 @@ void RequireUsable(const Lens& lens)
 
 } // namespace
 
-Lens Solve(const CameraFrame& camera, const Statement& given)
+Lens Solve(const CameraFrame& camera, const Statement& statement)
 {
+    const Statement given = IdealStatement(statement);
     const Axes axes = AxesOf(camera);
     const Real millimetre = Real(given.scale) / given.sceneUnit;
     const Real filmWidth = given.filmWidth * millimetre, rightLength = Length(Exact(camera.right));
@@ -337,6 +339,8 @@ Lens Solve(const CameraFrame& camera, const Statement& given)
     SpanLens(lens, axes, solved.normal, diameter);
     RequireUsable(lens);
     ApplyCharacter(lens, given);
+    if (statement.prescription)
+        ApplyPrescription(lens, statement);
     return lens;
 }
 

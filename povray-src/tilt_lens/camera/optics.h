@@ -25,6 +25,7 @@
 #define TILT_LENS_OPTICS_H
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,9 @@
 
 namespace tilt_lens
 {
+
+class GlassLens;
+struct Prescription;
 
 /// The perspective camera as POV-Ray holds it after all transformations. World frame, scene units.
 struct CameraFrame
@@ -73,6 +77,7 @@ struct Statement
     double bladeCurvature = 0.0;               ///< radius of the lens over that of the blades' edges; 0: straight
     double squeeze = 1.0;                      ///< height of the aperture over its width; the larger is the diameter
     Character character;                       ///< what a real lens does otherwise than an ideal one
+    std::shared_ptr<const Prescription> prescription;  ///< of a lens of glass, at its size; null: none
     bool denoise = true;                       ///< the picture is rebuilt from its pixels (reconstruction.h)
     std::uint32_t sampleSeed = 0;              ///< of the pattern of samples: another one, other noise
 
@@ -108,6 +113,7 @@ struct Lens
                                    ///< and b along it; 1/(scene units)
     double lateralColour = 0.0;    ///< by which the image of the red end is larger than that of the middle of the spectrum, relative
     double axialColour = 0.0;      ///< vergence that the film sees less of there; 1/(scene units)
+    std::shared_ptr<const GlassLens> glass;  ///< what rays go through in place of the ideal lens (glass_camera.h), with its stop set
     /// @}
 };
 
@@ -123,7 +129,8 @@ class OpticsError : public std::runtime_error
 /// @throws OpticsError  a degenerate camera; a lens turned 90 degrees or more; a plane of focus
 ///                      through the lens centre or behind the lens; a lens turned backward; a focal
 ///                      length that cannot reach the plane or whose focus is nearer than itself; a focus scale that
-///                      no place of the film fits; numbers that are not finite, and lengths that are not positive.
+///                      no place of the film fits; numbers that are not finite, lengths that are not positive; glass that is not so
+///                      wide or ends behind the film.
 Lens Solve(const CameraFrame& camera, const Statement& given);
 
 /// Sensible pictures that are probably not what was meant: a lens tilt past 15 degrees, a tilt

@@ -13,6 +13,7 @@
 #include <array>
 
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/glass/glass_camera.h"
 #include "tilt_lens/sampling/emitter_sampling.h"
 #include "tilt_lens/settings.h"
 
@@ -26,14 +27,27 @@ struct CameraRay
     LensRay ray;          ///< relative to the lens centre, world axes, scene units
     double length;        ///< of the ray's direction
     Vec3 direction;       ///< the ray's, normalised
+    std::uint32_t refused = 0;  ///< rays before it that a lens of glass let not through
 
     /// Completes a ray from its start.
     void FindRay(const Lens& lens) { Take(MakeRay(lens, sample.x, sample.y, sample.point.a, sample.point.b)); }
+
+    /// A sample of a lens of glass and its ray.
+    void Draw(const GlassCamera& glass, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
+    {
+        const GlassSample drawn = glass.Draw(film, point.lensU, point.lensV, PixelHash(id.x, id.y, kGlassSeed, id.index));
+        sample = {film.x, film.y, {0.0, 0.0}, drawn.weight, 0.0};
+        refused = drawn.refused;
+        if (drawn.weight != 0.0)
+            Take(drawn.ray);
+    }
 
     /// The same for light of one colour; see MakeColourRay().
     void FindRay(const Lens& lens, double hue) { Take(MakeColourRay(lens, sample.x, sample.y, sample.point.a, sample.point.b, hue)); }
 
   private:
+    static constexpr std::uint32_t kGlassSeed = 0x476c61;  ///< sets its random numbers apart from a sample's others
+
     void Take(const LensRay& found)
     {
         ray = found;
@@ -46,10 +60,11 @@ struct CameraRay
 class CameraRayBatch
 {
   public:
+    /// @param glass  null for an ideal lens
     /// @param first  samples that each pixel gets in its first round
     /// @param seed   of the pattern of samples (Statement::sampleSeed)
-    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, std::uint32_t first, std::uint32_t seed) :
-        lens(lens), emitters(emitters), ahead(std::min(kCameraRaysOfBatch, first)), seed(seed)
+    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t first, std::uint32_t seed) :
+        lens(lens), emitters(emitters), glass(glass), ahead(std::min(kCameraRaysOfBatch, first)), seed(seed)
     {
     }
 
@@ -72,6 +87,7 @@ class CameraRayBatch
   private:
     const Lens& lens;
     const EmitterSampler& emitters;
+    const GlassCamera* const glass;
     const std::uint32_t ahead;  ///< rays made at a time; rounds of samples are no shorter, so that none is made in vain
     const std::uint32_t seed;
     PixelSampler sampler{0, 0, 0};
@@ -87,6 +103,13 @@ class CameraRayBatch
         std::array<SequencePoint, kCameraRaysOfBatch> points;
         for (std::uint32_t i = 0; i < count; i++)
             points[i] = sampler(from.index + i);
+        if (glass != nullptr)
+        {
+            for (std::uint32_t i = 0; i < count; i++)
+                rays[i].Draw(*glass, {from.x, from.y, from.index + i}, points[i],
+                             emitters.FilmPointOf(from.x + points[i].pixelX, from.y + points[i].pixelY));
+            return;
+        }
         for (std::uint32_t i = 0; i < count; i++)
             rays[i].sample = emitters.Generate(targets, {from.x, from.y, from.index + i}, points[i]);
         for (std::uint32_t i = 0; i < count; i++)

@@ -67,6 +67,9 @@ class EmitterSampler
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
 
+    /// Of the picture that it was made for; pixels.
+    FilmPoint FilmPointOf(double column, double row) const { return FilmPointAt(column, row, width, height); }
+
     /// The emitters that one pixel's samples are sent at.
     struct Targets
     {
@@ -85,7 +88,7 @@ class EmitterSampler
     /// @param point    of the pixel's sequence
     CameraSample Generate(const Targets& targets, const SampleId& id, const SequencePoint& point) const
     {
-        const FilmPoint film = FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height);
+        const FilmPoint film = FilmPointOf(id.x + point.pixelX, id.y + point.pixelY);
         CameraSample sample{film.x, film.y, {0.0, 0.0}, 1.0, 0.0};
         if (!targets.targets.empty() && id.index < usable)
             SampleEmitters(targets, id, point, sample);

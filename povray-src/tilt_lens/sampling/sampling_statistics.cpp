@@ -18,6 +18,7 @@ void SamplingStatistics::Add(const SamplingStatistics& other)
     reconstructed += other.reconstructed;
     lightPoints += other.lightPoints;
     lightPointsSkipped += other.lightPointsSkipped;
+    refusedRays += other.refusedRays;
 }
 
 std::uint64_t SamplingStatistics::Pixels() const

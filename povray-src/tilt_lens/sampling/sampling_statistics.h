@@ -22,6 +22,7 @@ struct SamplingStatistics
     std::uint64_t reconstructed = 0;                         ///< pixels that the reconstruction has filtered
     std::uint64_t lightPoints = 0;                           ///< points of area lights that were asked for
     std::uint64_t lightPointsSkipped = 0;                    ///< and those beside them that were not
+    std::uint64_t refusedRays = 0;                           ///< that a lens of glass let not through, of all that were tried
 
     void Add(const SamplingStatistics& other);
     std::uint64_t Pixels() const;

@@ -202,6 +202,8 @@ void TiltLensParser::ParseItem(const std::string& word, TiltLensCamera& lens)
         s.bladeCurvature = NumberWithin(word, 0.0, 1.0, "straight to round");
     else if (word == "squeeze")
         s.squeeze = NumberWithin(word, 0.1, 10.0, "lying to upright ovals; 1 is round");
+    else if (word == "prescription")
+        ParsePrescription(s);
     else if (word == "denoise")
         s.denoise = Number(word) != 0.0;  // `on` and `off` are numbers
     else if (word == "sample_seed")

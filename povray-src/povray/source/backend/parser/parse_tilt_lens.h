@@ -59,6 +59,8 @@ class TiltLensParser
     bool NextItem(std::string& word, std::set<std::string>& seen);
     void ParseItem(const std::string& word, TiltLensCamera& lens);
     bool ParseCharacter(const std::string& word, tilt_lens::Character& character);
+    void ParsePrescription(tilt_lens::Statement& statement);
+    std::string ReadWhole(const std::string& name);
     bool ParseFocusAid(const std::string& word, tilt_lens::FocusAids& aids);
     void NotAnItem(const std::string& word);
     void ClaimOnce(const std::string& word, std::set<std::string>& seen);
@@ -85,6 +87,7 @@ class TiltLensParser
     void SolveLens(Camera& camera);
     void RequireConsistent(const Camera& camera);
     void RequireFilm(const Camera& camera);
+    void RequireNoOtherLens(const Camera& camera);
     void RequireQuality(const Camera& camera, const WrittenItems& written);
     void RequireAperture(const Camera& camera);
     void TakeFocalPoint(Camera& camera);

@@ -67,6 +67,7 @@ void TiltLensParser::CheckBlock(Camera& camera)
 {
     camera.TiltLens.statement.aperture = camera.Aperture;
     RequireConsistent(camera);
+    RequireNoOtherLens(camera);
     RequireFilm(camera);
     RequireAperture(camera);
     RequireFocus(camera);
@@ -146,7 +147,7 @@ void TiltLensParser::RequireFilm(const Camera& camera)
     if (s.family == FocusFamily::FocusTurn)
         ErrorAt(camera.TiltLens.place, "%s beside focus_tilt or focus_swing in tilt_lens. It is for a lens that is turned by tilt "
                                        "and swing after it was focused; use these, or focal_point in its place.", word);
-    if (s.filmDistance && !s.focalLength)
+    if (s.filmDistance && !s.focalLength && !s.prescription)
         ErrorAt(camera.TiltLens.place, "film_distance %g without focal_length in tilt_lens: without it the angle of view says where "
                                        "the film is. Give focal_length, or focus_scale in place of film_distance.", *s.filmDistance);
 }
@@ -180,7 +181,7 @@ void TiltLensParser::RequireFocus(Camera& camera)
         return;
     const bool turned = s.family == FocusFamily::LensTurn || s.family == FocusFamily::FocusTurn;
     const bool needsPoint = turned && !s.filmDistance && !s.focusScale && lens.HasPoints();
-    if (needsPoint && (s.aperture > 0.0 || s.fStop))
+    if (needsPoint && (s.aperture > 0.0 || s.fStop || s.prescription))
         ErrorAt(lens.place, "Nothing says where the focus lies: the camera has neither focal_point nor look_at. Give focal_point, "
                             "or focal_plane or focal_points in tilt_lens.");
     // everything is sharp: any point in front will do

@@ -5,6 +5,7 @@
 /// TiltLensTracer's part in focus aids: pictures of one ray a pixel, through the lens centre.
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "backend/frame.h"
@@ -31,18 +32,36 @@ DBL TiltLensTracer::FirstHit(TracePixel& trace, const Ray& ray)
     return trace.FindIntersection(first, ray, visible, any) ? first.Depth : HUGE_VAL;
 }
 
-/// The ray through the lens centre for the middle of a pixel: POV-Ray's own, but for a lens with distortion. False where the
-/// camera has none there.
+/// Through the middle of what a pixel's middle sees of a lens of glass.
+bool TiltLensTracer::MiddleRayOfGlass(Ray& ray, const tilt_lens::FilmPoint& film) const
+{
+    const std::optional<tilt_lens::LensRay> middle = view->glass->MiddleRay(film);
+    if (!middle)
+        return false;
+    const VECTOR& location = trace.camera.Location;
+    const tilt_lens::Vec3 direction = Normalized(middle->direction);
+    Make_Vector(ray.Origin, location[X] + middle->origin.x, location[Y] + middle->origin.y, location[Z] + middle->origin.z);
+    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
+    return true;
+}
+
+/// The ray through the lens centre for the middle of a pixel: POV-Ray's own, but for a lens with distortion or of glass. False
+/// where the camera has none there.
 bool TiltLensTracer::ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height)
 {
     if (!trace.CreateCameraRay(ray, x, y, width, height, 0))
         return false;
     const TiltLensCamera& camera = trace.camera.TiltLens;
-    if (!camera.given || !camera.lens->distorts)
+    if (!camera.given || !(camera.lens->distorts || camera.lens->glass))
         return true;
     const tilt_lens::FilmPoint film = tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height);
-    const tilt_lens::Vec3 chief = Normalized(ChiefRay(*camera.lens, film));
-    Make_Vector(ray.Direction, chief.x, chief.y, chief.z);
+    if (!camera.lens->glass)
+    {
+        const tilt_lens::Vec3 chief = Normalized(ChiefRay(*camera.lens, film));
+        Make_Vector(ray.Direction, chief.x, chief.y, chief.z);
+    }
+    else if (const TiltLensTracer* const tracer = Of(trace); tracer == NULL || !tracer->MiddleRayOfGlass(ray, film))
+        return false;
     if (trace.camera.Tnormal != NULL)
     {
         VECTOR point = {film.x, film.y, 0.0};
@@ -56,7 +75,9 @@ bool TiltLensTracer::ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, D
 void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour)
 {
     Ray ray;
-    ChiefCameraRay(trace, ray, x, y, width, height);
+    colour = Colour();
+    if (!ChiefCameraRay(trace, ray, x, y, width, height))
+        return;  // beyond the image circle of a lens of glass
     DBL distance;
     if (view->aids->NeedsLight())
     {
@@ -71,7 +92,8 @@ void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colou
     const tilt_lens::Lens& lens = view->lens;
     const tilt_lens::Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
     const tilt_lens::Vec3 way{ray.Direction[X], ray.Direction[Y], ray.Direction[Z]};
-    const double depth = distance * Dot(way, lens.axis);
+    const double before = lens.glass ? Dot(FromPov(ray.Origin) - FromPov(trace.camera.Location), lens.axis) : 0.0;
+    const double depth = before + distance * Dot(way, lens.axis);
     const double T = distance < HUGE_VAL && depth > 0.0 ? depth / Dot(lens.direction, lens.axis)
                                                         : std::numeric_limits<double>::infinity();
     colour = view->aids->Drawn(int(x), int(y), chief, T, colour);

@@ -190,8 +190,16 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     {
         tilt_lens::SampleResult result;
         tilt_lens::CameraRay camera;
-        camera.sample = view->emitters.Generate({}, id, sequence(id.index));
-        camera.FindRay(view->lens);
+        if (view->glass)
+        {
+            const tilt_lens::SequencePoint point = sequence(id.index);
+            camera.Draw(*view->glass, id, point, tilt_lens::FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height));
+        }
+        else
+        {
+            camera.sample = view->emitters.Generate({}, id, sequence(id.index));
+            camera.FindRay(view->lens);
+        }
         TraceSample(sequence, id.index, camera, width, result);
         colour += ToColour(result.radiance);
     }
@@ -209,11 +217,13 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::BlockCache own(view->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->limits.FirstRound(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->limits.FirstRound(), view->seed);
     areaLightPoints = areaLightPointsSkipped = 0;
+    std::uint64_t refusedRays = 0;
     sampler.Run(tile, [&](const SampleId& id, tilt_lens::SampleResult& result)
     {
         const tilt_lens::CameraRay& camera = rays.Of(id);
+        refusedRays += camera.refused;
         TraceSample(rays.Sampler(), id.index, camera, width, result);
     });
 
@@ -228,6 +238,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     tilt_lens::SamplingStatistics statistics = sampler.Statistics();
     statistics.lightPoints = areaLightPoints;
     statistics.lightPointsSkipped = areaLightPointsSkipped;
+    statistics.refusedRays = refusedRays;
     view->Add(statistics);
     trace.threadData->Stats()[Number_Of_Pixels] += statistics.Pixels();
     trace.threadData->Stats()[Number_Of_Samples] += statistics.Samples();
@@ -238,7 +249,7 @@ void TiltLensTracer::EstimateWork(unsigned int width)
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::kProbeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, limits.FirstRound(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), limits.FirstRound(), view->seed);
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->progress.NextProbe())
     {

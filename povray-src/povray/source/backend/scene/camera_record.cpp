@@ -13,6 +13,7 @@
 
 #include "backend/scene/focus_target.h"
 #include "backend/scene/scene.h"
+#include "tilt_lens/glass/apply_prescription.h"
 #include "base/image/colourspace.h"
 
 #include "base/povdebug.h"
@@ -126,7 +127,7 @@ std::string Described(const Camera& camera)
            ", \"up\": " + Vector(FromPov(camera.Up)) + ", \"sky\": " + Vector(FromPov(camera.Sky)) +
            ", \"focusDistance\": " + Number(camera.Focal_Distance) + ", \"aperture\": " + Number(camera.Aperture) +
            ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
-           ", \"block\": " + (camera.TiltLens.given ? Block(WithFocus(camera)) : "null") + "}";
+           ", \"block\": " + (camera.TiltLens.given ? Block(IdealStatement(WithFocus(camera))) : "null") + "}";
 }
 
 /// How values of the picture become light.
@@ -181,6 +182,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
                                                     RecordName());
     view.Aperture = 0.0;
     view.TiltLens.aids = tilt_lens::FocusAids();
+    view.TiltLens.statement = IdealStatement(view.TiltLens.statement);
     view.TiltLens.statement.aperture = 0.0;
     view.TiltLens.statement.fStop.reset();
     if (view.TiltLens.given)

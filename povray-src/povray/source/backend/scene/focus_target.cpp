@@ -15,6 +15,7 @@
 #include "backend/scene/threaddata.h"
 #include "backend/scene/view.h"
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/glass/apply_prescription.h"
 
 #include "base/povdebug.h"
 
@@ -137,6 +138,7 @@ Lens Unfocused(const Camera& camera)
 {
     Camera unfocused(camera);
     Statement& s = unfocused.TiltLens.statement;
+    s = tilt_lens::IdealStatement(s);
     s.family = FocusFamily::LensTurn;
     s.tilt = s.swing = 0.0;
     if (s.focalLength)

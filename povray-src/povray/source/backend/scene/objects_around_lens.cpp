@@ -3,6 +3,7 @@
 
 #include "backend/scene/objects_around_lens.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "backend/frame.h"
@@ -12,6 +13,7 @@
 #include "backend/shape/boxes.h"
 #include "backend/shape/planes.h"
 #include "backend/shape/spheres.h"
+#include "tilt_lens/glass/glass_lens.h"
 
 #include "base/povdebug.h"
 
@@ -33,8 +35,26 @@ struct LensBox
     double low[3], high[3];
 };
 
+/// Around the first surface of a lens of glass, where rays leave it.
+LensBox BoxOfGlass(const Camera& camera, const tilt_lens::Lens& lens)
+{
+    const tilt_lens::GlassLens::Front front = lens.glass->FrontBox();
+    const double normal[3] = {lens.normal.x, lens.normal.y, lens.normal.z};
+    LensBox box;
+    for (int i = X; i <= Z; i++)
+    {
+        const double across = front.radius * std::sqrt(std::max(0.0, 1.0 - normal[i] * normal[i]));
+        const double first = front.low * normal[i], second = front.high * normal[i], room = 1e-9 * std::fabs(camera.Location[i]);
+        box.low[i] = camera.Location[i] + lens.millimetre * (std::min(first, second) - across) - room;
+        box.high[i] = camera.Location[i] + lens.millimetre * (std::max(first, second) + across) + room;
+    }
+    return box;
+}
+
 LensBox BoxOfLens(const Camera& camera, const tilt_lens::Lens& lens)
 {
+    if (lens.glass)
+        return BoxOfGlass(camera, lens);
     const bool square = camera.Bokeh != NULL;
     const double half[3] = {HalfExtent(lens.lensX.x, lens.lensY.x, square),
                             HalfExtent(lens.lensX.y, lens.lensY.y, square),

@@ -9,6 +9,7 @@
 
 #include "backend/frame.h"
 #include "backend/scene/tilt_lens_view.h"
+#include "tilt_lens/glass/field_aberrations.h"
 
 #include "base/povdebug.h"
 
@@ -91,7 +92,9 @@ std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character&
     if (character.edgeLight != 0.0)
         text += Line("  Edge light...........%.4g: aperture brighter ", character.edgeLight) +
                 (character.edgeLight > 0.0 ? "at the rim\n" : "in the middle\n");
-    if (character.naturalVignetting > 0.0)
+    if (character.naturalVignetting > 0.0 && lens.glass)
+        text += Line("  Natural vignetting...%.4g\n", character.naturalVignetting);
+    else if (character.naturalVignetting > 0.0)
         text += Line("  Natural vignetting...%.4g: the darkest corner has %.3g of the middle's light\n", character.naturalVignetting,
                      DarkestCorner(lens, tilt_lens::Aperture::Disc(), character));
     if (character.opticalVignetting > 0.0 && lens.diameter > 0.0)
@@ -106,6 +109,30 @@ std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character&
     if (HasColours(lens))
         text += Line("  Colour fringes.......red %.4g mm farther out than blue, focused %.4g mm farther back\n", character.lateralColour,
                      character.axialColour);
+    return text;
+}
+
+/// The glass's cardinal points, along its axis from the front principal point, which is the camera's location.
+std::string GlassOf(const tilt_lens::Lens& lens, double filmWidth)
+{
+    const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
+    std::string text = Line("  Glass................open to f/%.4g, rear principal point at %.5g mm\n", points.fNumber, -points.separation);
+    text += Line("    surfaces...........first at %.5g, last at %.5g mm\n", points.frontVertex, points.rearVertex);
+    // along the axis, as far from H' as the turned film's middle
+    const double film = lens.filmDistance / lens.millimetre * Dot(lens.axis, lens.normal), height = 0.5 * filmWidth;
+    text += Line("    film...............%.5g mm behind the last\n", film + points.separation + points.rearVertex);
+    text += Line("    entrance pupil.....at %.5g mm, diameter %.5g mm\n", points.entrancePupil,
+                 2.0 * std::fabs(points.entranceRadius) * lens.glass->StopRadius());
+    if (std::isfinite(points.exitPupil))
+        text += Line("    exit pupil.........at %.5g mm, diameter %.5g mm\n", points.exitPupil,
+                     2.0 * std::fabs(points.exitMagnification) * lens.glass->StopRadius());
+    else
+        text += "    exit pupil.........at infinity\n";
+    const auto field = FieldAberrationsOf(*lens.glass, film, height);
+    if (!field)
+        return text + Line("    beside the axis....at %.4g mm nothing passes the middle of the stop\n", height);
+    text += Line("    beside the axis....at %.4g mm distortion %.3g%%\n", height, 100.0 * field->distortion);
+    text += Line("    image before film..%.3g mm (sagittal), %.3g mm (tangential)\n", field->sagittal, field->tangential);
     return text;
 }
 
@@ -218,6 +245,12 @@ std::string TiltLensView::Skipped() const
         text += Line("  Around the lens......%.0f of ", aroundLens.size() - hold) + Count(objectsWithInterior, "interior") +
                 Line(" asked by each ray, %.0f hold all of it\n", hold);
     }
+    if (glass)
+    {
+        const double tried = statistics.Samples() + statistics.refusedRays;
+        text += Line("  Refused by the glass.%.0f of ", statistics.refusedRays) + Count(tried, "ray") +
+                Line(" tried (%.2g%%)\n", tried > 0.0 ? 100.0 * statistics.refusedRays / tried : 0.0);
+    }
     if (statistics.notFinite > 0)
         text += "  Not finite..........." + Count(statistics.notFinite, "sample") + ", counted as black\n";
     return text;
@@ -241,6 +274,8 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
                 SqueezeOf(camera.TiltLens.statement.squeeze) + "\n";
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
+    if (lens.glass)
+        text += GlassOf(lens, camera.TiltLens.statement.filmWidth);
     text += CharacterOf(lens, camera.TiltLens.statement.character);
     text += FocusOf(camera.TiltLens) + PlaneOf(camera, lens);
     text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), usual) + " from the lens\n";

@@ -73,10 +73,25 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
                          [](ObjectPtr object) { return object->interior != NULL; });
 }
 
-/// A camera normal bends rays, so that none can be sent at an emitter.
+/// A camera normal and a lens of glass bend rays, so that none can be sent at an emitter.
 std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const SceneData& scene)
 {
-    return camera.Tnormal == NULL ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
+    return camera.Tnormal == NULL && !camera.TiltLens.lens->glass ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
+}
+
+std::unique_ptr<const tilt_lens::GlassCamera> GlassOf(const Camera& camera, const tilt_lens::Aperture& aperture)
+{
+    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
+    if (!lens.glass)
+        return nullptr;
+    return std::make_unique<const tilt_lens::GlassCamera>(lens, aperture, camera.TiltLens.statement.character.naturalVignetting);
+}
+
+/// Of an ideal lens; a lens of glass has its own.
+tilt_lens::Vignetting VignettingOf(const Camera& camera, const tilt_lens::Aperture& aperture)
+{
+    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
+    return lens.glass ? tilt_lens::Vignetting() : tilt_lens::Vignetting(lens, aperture, camera.TiltLens.statement.character);
 }
 
 } // namespace
@@ -85,14 +100,15 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     lens(*camera.TiltLens.lens),
     aperture(ApertureOf(camera, view.GetSceneData())),
     footprint(lens, aperture, view.GetWidth(), view.GetHeight()),
+    glass(GlassOf(camera, aperture)),
     limits(LimitsOf(camera)),
-    samplesSpread(!lens.distorts && lens.fieldCurvature == 0.0 && camera.TiltLens.statement.character.opticalVignetting == 0.0),
+    samplesSpread(!lens.glass && !lens.distorts && lens.fieldCurvature == 0.0 && camera.TiltLens.statement.character.opticalVignetting == 0.0),
     seed(camera.TiltLens.statement.sampleSeed),
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
     emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData()),
-             tilt_lens::Vignetting(lens, aperture, camera.TiltLens.statement.character)),
+             VignettingOf(camera, aperture)),
     blurPerVergence(0.5 * BlurPerVergence(lens, 1.0))
 {
 }

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "tilt_lens/sampling/emitter_sampling.h"
 #include "tilt_lens/sampling/tile_sampler.h"
 #include "tilt_lens/camera/optics.h"
+#include "tilt_lens/glass/glass_camera.h"
 #include "tilt_lens/reconstruction/spread.h"
 #include "tilt_lens/sampling/progress_estimator.h"
 
@@ -69,6 +71,7 @@ class TiltLensView
     const tilt_lens::Lens lens;
     const tilt_lens::Aperture aperture;
     const tilt_lens::LensFootprint footprint;
+    const std::unique_ptr<const tilt_lens::GlassCamera> glass;  ///< what makes the rays of a lens of glass, or NULL
     const tilt_lens::SamplingLimits limits;
 
     /// Whether samples serve the pixels of their circles of confusion, too: these are those of the footprint only for a lens

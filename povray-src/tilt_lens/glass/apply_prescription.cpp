@@ -1,0 +1,68 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/glass/apply_prescription.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/glass/glass_lens.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// An f-number that is typed with four digits is that of the glass.
+constexpr double kSameFNumber = 1e-3;
+
+/// How near, in mm, the film's corner that is farthest towards the scene comes to the last surface's vertex; negative: past it.
+double RoomBehind(const Lens& lens, const CardinalPoints& points)
+{
+    double least = HUGE_VAL;
+    for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+        {
+            const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
+            const double behind = Dot(chief, lens.normal) * lens.filmDistance / (Dot(lens.direction, lens.axis) * lens.millimetre);
+            least = std::min(least, behind + points.separation + points.rearVertex);
+        }
+    return least;
+}
+
+} // namespace
+
+Statement IdealStatement(const Statement& given)
+{
+    if (!given.prescription)
+        return given;
+    Statement ideal = given;
+    const CardinalPoints points = GlassLens(*given.prescription).Cardinal();
+    ideal.focalLength = points.focalLength;
+    if (!given.fStop && given.aperture == 0.0)
+        ideal.fStop = points.fNumber;
+    ideal.prescription.reset();
+    return ideal;
+}
+
+void ApplyPrescription(Lens& lens, const Statement& given)
+{
+    const auto glass = std::make_shared<GlassLens>(*given.prescription);
+    const CardinalPoints& points = glass->Cardinal();
+    const double fNumber = lens.focalLength / lens.diameter;
+    if (!(fNumber >= points.fNumber * (1.0 - kSameFNumber)))
+        throw OpticsError("The aperture of f/" + Number(fNumber) + " is wider than the lens of the prescription, which is open to f/" +
+                          Number(points.fNumber) + ". Give a greater f_stop or a smaller aperture, or neither for the lens wide open.");
+    const double room = RoomBehind(lens, points);
+    if (!(room > 0.0))
+        throw OpticsError("The film lies within the glass: a corner of the frame is " + Number(-room) + " mm before the last surface of the "
+                          "lens. Focus nearer, or turn or shift the lens less.");
+    if (given.fStop || given.aperture > 0.0)
+        glass->StopDown(fNumber);
+    lens.glass = glass;
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,212 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/glass/glass_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "tilt_lens/camera/numbers.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// Places of the table in a row and in a column of the frame; odd, so that the middle is one. Between them the share that is
+/// open is linear: where it bends by 4 over the frame, 1/8 of that over the squared number of steps is missed, 1/2000.
+constexpr int kTableSide = 33;
+
+/// Random directions that are tried where the sequence's own does not pass. Of ellipses that are half covered one sample in 2^65
+/// finds none.
+constexpr int kTries = 64;
+
+/// Less open than this in the middle of the picture is refused: the exposure would have to make up for it.
+constexpr double kLeastOpen = 0.01;
+
+/// The least part of a ray's direction that lies along the camera's axis, where that scales the direction.
+constexpr double kLeastAlong = 0.01;
+
+} // namespace
+
+GlassCamera::GlassCamera(const Lens& itsLens, const Aperture& itsAperture, double itsNatural) :
+    lens(itsLens),
+    glass(itsLens.glass),
+    aperture(itsAperture),
+    natural(itsNatural),
+    axisX(Normalized(itsLens.lensX)),
+    axisY(Normalized(itsLens.lensY))
+{
+    PlaceFilm();
+    Tabulate();
+    const Node& middle = nodes[nodes.size() / 2];
+    if (!middle.seen || !(middle.open > kLeastOpen))
+        throw std::invalid_argument("The lens of the prescription leaves " + Number(100.0 * middle.open) + " per cent of its stop open in the "
+                                    "middle of the picture: its image circle ends before. More than 1 is needed; turn or shift the "
+                                    "lens less, or stop it down.");
+    middleOpen = middle.open;
+    middleNatural = middle.natural;
+    FillUnseen();
+}
+
+/// The film lies behind the lens, upside down.
+void GlassCamera::PlaceFilm()
+{
+    const double scale = -lens.filmDistance / (Dot(lens.direction, lens.axis) * lens.millimetre);
+    const auto inLens = [&](const Vec3& v) { return scale * Vec3{Dot(v, axisX), Dot(v, axisY), Dot(v, lens.normal)}; };
+    filmMiddle = inLens(lens.direction) - Vec3{0.0, 0.0, glass->Cardinal().separation};
+    filmRight = inLens(lens.right);
+    filmUp = inLens(lens.up);
+}
+
+GlassCamera::Node GlassCamera::NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const
+{
+    const Vec3 place = FilmInLens(film);
+    Node node;
+    const std::optional<PupilView> view = ViewOf(*glass, aperture, place, near);
+    if (!view)
+        return node;
+    near = view->bounds.centre;
+    const PupilPoint aim = ParaxialAim(glass->Cardinal(), place);
+    node.l = view->bounds.centre.l - aim.l;
+    node.m = view->bounds.centre.m - aim.m;
+    node.radial = view->bounds.radial;
+    node.tangential = view->bounds.tangential;
+    node.open = view->open / view->stop;
+    // the solid angle is projected on the lens; the film is turned against it
+    if (const std::optional<GlassRay> ray = RayTowards(place, view->bounds.centre))
+    {
+        const Vec3 filmNormal{Dot(lens.axis, axisX), Dot(lens.axis, axisY), Dot(lens.axis, lens.normal)};
+        node.natural = view->stop * std::max(0.0, Dot(ray->direction, filmNormal)) / ray->direction.z;
+    }
+    node.seen = true;
+    return node;
+}
+
+void GlassCamera::Tabulate()
+{
+    for (int row = 0; row < kTableSide; row++)
+    {
+        std::optional<PupilPoint> near;
+        for (int column = 0; column < kTableSide; column++)
+            nodes.push_back(NodeAt({double(column) / (kTableSide - 1) - 0.5, 0.5 - double(row) / (kTableSide - 1)}, near));
+    }
+}
+
+/// Places that see nothing get the ellipse of the nearest that sees something: between the two, something may be seen.
+void GlassCamera::FillUnseen()
+{
+    const std::vector<Node> found = nodes;
+    for (int at = 0; at < kTableSide * kTableSide; at++)
+    {
+        if (found[at].seen)
+            continue;
+        int nearest = 0, least = 4 * kTableSide * kTableSide;
+        for (int other = 0; other < kTableSide * kTableSide; other++)
+        {
+            const int right = other % kTableSide - at % kTableSide, down = other / kTableSide - at / kTableSide;
+            if (found[other].seen && right * right + down * down < least)
+            {
+                nearest = other;
+                least = right * right + down * down;
+            }
+        }
+        nodes[at] = found[nearest];
+        nodes[at].open = 0.0;
+    }
+}
+
+GlassCamera::Node GlassCamera::Between(const FilmPoint& film) const
+{
+    const int last = kTableSide - 2;
+    const double x = (film.x + 0.5) * (kTableSide - 1), y = (0.5 - film.y) * (kTableSide - 1);
+    const int column = std::clamp(int(std::floor(x)), 0, last), row = std::clamp(int(std::floor(y)), 0, last);
+    // pretrace looks a little past the frame
+    const double right = std::clamp(x - column, 0.0, 1.0), down = std::clamp(y - row, 0.0, 1.0);
+    const Node* const upper = &nodes[std::size_t(row * kTableSide + column)];
+    const Node* const lower = upper + kTableSide;
+    const double weights[4] = {(1.0 - right) * (1.0 - down), right * (1.0 - down), (1.0 - right) * down, right * down};
+    const Node* const corners[4] = {upper, upper + 1, lower, lower + 1};
+    Node mean;
+    for (int i = 0; i < 4; i++)
+    {
+        mean.l += weights[i] * corners[i]->l;
+        mean.m += weights[i] * corners[i]->m;
+        mean.radial += weights[i] * corners[i]->radial;
+        mean.tangential += weights[i] * corners[i]->tangential;
+        mean.open += weights[i] * corners[i]->open;
+        mean.natural += weights[i] * corners[i]->natural;
+    }
+    return mean;
+}
+
+PupilEllipse GlassCamera::BoundsOf(const Node& node, const Vec3& place) const
+{
+    const PupilPoint aim = ParaxialAim(glass->Cardinal(), place);
+    return {{aim.l + node.l, aim.m + node.m}, node.radial, node.tangential};
+}
+
+PupilEllipse GlassCamera::BoundsAt(const FilmPoint& film) const { return BoundsOf(Between(film), FilmInLens(film)); }
+
+double GlassCamera::BrightnessOf(const Node& node) const
+{
+    const double falloff = natural == 0.0 ? 1.0 : 1.0 - natural + natural * node.natural / middleNatural;
+    return falloff * node.open / middleOpen;
+}
+
+double GlassCamera::Brightness(const FilmPoint& film) const { return BrightnessOf(Between(film)); }
+
+double GlassCamera::OpenShare(const FilmPoint& film) const { return Between(film).open; }
+
+/// As long as the film point's chief ray along the camera's axis, so that parameters of hits compare with those of ideal rays.
+LensRay GlassCamera::ToWorld(const FilmPoint& film, const GlassRay& ray) const
+{
+    const auto world = [&](const Vec3& v) { return v.x * axisX + v.y * axisY + v.z * lens.normal; };
+    const Vec3 direction = world(ray.direction);
+    const double scale = Dot(lens.direction, lens.axis) / std::max(Dot(direction, lens.axis), kLeastAlong);
+    return {lens.millimetre * world(ray.origin), scale * direction, lens.focusMiddle + film.x * lens.focusRight + film.y * lens.focusUp};
+}
+
+GlassSample GlassCamera::Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const
+{
+    const Node node = Between(film);
+    GlassSample sample{{}, 0.0, 0};
+    if (!(node.open > 0.0))
+        return sample;
+    const Vec3 place = FilmInLens(film);
+    const PupilEllipse bounds = BoundsOf(node, place);
+    const PupilPoint radial = RadialAxis(place);
+    std::minstd_rand random(seed);
+    const auto uniform = [&random] { return (random() - 0.5) / (random.max() + 1.0); };
+    for (; sample.refused <= kTries; sample.refused++)
+    {
+        const AperturePoint point = disc(u, v);
+        const double along = bounds.radial * point.a, across = bounds.tangential * point.b;
+        std::optional<GlassRay> ray =
+            RayTowards(place, {bounds.centre.l + along * radial.l - across * radial.m, bounds.centre.m + along * radial.m + across * radial.l});
+        if (ray && TraceThrough(*glass, aperture, *ray) == Passage::Passed)
+        {
+            sample.ray = ToWorld(film, *ray);
+            sample.weight = BrightnessOf(node);
+            return sample;
+        }
+        u = uniform();
+        v = uniform();
+    }
+    return sample;
+}
+
+std::optional<LensRay> GlassCamera::MiddleRay(const FilmPoint& film) const
+{
+    const Node node = Between(film);
+    const Vec3 place = FilmInLens(film);
+    std::optional<GlassRay> ray = RayTowards(place, BoundsOf(node, place).centre);
+    if (!(node.open > 0.0) || !ray || TraceThrough(*glass, aperture, *ray) != Passage::Passed)
+        return {};
+    return ToWorld(film, *ray);
+}
+
+} // namespace tilt_lens

@@ -1,0 +1,260 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/glass/pupil_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// Directions around a middle in which the border of what passes is sought, and how often the way is halved: the border is
+/// missed by 1/4000 of the pupil.
+constexpr int kSpokes = 32;
+constexpr int kHalvings = 11;
+
+/// Rays in a row and in a column that are tried where the pupil's middle is covered: over twice the paraxial pupil, then over the
+/// last surface, which all rays cross.
+constexpr int kPupilGrid = 24;
+constexpr int kSurfaceGrid = 64;
+
+/// Longest over shortest spoke up to which they need not be measured again from the middle of the area.
+constexpr double kRound = 1.3;
+
+/// Around the ellipse: for what lies between the spokes, and between the places in a table at which ellipses are known; the
+/// second more where rims cover the pupil, whose shape then changes more from place to place.
+constexpr double kMargin = 1.04;
+constexpr double kCoveredMargin = 0.08;
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The lens and the place from which it is looked at.
+struct Seen
+{
+    const GlassLens& lens;
+    const Aperture& aperture;
+    const Vec3& film;
+
+    Passage Look(const PupilPoint& direction, bool rims = true) const
+    {
+        std::optional<GlassRay> ray = RayTowards(film, direction);
+        return ray ? TraceThrough(lens, aperture, *ray, rims) : Passage::Missed;
+    }
+
+    bool Passes(const PupilPoint& direction) const { return Look(direction) == Passage::Passed; }
+
+    /// Half the paraxial pupil's size, about.
+    double Size() const
+    {
+        const CardinalPoints& points = lens.Cardinal();
+        const double radius = std::fabs(points.exitMagnification) * lens.StopRadius();
+        const double distance = std::fabs(points.exitPupil - film.z);
+        const double size = std::isfinite(radius) ? radius / std::hypot(radius, distance) : 0.25;
+        return std::clamp(size, 1e-6, 1.0);
+    }
+
+    /// The mean of those of a grid that pass.
+    std::optional<PupilPoint> MeanOf(const PupilPoint& middle, double half, int side) const
+    {
+        PupilPoint sum{0.0, 0.0};
+        int passed = 0;
+        for (int i = 0; i < side; i++)
+            for (int j = 0; j < side; j++)
+            {
+                const PupilPoint at{middle.l + half * (2.0 * (i + 0.5) / side - 1.0), middle.m + half * (2.0 * (j + 0.5) / side - 1.0)};
+                if (!Passes(at))
+                    continue;
+                sum = {sum.l + at.l, sum.m + at.m};
+                passed++;
+            }
+        if (passed == 0)
+            return {};
+        return PupilPoint{sum.l / passed, sum.m / passed};
+    }
+
+    /// A direction that passes, well within the others if that can be.
+    std::optional<PupilPoint> Inside(const std::optional<PupilPoint>& near) const
+    {
+        const PupilPoint aim = ParaxialAim(lens.Cardinal(), film);
+        if (Passes(aim))
+            return aim;
+        if (near && Passes(*near))
+            return near;
+        std::optional<PupilPoint> mean = MeanOf(aim, 2.0 * Size(), kPupilGrid);
+        if (!mean)
+        {
+            const double rear = lens.Cardinal().rearVertex - film.z, across = std::hypot(film.x, film.y);
+            const Vec3 middle = Normalized(Vec3{-film.x, -film.y, rear});
+            const double reach = lens.RearRadius() / std::hypot(rear, std::max(0.0, across - lens.RearRadius()));
+            mean = MeanOf({middle.x, middle.y}, std::min(1.0, 1.2 * reach), kSurfaceGrid);
+        }
+        return mean && Passes(*mean) ? mean : std::optional<PupilPoint>();
+    }
+};
+
+/// How far rays pass from a direction that does, on one side.
+struct Spoke
+{
+    double open, stop;
+};
+
+/// Between a step that passes and one that does not.
+double Border(const Seen& seen, const PupilPoint& from, const PupilPoint& along, double passes, double ends, bool rims, Passage& end)
+{
+    const auto look = [&](double step) { return seen.Look({from.l + step * along.l, from.m + step * along.m}, rims); };
+    for (Passage at = look(ends); at == Passage::Passed && ends < 4.0; at = look(ends))
+    {
+        passes = ends;
+        ends *= 1.5;
+    }
+    end = look(ends);
+    for (int i = 0; i < kHalvings; i++)
+    {
+        const double middle = 0.5 * (passes + ends);
+        const Passage at = look(middle);
+        (at == Passage::Passed ? passes : ends) = middle;
+        if (at != Passage::Passed)
+            end = at;
+    }
+    return 0.5 * (passes + ends);
+}
+
+using Spokes = std::array<Spoke, kSpokes>;
+
+PupilPoint Along(int spoke)
+{
+    const double angle = 2.0 * kPi * (spoke + 0.5) / kSpokes;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+Spokes SpokesFrom(const Seen& seen, const PupilPoint& inside)
+{
+    Spokes spokes;
+    double last = seen.Size();
+    for (int i = 0; i < kSpokes; i++)
+    {
+        Passage end;
+        spokes[i].open = spokes[i].stop = Border(seen, inside, Along(i), 0.0, 1.1 * last, true, end);
+        last = std::max(spokes[i].open, 1e-6);
+        if (end != Passage::Stopped)
+            spokes[i].stop = Border(seen, inside, Along(i), spokes[i].open, 1.1 * last, false, end);
+    }
+    return spokes;
+}
+
+bool IsRound(const Spokes& spokes)
+{
+    double least = HUGE_VAL, most = 0.0;
+    for (const Spoke& spoke : spokes)
+    {
+        least = std::min(least, spoke.open);
+        most = std::max(most, spoke.open);
+    }
+    return most < kRound * least;
+}
+
+/// Middle of the area that the spokes span.
+PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
+{
+    double area = 0.0, l = 0.0, m = 0.0;
+    for (int i = 0; i < kSpokes; i++)
+    {
+        const double square = spokes[i].open * spokes[i].open, third = square * spokes[i].open / 3.0;
+        area += 0.5 * square;
+        l += third * Along(i).l;
+        m += third * Along(i).m;
+    }
+    return {inside.l + l / area, inside.m + m / area};
+}
+
+/// The ellipse of the box's shape around the spokes' ends.
+/// @param larger  than the ellipse that touches the farthest end
+PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
+{
+    std::array<PupilPoint, kSpokes> ends;  // radial, tangential
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (int i = 0; i < kSpokes; i++)
+    {
+        const PupilPoint along = Along(i);
+        const double l = inside.l + spokes[i].open * along.l, m = inside.m + spokes[i].open * along.m;
+        ends[i] = {l * radial.l + m * radial.m, m * radial.l - l * radial.m};
+        const double end[2] = {ends[i].l, ends[i].m};
+        for (int axis = 0; axis < 2; axis++)
+        {
+            low[axis] = std::min(low[axis], end[axis]);
+            high[axis] = std::max(high[axis], end[axis]);
+        }
+    }
+    const double middle[2] = {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])};
+    const double half[2] = {std::max(0.5 * (high[0] - low[0]), 1e-9), std::max(0.5 * (high[1] - low[1]), 1e-9)};
+    double farthest = 0.0;
+    for (const PupilPoint& end : ends)
+        farthest = std::max(farthest, std::hypot((end.l - middle[0]) / half[0], (end.m - middle[1]) / half[1]));
+    farthest *= larger;
+    return {{middle[0] * radial.l - middle[1] * radial.m, middle[0] * radial.m + middle[1] * radial.l}, farthest * half[0], farthest * half[1]};
+}
+
+} // namespace
+
+PupilPoint RadialAxis(const Vec3& film)
+{
+    const double distance = std::hypot(film.x, film.y);
+    return distance > 0.0 ? PupilPoint{film.x / distance, film.y / distance} : PupilPoint{1.0, 0.0};
+}
+
+PupilPoint ParaxialAim(const CardinalPoints& points, const Vec3& film)
+{
+    if (!std::isfinite(points.exitPupil))
+        return {0.0, 0.0};
+    const Vec3 way{-film.x, -film.y, points.exitPupil - film.z};
+    const double length = std::copysign(std::sqrt(Dot(way, way)), way.z);  // a pupil behind the film is looked away from
+    return {way.x / length, way.y / length};
+}
+
+std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
+{
+    const double square = 1.0 - direction.l * direction.l - direction.m * direction.m;
+    if (!(square > 0.0))
+        return {};
+    return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
+}
+
+Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray, bool rims)
+{
+    StopPoint stop;
+    const Passage passage = lens.Trace(ray, stop, rims);
+    if (passage == Passage::Passed && !aperture.IsDisc() && !(aperture.Density({stop.a, stop.b}) > 0.0))
+        return Passage::Stopped;
+    return passage;
+}
+
+std::optional<PupilView> ViewOf(const GlassLens& lens, const Aperture& aperture, const Vec3& film, const std::optional<PupilPoint>& near)
+{
+    const Seen seen{lens, aperture, film};
+    std::optional<PupilPoint> inside = seen.Inside(near);
+    if (!inside)
+        return {};
+    Spokes spokes = SpokesFrom(seen, *inside);
+    // seen from their middle, the spokes sum up the area best
+    const PupilPoint middle = MiddleOf(spokes, *inside);
+    if (!IsRound(spokes) && seen.Passes(middle))
+    {
+        inside = middle;
+        spokes = SpokesFrom(seen, middle);
+    }
+    PupilView view;
+    for (const Spoke& spoke : spokes)
+    {
+        view.open += kPi / kSpokes * spoke.open * spoke.open;
+        view.stop += kPi / kSpokes * spoke.stop * spoke.stop;
+    }
+    view.bounds = EllipseAround(spokes, *inside, RadialAxis(film), kMargin + kCoveredMargin * (1.0 - view.open / view.stop));
+    return view;
+}
+
+} // namespace tilt_lens

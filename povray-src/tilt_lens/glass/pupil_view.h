@@ -1,0 +1,63 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file pupil_view.h
+/// The directions in which a film point sees the scene through a lens of glass: its exit pupil, with what the rims cut off.
+///
+/// A direction is given by its cosines (l, m) along the lens's horizontal and vertical axis. An area of these is the projected
+/// solid angle dl dm = cos(angle to the axis) dw, in which the light of an evenly bright scene arrives evenly; and a lens
+/// without coma maps it to an area of its entrance pupil, which is what the samples of an ideal lens are even in.
+
+#ifndef TILT_LENS_PUPIL_VIEW_H
+#define TILT_LENS_PUPIL_VIEW_H
+
+#include <optional>
+
+#include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/glass/glass_lens.h"
+
+namespace tilt_lens
+{
+
+/// Direction cosines along the lens's two axes.
+struct PupilPoint
+{
+    double l, m;
+};
+
+/// An ellipse of directions around those that pass. Its axes lie towards the lens's axis and across that.
+struct PupilEllipse
+{
+    PupilPoint centre;
+    double radial, tangential;  ///< semi-axes
+};
+
+/// What a film point sees.
+struct PupilView
+{
+    PupilEllipse bounds;
+    double open = 0.0;   ///< area of the directions that pass
+    double stop = 0.0;   ///< the same without rims
+};
+
+/// Towards the film point's place beside the axis: the unit vector that the ellipse's radial axis has.
+PupilPoint RadialAxis(const Vec3& film);
+
+/// Towards the middle of the paraxial exit pupil.
+PupilPoint ParaxialAim(const CardinalPoints& points, const Vec3& film);
+
+/// A ray from a film point; nothing for cosines that no direction has.
+std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction);
+
+/// Whether the ray passes lens and aperture.
+/// @param[in,out] ray  the ray that leaves the lens, if it passes
+Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray, bool rims = true);
+
+/// Measures what a film point (mm, lens frame) sees, by some hundred rays.
+/// @param near  a direction that neighbours of the point see something in, tried first
+/// @return nothing where no ray passes
+std::optional<PupilView> ViewOf(const GlassLens& lens, const Aperture& aperture, const Vec3& film, const std::optional<PupilPoint>& near);
+
+} // namespace tilt_lens
+
+#endif
