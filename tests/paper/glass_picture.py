@@ -1,0 +1,116 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""`prescription` against the separate tracer of the experiments: the box scene through the same double Gauss lens, tilted by 0, 4
+and 8 degrees, at f/8 and f/2. The tracer takes the mean over the rays that pass, so that the program's picture is divided by
+that of an even surface through the same lens, as photographers divide by a flat field."""
+
+import argparse
+import dataclasses
+import json
+import math
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+from experiments.box import EDGE_TOP, VIEW
+from experiments.laboratory import SCENES
+from experiments.lens import Lens
+from tests.render import rendering
+
+# The rows of experiments/tools/glass_lens.cpp; the stop where it puts it, so that the entrance pupil lies in H.
+ROWS = ("29.475 3.76 1.67 25.2", "84.83 0.12 1 25.2", "19.275 4.025 1.67 23", "40.77 3.275 1.699 23", "12.75 {before} 1 18",
+        "0 {behind} 0 24", "-14.495 1.18 1.603 17", "40.77 6.065 1.658 20", "-20.385 0.19 1 20", "437.065 3.22 1.717 20",
+        "-39.73 0 1 20")
+GAP = 10.205
+TILTS, STOPS = (0, 4, 8), (8, 2.1)
+WIDTH, HEIGHT = 90, 60
+# RMSE is 0.006 at f/8 and 0.013 at f/2.1, mostly the noise of both; with the wrong sign of the tilt it is 0.13.
+RMSE, MEAN = 0.016, 0.001
+WRONG = 0.1
+
+
+def stop_place():
+    """Behind the fifth surface, mm, of the stop that the scene sees in H."""
+    index, a, b, c, d = 1.0, 1.0, 0.0, 0.0, 1.0     # height' = a height + b slope', slope' (times the index) = c height + d slope'
+    at_stop = None
+    for number, row in enumerate(ROWS):
+        radius, thickness, behind, _ = (float(x) for x in row.format(before=GAP, behind=0).split())
+        if number == 5:
+            continue
+        c, d = c - (behind - index) / radius * a, d - (behind - index) / radius * b
+        index = behind
+        if number == 4:
+            at_stop = (a, b, c, d)
+        a, b = a + thickness / index * c, b + thickness / index * d
+    principal = (d - 1) / c                         # behind the first surface
+    a, b, c, d = at_stop
+    return (principal * a - b) / (d - principal * c)
+
+
+def prescription(folder):
+    before = stop_place()
+    (folder / "gauss.dat").write_text("\n".join(ROWS).format(before=before, behind=GAP - before) + "\n")
+
+
+def scene(tilt, stop, even=False):
+    world = "background { rgb 1 }\n" if even else '#include "box_objects.inc"\n'
+    return ('#declare Quality = 1; #declare Variance = 2e-5;\n#include "box_camera.inc"\n'
+            f"camera {{ Box_Camera() focal_point <{', '.join(map(str, EDGE_TOP))}>\n"
+            f'tilt_lens {{ scene_unit Scene_Unit prescription "gauss.dat", 50 f_stop {stop} tilt {tilt} }} }}\n{world}')
+
+
+def program_picture(folder, tilt, stop, even=False):
+    return rendering.render(scene(tilt, stop, even), f"+L{folder}", f"+L{SCENES}", width=WIDTH, height=HEIGHT, extension="exr")
+
+
+def traced_picture(tool, folder, tilt, stop):
+    lens = Lens.tilted(dataclasses.replace(VIEW, width=WIDTH, height=HEIGHT, f_stop=stop), tilt, EDGE_TOP)
+    made = folder / f"traced_{tilt}_{stop}.exr"
+    done = subprocess.run([tool, made, "--width", str(WIDTH), "--height", str(HEIGHT), "--samples", "256", "--f-stop", str(stop), "--tilt",
+                           str(tilt), "--film-distance", repr(lens.film_distance * VIEW.scene_unit)],
+                          check=True, capture_output=True, text=True)
+    assert abs(json.loads(done.stdout)["entrance_pupil"]) < 0.02, done.stdout
+    # three floats, and three halves for an error that the mean of one batch does not have
+    data = subprocess.run([rendering.SETTINGS.compare, "pixels", made], check=True, capture_output=True).stdout.split(b"\n", 1)[1]
+    return rendering.Picture(WIDTH, HEIGHT, ["R", "G", "B"], [v for pixel in struct.iter_unpack("=fffeee", data) for v in pixel[:3]])
+
+
+def differences(picture, even, traced):
+    """Root mean square and mean difference of the colours, even light taken into account."""
+    squares = mean = 0.0
+    for name in "RGB":
+        for own, level, other in zip(picture.channel(name), even.channel(name), traced.channel(name)):
+            squares += (own / level - other) ** 2
+            mean += own / level - other
+    count = 3 * WIDTH * HEIGHT
+    return math.sqrt(squares / count), mean / count
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--glass", required=True, help="the separate tracer")
+    args, _ = parser.parse_known_args()
+    parser.add_argument("--povray", required=True)
+    parser.add_argument("--compare", required=True)
+    parser.parse_args(namespace=rendering.SETTINGS)
+    failed = False
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        prescription(folder)
+        for stop in STOPS:
+            for tilt in TILTS:
+                traced = traced_picture(args.glass, folder, tilt, stop)
+                rmse, mean = differences(program_picture(folder, tilt, stop), program_picture(folder, tilt, stop, True), traced)
+                good = rmse < RMSE and abs(mean) < MEAN
+                print(f"f/{stop}, tilt {tilt}: RMSE {rmse:.5f}, signed mean {mean:+.6f}{'' if good else '  TOO LARGE'}")
+                failed |= not good
+        wrong, _ = differences(program_picture(folder, -8, 2.1), program_picture(folder, -8, 2.1, True), traced)
+        print(f"the wrong sign of the tilt: RMSE {wrong:.5f}")
+        failed |= wrong < WRONG
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
