@@ -107,6 +107,14 @@ _tilt_lens_batch()
         _tilt_lens_reply <(compgen -W "$kinds --help" -- "$word")
         return
     fi
+    if [ "${COMP_WORDS[1]}" = status ]; then # of a folder, or of a picture
+        _tilt_lens_reply <(
+            case $word in
+                -*) compgen -W '--help' -- "$word" ;;
+                *)  _tilt_lens_files "$word" .png .exr ;;
+            esac)
+        return
+    fi
     _tilt_lens_reply <(
         case $word in
             -*) compgen -W "$options" -- "$word" ;;

@@ -152,6 +152,14 @@ class Completion(unittest.TestCase):
             self.assertEqual(self.offered(["./render", "my\\ f"], folder), ["my\\ folder/"])
             self.assertEqual(self.offered(["./batch", "still", '"my f'], folder), ["my folder/"])
 
+    def test_status_of_a_batch(self):
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
+            for name in ("still.png", "still.pov"):
+                (pathlib.Path(folder) / name).write_text("")
+            (pathlib.Path(folder) / "still.png.batch").mkdir()
+            self.assertEqual(self.offered("./batch status ", folder), ["still.png", "still.png.batch/"])
+            self.assertEqual(self.offered("./batch status --", folder), ["--help"])
+
     def test_options(self):
         self.assertIn("+W", self.offered("./render a.pov +"))
         self.assertEqual(self.offered("./render a.pov Decl"), ["Declare="])
