@@ -83,6 +83,7 @@ class Refused(BatchTest):
             (("film", scene, "--frames", "2", "--output", "/"), 2, "is the root of all folders"),
             (("still", scene, "--output", "a.exr"), 2, "is a folder; a still is a file"),
             (("still", scene, "--limit", "1d"), 2, "seconds, or a number with m or h"),
+            (("still", scene, "+W0"), 2, "Width=0 (+W0)"),
             (("still", self.scene('#error "my own words"', "bad.pov")), 1, "my own words"),
         ):
             told = self.batch(*words, code=code)

@@ -13,7 +13,7 @@ import sys
 import time
 
 from tools.batch import key as keys, merge, povray
-from tools.batch.store import BatchError
+from tools.batch.store import BatchError, UsageError
 
 SMALL_ROWS = 64
 SMALL_COLUMNS = 128
@@ -46,7 +46,8 @@ class Probe:
         if status < 0:
             raise BatchError(f"POV-Ray was ended by signal {-status} at its first look at the scene; call again.")
         if status != 0:
-            raise BatchError(
+            kind = UsageError if "Problem with option setting" in text else BatchError
+            raise kind(
                 f"POV-Ray cannot render the scene (exit code {status}); nothing was started. It said:\n"
                 + told(text)
                 + f"\n(all of it: {log})"
