@@ -62,6 +62,14 @@ bool IsSharpBehindOnly(const Lens& lens)
     return true;
 }
 
+std::string WayToBringItForward(const Statement& given)
+{
+    if (!given.filmDistance)
+        return "Compare the plane or points with location and look_at, and the sign of the plane's distance.";
+    return "film_distance " + Number(*given.filmDistance) + " is too near for focal_length " + Number(*given.focalLength) +
+           ", at which a lens that is not turned is focused at infinity. Give a larger film_distance.";
+}
+
 } // namespace
 
 std::vector<std::string> Warnings(const Lens& lens, const Statement& given)
@@ -77,7 +85,7 @@ std::vector<std::string> Warnings(const Lens& lens, const Statement& given)
                          "aperture or f_stop.");
     if (lens.diameter > 0.0 && Length(lens.focus) > 0.0 && lens.fieldCurvature == 0.0 && IsSharpBehindOnly(lens))
         warnings.push_back("The plane of sharp focus lies behind the camera in the whole picture, so that nothing in it can be "
-                         "sharp. Compare the plane or points with location and look_at, and the sign of the plane's distance.");
+                         "sharp. " + WayToBringItForward(given));
     if (std::hypot(given.shiftRight, given.shiftUp) > kUnusualShift * given.filmWidth)
         warnings.push_back("The frame is shifted by <" + Number(given.shiftRight) + ", " + Number(given.shiftUp) + "> mm on a "
                          "film " + Number(given.filmWidth) + " mm wide; real lenses stop at about a third of it. The picture "
