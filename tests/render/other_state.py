@@ -88,9 +88,16 @@ class OtherState(rendering.RenderTest):
     def test_size(self):
         for scene in (SCENE, STOCK):
             self.begin(scene)
-            self.refused(scene, width=96, reason="Width was 48 and now is 96")
             self.refused(scene, width=24, reason="Width was 48 and now is 24")
             self.refused(scene, height=18, reason="Height was 36 and now is 18")
+        for size in ({"width": 96}, {"height": 72}):
+            self.begin(SCENE)
+            self.refused(SCENE, **size, reason="was")
+            self.begin(STOCK)
+            code, said = run(self.folder, STOCK, "+C", **size)
+            self.assertEqual(code, 0, said)
+            self.assertIn("Warning: The state file 'picture.pov-state' belongs to another render", said)
+            self.picture.unlink()
 
     def test_options(self):
         self.begin(SCENE, "Declare=A=1")

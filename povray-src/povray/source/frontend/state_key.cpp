@@ -184,13 +184,14 @@ std::string Difference(const std::string& before, const std::string& now)
     return "its files were read in another order";
 }
 
-bool SameSize(const std::string& before, const std::string& now)
+/// Whether the tiles of one picture lie in another. Where they do not, POV-Ray would stop on an assertion.
+bool Fits(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
     for (const char* name : {"Width", "Height"})
     {
         const Line *was = Find(old, name), *is = Find(present, name);
-        if (was == NULL || is == NULL || !(*was == *is))
+        if (was == NULL || is == NULL || std::atol(was->value.c_str()) > std::atol(is->value.c_str()))
             return false;
     }
     return true;
@@ -309,7 +310,7 @@ std::string CompareState(const Path& file, const std::string& key, bool refuse)
             if (start.key == key)
                 return std::string();
             problem = name + "belongs to another render: " + Difference(start.key, key) + ". ";
-            refuse = refuse || !SameSize(start.key, key);
+            refuse = refuse || !Fits(start.key, key);
             break;
     }
     if (refuse)

@@ -43,7 +43,7 @@ void WriteStateKey(pov_base::OStream& file, const std::string& key);
 /// stopped at once, is removed.
 /// @param refuse   whether a difference is an error (scenes with `tilt_lens`) or a remark (others)
 /// @return a remark for the user, or nothing
-/// @throws pov_base::Exception  the file belongs to another render, or to none; another size of the picture is always refused
+/// @throws pov_base::Exception  the file belongs to another render, or to none; a smaller picture is always refused
 std::string CompareState(const pov_base::Path& file, const std::string& key, bool refuse);
 
 /// Looks at a message of a state file before it is drawn.
