@@ -49,12 +49,13 @@ class Skipped(rendering.RenderTest):
         rebuilt = numbers("Reconstruction", said_of(ball + wall))
         self.assertGreater(rebuilt[0], 100)
         self.assertGreater(rebuilt[1], 1000)
-        # an outline before nothing is rebuilt; what hardly any ray around meets only once many have met it
+        # an outline before nothing is rebuilt, also that of a small thing; what lies around it has no noise and is not
         self.assertGreater(numbers("Reconstruction", said_of(ball + EVEN, "blur_samples 8, 16 variance 1/2000 "))[0], 100)
         small = ball.replace("0.3", "0.15")
-        self.assertEqual(numbers("Reconstruction", said_of(small + EVEN, "blur_samples 8, 16 variance 1/2000 ")), [0, 64 * 48])
-        many = said_of(small + EVEN, "blur_samples 8, 4096 variance 1/200000 ")
-        self.assertGreater(numbers("Reconstruction", many)[0], 100)
+        for samples in ("blur_samples 8, 16 variance 1/2000 ", "blur_samples 8, 4096 variance 1/200000 "):
+            rebuilt = numbers("Reconstruction", said_of(small + EVEN, samples))
+            self.assertGreater(rebuilt[0], 100)
+            self.assertGreater(rebuilt[1], 1000)
         self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, lens="denoise off")))
         self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, "blur_samples 8, 16 variance 0 ")))
 
