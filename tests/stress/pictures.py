@@ -50,7 +50,7 @@ def random_lens(r):
     shape = r.choice(("", "", f"blades {r.randint(3, 9)}, {r.uniform(-90, 90):.2f} ",
                       f"blades {r.randint(3, 9)} blade_curvature {r.random():.3f} squeeze {r.uniform(0.2, 5):.2f} "))
     character = "" if r.random() < 0.7 else (
-        f"edge_light {r.uniform(-0.9, 0.9):.2f} natural_vignetting {r.random():.2f} optical_vignetting {r.uniform(0, 0.3):.2f} "
+        f"edge_light {r.uniform(-0.9, 0.9):.2f} "
         f"distortion {r.uniform(0, 0.3):.3f} field_curvature {r.uniform(-0.5, 0.5):.3f} lateral_colour {r.uniform(-0.2, 0.2):.3f} axial_colour {r.uniform(-0.2, 0.2):.3f} ")
     shift = f"shift <{r.uniform(-30, 30):.3f}, {r.uniform(-30, 30):.3f}> " if r.random() < 0.5 else ""
     return (f"{focus}{shape}{character}{shift}scene_unit {10 ** r.uniform(0, 4):.4f} film_width {r.uniform(5, 200):.3f}",
