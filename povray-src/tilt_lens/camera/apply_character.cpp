@@ -17,26 +17,17 @@ namespace
 
 constexpr double kMostLateralColour = 0.25;
 
-/// The corners of the frame, as chief rays of the ideal lens.
-template <typename Use>
-void ForCorners(const Lens& lens, const Use& use)
-{
-    for (const double x : {-0.5, 0.5})
-        for (const double y : {-0.5, 0.5})
-            use(lens.direction + x * lens.right + y * lens.up);
-}
-
 /// The farthest that the frame reaches from the lens's axis: squared tangent of the angle.
 double FarthestOf(const Lens& lens)
 {
     double farthest = 0.0;
-    ForCorners(lens, [&](const Vec3& chief)
+    ForCorners([&](const FilmPoint& corner)
     {
+        const Vec3 chief = IdealChiefRay(lens, corner);
         const double along = Dot(chief, lens.normal);
         if (!(along > 0.0))
             throw OpticsError("The frame reaches behind the turned lens, where distortion, field_curvature, optical_vignetting and "
-                              "lateral_colour have no "
-                              "meaning. Turn the lens or shift the frame less, or remove these items.");
+                              "lateral_colour have no meaning. Turn the lens or shift the frame less, or remove these items.");
         farthest = std::max(farthest, Dot(chief, chief) / (along * along) - 1.0);
     });
     return farthest;
@@ -56,14 +47,13 @@ void RequireUnfolded(const Lens& lens, const Character& character, double unit, 
 /// The mapped film must lie before the camera everywhere, too.
 void RequireBefore(const Lens& lens)
 {
-    for (const double x : {-0.5, 0.5})
-        for (const double y : {-0.5, 0.5})
-        {
-            const Vec3 ideal = ChiefRay(lens, {x, y});
-            if (!(Dot(ideal, lens.normal) > 0.0) || !(Dot(ideal, ideal) < 1e6 * Dot(lens.direction, lens.direction)))
-                throw OpticsError("distortion bends a corner of the turned lens's picture backward. Give numbers nearer to 0, or shift "
-                                  "or turn less.");
-        }
+    ForCorners([&](const FilmPoint& corner)
+    {
+        const Vec3 ideal = ChiefRay(lens, corner);
+        if (!(Dot(ideal, lens.normal) > 0.0) || !(Dot(ideal, ideal) < 1e6 * Dot(lens.direction, lens.direction)))
+            throw OpticsError("distortion bends a corner of the turned lens's picture backward. Give numbers nearer to 0, or shift "
+                              "or turn less.");
+    });
 }
 
 /// Of the two ends of the spectrum one lies half the difference before the film, the other behind it.

@@ -26,11 +26,6 @@ struct Split
     double SquaredTangent() const { return Dot(across, across) / (along * along); }
 };
 
-Vec3 ChiefOf(const Lens& lens, const FilmPoint& ideal)
-{
-    return lens.direction + ideal.x * lens.right + ideal.y * lens.up;
-}
-
 /// r_ideal / r_picture.
 double Factor(const Lens& lens, double squaredTangent)
 {
@@ -98,7 +93,7 @@ std::optional<FilmPoint> IdealFilmPointOf(const Lens& lens, const Vec3& along)
 
 FilmPoint IdealFilmPoint(const Lens& lens, const FilmPoint& picture, double magnified)
 {
-    const Vec3 chief = ChiefOf(lens, picture);
+    const Vec3 chief = IdealChiefRay(lens, picture);
     const Split split(lens, chief);
     const Vec3 along = chief + (Factor(lens, split.SquaredTangent()) / magnified - 1.0) * split.across;
     return IdealFilmPointOf(lens, along).value_or(FilmPoint{picture.x, picture.y});
@@ -108,7 +103,7 @@ std::optional<FilmPoint> PictureFilmPoint(const Lens& lens, const FilmPoint& ide
 {
     if (!lens.distorts)
         return ideal;
-    const Split split(lens, ChiefOf(lens, ideal));
+    const Split split(lens, IdealChiefRay(lens, ideal));
     const double tangent = std::sqrt(split.SquaredTangent());
     if (!(split.along > 0.0))
         return {};
@@ -125,9 +120,9 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
     if (!lens.distorts)
         return 1.0;
     // how the ideal chief ray moves with the picture's point, per length on the frame
-    const Vec3 at = ChiefOf(lens, picture);
+    const Vec3 at = IdealChiefRay(lens, picture);
     const double step = 1e-5 * Length(lens.right);
-    const auto moved = [&](const Vec3& by) { return ChiefOf(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
+    const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
     const Vec3 right = step * lens.axisRight, up = step * lens.axisUp;
     const Vec3 byX = (moved(right) - moved(-right)) / (2.0 * step), byY = (moved(up) - moved(-up)) / (2.0 * step);
     // the inverse of the least singular value of that map, by the eigenvalues of its square

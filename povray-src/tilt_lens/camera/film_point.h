@@ -31,6 +31,21 @@ struct FilmPoint
     double x, y;  ///< to the right, upward
 };
 
+/// The chief ray through an ideal lens, not normalised: it ends where `direction`, `right` and `up` of the lens do.
+inline Vec3 IdealChiefRay(const Lens& lens, const FilmPoint& ideal)
+{
+    return lens.direction + ideal.x * lens.right + ideal.y * lens.up;
+}
+
+/// Calls use(corner) for the four corners of the frame.
+template <typename Use>
+void ForCorners(const Use& use)
+{
+    for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+            use(FilmPoint{x, y});
+}
+
 /// @param column, row    in pixels from the upper left corner of the picture; the middle of a pixel is at its number + 0.5
 /// @param width, height  of the whole picture, in pixels
 inline FilmPoint FilmPointAt(double column, double row, double width, double height)

@@ -31,11 +31,11 @@
 namespace tilt_lens
 {
 
-/// The ray through the lens centre, not normalised: it ends where `direction`, `right` and `up` of the lens do.
+/// The ray through the lens centre, as IdealChiefRay(), of a lens that may have distortion.
 inline Vec3 ChiefRay(const Lens& lens, const FilmPoint& film)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, film) : film;
-    return lens.direction + ideal.x * lens.right + ideal.y * lens.up;
+    return IdealChiefRay(lens, ideal);
 }
 
 /// What field curvature adds to w for a chief ray.
@@ -64,7 +64,7 @@ struct LensRay
 /// @param vergence  added to w for each unit of the chief ray along the lens's axis
 inline LensRay RayFromIdeal(const Lens& lens, const FilmPoint& ideal, double a, double b, double vergence)
 {
-    const Vec3 chief = lens.direction + ideal.x * lens.right + ideal.y * lens.up;
+    const Vec3 chief = IdealChiefRay(lens, ideal);
     // linear over the frame: where k and D are nearly at right angles, k.D itself would cancel
     double w = lens.focusMiddle + ideal.x * lens.focusRight + ideal.y * lens.focusUp;
     if (lens.fieldCurvature != 0.0)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "tilt_lens/camera/film_point.h"
 #include "tilt_lens/camera/numbers.h"
 #include "tilt_lens/glass/glass_lens.h"
 
@@ -23,13 +24,12 @@ constexpr double kSameFNumber = 1e-3;
 double RoomBehind(const Lens& lens, const CardinalPoints& points)
 {
     double least = HUGE_VAL;
-    for (const double x : {-0.5, 0.5})
-        for (const double y : {-0.5, 0.5})
-        {
-            const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
-            const double behind = Dot(chief, lens.normal) * lens.filmDistance / (Dot(lens.direction, lens.axis) * lens.millimetre);
-            least = std::min(least, behind + points.separation + points.rearVertex);
-        }
+    ForCorners([&](const FilmPoint& corner)
+    {
+        const double along = Dot(IdealChiefRay(lens, corner), lens.normal);
+        const double behind = along * lens.filmDistance / (Dot(lens.direction, lens.axis) * lens.millimetre);
+        least = std::min(least, behind + points.separation + points.rearVertex);
+    });
     return least;
 }
 

@@ -79,9 +79,7 @@ double DarkestCorner(const tilt_lens::Lens& lens, const tilt_lens::Aperture& dis
     natural.naturalVignetting = character.naturalVignetting;
     const tilt_lens::Vignetting vignetting(lens, disc, natural);
     double darkest = HUGE_VAL;
-    for (const double x : {-0.5, 0.5})
-        for (const double y : {-0.5, 0.5})
-            darkest = std::min(darkest, vignetting.Brightness({x, y}));
+    tilt_lens::ForCorners([&](const tilt_lens::FilmPoint& corner) { darkest = std::min(darkest, vignetting.Brightness(corner)); });
     return darkest;
 }
 
