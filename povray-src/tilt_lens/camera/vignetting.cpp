@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
-#include <stdexcept>
 
+#include "tilt_lens/camera/frame_table.h"
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/camera/partly_covered.h"
 
 namespace tilt_lens
 {
@@ -22,13 +22,6 @@ constexpr int kTableSide = 65;
 
 /// Points of the aperture in a row and in a column that the table's shares are counted with.
 constexpr int kCountSide = 128;
-
-/// Random points that are tried where the sequence's own is covered. What is missed where all of them are covered, too, is
-/// in the weight.
-constexpr int kTries = 64;
-
-/// Less open than this in the middle of the picture is refused: the exposure would have to make up for it.
-constexpr double kLeastOpen = 0.01;
 
 } // namespace
 
@@ -53,7 +46,7 @@ Vignetting::Vignetting(const Lens& itsLens, const Aperture& aperture, const Char
 /// On the film's side the chief ray is that of the film point itself, whatever distortion makes of it before the lens.
 double Vignetting::Falloff(const FilmPoint& film) const
 {
-    const Vec3 chief = lens.direction + film.x * lens.right + film.y * lens.up;
+    const Vec3 chief = IdealChiefRay(lens, film);
     const double square = Dot(chief, chief);
     return Dot(chief, lens.axis) * Dot(chief, lens.normal) / (square * square);
 }
@@ -84,7 +77,7 @@ void Vignetting::Tabulate(const Aperture& aperture)
     for (int row = 0; row < kTableSide; row++)
         for (int column = 0; column < kTableSide; column++)
         {
-            const Opening opening = OpeningFor({double(column) / (kTableSide - 1) - 0.5, 0.5 - double(row) / (kTableSide - 1)});
+            const Opening opening = OpeningFor(FilmPointOfPlace(kTableSide, row, column));
             // how the squared distance from the rim changes across a point
             const double ramp = kCountSide / (4.0 * std::fabs(opening.m) * opening.radius);
             double sum = 0.0;
@@ -98,15 +91,11 @@ double Vignetting::OpenShare(const FilmPoint& film) const
 {
     if (open.empty())
         return 1.0;
-    const int last = kTableSide - 2;
-    const double x = (film.x + 0.5) * (kTableSide - 1), y = (0.5 - film.y) * (kTableSide - 1);
-    const int column = std::clamp(int(std::floor(x)), 0, last), row = std::clamp(int(std::floor(y)), 0, last);
-    // pretrace looks a little past the frame
-    const double right = std::clamp(x - column, 0.0, 1.0), down = std::clamp(y - row, 0.0, 1.0);
-    const float* at = &open[std::size_t(row) * kTableSide + column];
-    const double above = at[0] + right * (at[1] - at[0]);
-    const double below = at[kTableSide] + right * (at[kTableSide + 1] - at[kTableSide]);
-    return above + down * (below - above);
+    const TablePlace place = PlaceOf(kTableSide, film);
+    const float* at = &open[place.at];
+    const double above = at[0] + place.right * (at[1] - at[0]);
+    const double below = at[kTableSide] + place.right * (at[kTableSide + 1] - at[kTableSide]);
+    return above + place.down * (below - above);
 }
 
 bool Vignetting::Passes(const FilmPoint& film, const AperturePoint& point) const
@@ -125,8 +114,7 @@ double Vignetting::DrawPoint(const Aperture& aperture, const FilmPoint& film, do
     if (!(share > 0.0))
         return 0.0;
     const Opening opening = OpeningFor(film);
-    std::minstd_rand random(seed);
-    const auto uniform = [&random] { return (random() - 0.5) / (random.max() + 1.0); };
+    UniformNumbers uniform(seed);
     for (int i = 0; i < kTries && !(opening.Left(point) >= 0.0); i++)
     {
         const double first = uniform(), second = uniform();
@@ -135,6 +123,7 @@ double Vignetting::DrawPoint(const Aperture& aperture, const FilmPoint& film, do
     return opening.Left(point) >= 0.0 ? brightness / DrawDensity(film) : 0.0;
 }
 
+/// What is missed where all points that are tried are covered is in the weight.
 double Vignetting::DrawDensity(const FilmPoint& film) const
 {
     const double share = OpenShare(film);

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 
+#include "tilt_lens/camera/frame_table.h"
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/camera/partly_covered.h"
 
 namespace tilt_lens
 {
@@ -19,13 +20,6 @@ namespace
 /// Places of the table in a row and in a column of the frame; odd, so that the middle is one. Between them the share that is
 /// open is linear: where it bends by 4 over the frame, 1/8 of that over the squared number of steps is missed, 1/2000.
 constexpr int kTableSide = 33;
-
-/// Random directions that are tried where the sequence's own does not pass. Of ellipses that are half covered one sample in 2^65
-/// finds none.
-constexpr int kTries = 64;
-
-/// Less open than this in the middle of the picture is refused: the exposure would have to make up for it.
-constexpr double kLeastOpen = 0.01;
 
 /// The least part of a ray's direction that lies along the camera's axis, where that scales the direction.
 constexpr double kLeastAlong = 0.01;
@@ -92,7 +86,7 @@ void GlassCamera::Tabulate()
     {
         std::optional<PupilPoint> near;
         for (int column = 0; column < kTableSide; column++)
-            nodes.push_back(NodeAt({double(column) / (kTableSide - 1) - 0.5, 0.5 - double(row) / (kTableSide - 1)}, near));
+            nodes.push_back(NodeAt(FilmPointOfPlace(kTableSide, row, column), near));
     }
 }
 
@@ -121,12 +115,8 @@ void GlassCamera::FillUnseen()
 
 GlassCamera::Node GlassCamera::Between(const FilmPoint& film) const
 {
-    const int last = kTableSide - 2;
-    const double x = (film.x + 0.5) * (kTableSide - 1), y = (0.5 - film.y) * (kTableSide - 1);
-    const int column = std::clamp(int(std::floor(x)), 0, last), row = std::clamp(int(std::floor(y)), 0, last);
-    // pretrace looks a little past the frame
-    const double right = std::clamp(x - column, 0.0, 1.0), down = std::clamp(y - row, 0.0, 1.0);
-    const Node* const upper = &nodes[std::size_t(row * kTableSide + column)];
+    const auto [at, right, down] = PlaceOf(kTableSide, film);
+    const Node* const upper = &nodes[at];
     const Node* const lower = upper + kTableSide;
     const double weights[4] = {(1.0 - right) * (1.0 - down), right * (1.0 - down), (1.0 - right) * down, right * down};
     const Node* const corners[4] = {upper, upper + 1, lower, lower + 1};
@@ -179,8 +169,7 @@ GlassSample GlassCamera::Draw(const FilmPoint& film, double u, double v, std::ui
     const Vec3 place = FilmInLens(film);
     const PupilEllipse bounds = BoundsOf(node, place);
     const PupilPoint radial = RadialAxis(place);
-    std::minstd_rand random(seed);
-    const auto uniform = [&random] { return (random() - 0.5) / (random.max() + 1.0); };
+    UniformNumbers uniform(seed);
     for (; sample.refused <= kTries; sample.refused++)
     {
         const AperturePoint point = disc(u, v);
