@@ -65,10 +65,7 @@ class Diaphragm(rendering.RenderTest):
 
     def test_threads_and_parts(self):
         scene = scenes.camera("tilt 4 blades 5 blade_curvature 0.5 squeeze 2") + scenes.WORLD
-        whole = rendering.render(scene, "+WT1", **SIZE)
-        self.assert_same(rendering.render(scene, "+WT3", "+BS13", **SIZE), whole, "threads")
-        part = rendering.render(scene, "+SR9", "+ER40", **SIZE)
-        self.assert_same(part.crop(0, 8, 64, 40), whole.crop(0, 8, 64, 40), "rows")
+        self.assert_same_in_parts(scene, first=9, last=40, **SIZE)
 
     def test_off_is_as_without(self):
         without = rendering.render(scenes.camera("blades 5, 10") + scenes.WORLD, **SIZE)

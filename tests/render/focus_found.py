@@ -39,10 +39,7 @@ class Found(rendering.RenderTest):
 
     def test_threads_and_parts(self):
         text = camera("focal_points focus_on Ball, focus_at <0.8, 0.2>, focus_at <0.2, 0.6>", BALL) + scenes.WORLD
-        whole = rendering.render(text, "+WT2", width=40, height=30)
-        self.assert_same(rendering.render(text, "+WT1", "+BS8", width=40, height=30), whole)
-        part = rendering.render(text, "+SR11", "+ER22", width=40, height=30)
-        self.assert_same(part.crop(0, 10, 40, 22), whole.crop(0, 10, 40, 22))
+        self.assert_same_in_parts(text, first=11, last=22, width=40, height=30)
 
 
 class Seed(rendering.RenderTest):

@@ -136,11 +136,7 @@ class Report(rendering.RenderTest):
 class Sampling(rendering.RenderTest):
     def test_threads_and_parts(self):
         scene = camera(GAUSS + "tilt 4 blades 6", scenes.SAMPLES, scenes.VIEW.replace("angle 45", ""), 1000) + scenes.WORLD
-        whole = render(scene, "+WT1")
-        self.assert_same(render(scene, "+WT3", "+BS13"), whole, "threads")
-        part = render(scene, "+SR9", "+ER24")
-        self.assert_same(part.crop(0, 8, WIDTH, 24), whole.crop(0, 8, WIDTH, 24), "rows")
-        self.assert_finite(whole)
+        self.assert_finite(self.assert_same_in_parts(scene, f"+L{INCLUDE}", first=9, last=24, **SIZE))
 
 
 class Files(rendering.RenderTest):

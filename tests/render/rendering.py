@@ -143,6 +143,17 @@ class RenderTest(unittest.TestCase):
                       f"at column {off[0] % a.width}, row {off[0] // a.width}\n{a.told}--- and\n{b.told}")
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
+    def assert_same_in_parts(self, scene, *options, first, last, **size):
+        """The same pixels by one thread and by several, in other tiles, and where only some rows are rendered.
+        @param first, last  of these rows, from 1
+        @return the whole picture"""
+        whole = render(scene, "+WT1", *options, **size)
+        self.assert_same(render(scene, "+WT3", "+BS13", *options, **size), whole, "threads")
+        part = render(scene, f"+SR{first}", f"+ER{last}", *options, **size)
+        area = (0, first - 1, whole.width, last)
+        self.assert_same(part.crop(*area), whole.crop(*area), "rows")
+        return whole
+
     def assert_near(self, a, b, rms, what=""):
         """Root mean square difference at most rms."""
         found, largest = difference(a, b)
