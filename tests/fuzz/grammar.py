@@ -8,7 +8,7 @@ FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), 
 DISTANCES = ("focus_scale", "film_distance", "focus_on", "focus_at")  # the first one fits any scene
 FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "blade_curvature", "squeeze",
         "denoise", "sample_seed", "edge_light", "natural_vignetting", "optical_vignetting", "distortion", "field_curvature",
-        "lateral_colour", "axial_colour", "prescription")
+        "lateral_colour", "axial_colour", "prescription", "dispersion")
 AIDS = ("focus_peaking", "show_planes", "focus_map")  # the last one stands alone
 WORDS = tuple(word for family in FAMILIES for word in family) + DISTANCES + FREE + AIDS
 ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
@@ -64,7 +64,7 @@ class Grammar:
             return self.vector(2, -30, 30)
         if word == "blades":
             return str(r.randint(3, 12)) + (f", {self.number(-90, 90)}" if r.random() < 0.5 else "")
-        if word == "denoise":
+        if word in ("denoise", "dispersion"):
             return r.choice(("on", "off", "yes", "no", "true", "1", "0", "0.5", "2 > 1"))
         if word == "prescription":
             return f'"lenses/{r.choice(("zeiss_planar_50.dat", "minolta_50.json"))}"' + (f", {self.number(5, 500)}" if r.random() < 0.5 else "")
@@ -88,6 +88,7 @@ class Grammar:
         words = [word for word in words if word != "blade_curvature" or "blades" in words]
         # the scene around the block has angle and aperture
         words = [word for word in words if word not in ("focal_length", "f_stop", "prescription") or r.random() < 0.1]
+        words = [word for word in words if word != "dispersion" or "prescription" in words]
         if r.random() < 0.9:
             family = r.choice(FAMILIES)
             words += [word for word in family if len(family) == 1 or r.random() < 0.7]

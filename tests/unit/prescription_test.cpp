@@ -126,6 +126,18 @@ TEST(Prescription, HasAspheres)
     EXPECT_EQ(iset.rows[1].conic, -1.5);
 }
 
+TEST(Prescription, HasAbbeNumbersWhereTheyAreGiven)
+{
+    EXPECT_EQ(ReadPrescription(kPbrt).rows[0].abbe, 0.0);
+    EXPECT_EQ(ReadPrescription(kLentil).rows[0].abbe, 50.0);
+    EXPECT_EQ(ReadPrescription(With(kPbrt, "1.6   14", "1.6   14 50")).rows[0].abbe, 50.0);
+    EXPECT_EQ(ReadPrescription(With(kIset, "\"ior\": 1.6,", "\"ior\": 1.6, \"abbe\": 50,")).rows[0].abbe, 50.0);
+    // a stop within glass has that of the glass, and the line tells where it is missing
+    const Prescription inGlass = ReadPrescription("20 3 1.6 14 50\n0 1 0 9\n-22 40 1 12\n");
+    EXPECT_EQ(inGlass.rows[1].abbe, 50.0);
+    EXPECT_EQ(ReadPrescription(kPbrt).rows[3].line, 6);
+}
+
 TEST(Prescription, ScalesAllLengths)
 {
     Prescription lens = ReadPrescription(kPbrt);
@@ -147,7 +159,9 @@ TEST(Prescription, RefusesRowsOfPbrtWithTheirLine)
     ExpectError(" \n\n", 1, "empty");
     ExpectError("# nothing\n", 0, "0 surfaces");
     ExpectError(With(kPbrt, "-80  2.5  1     14", "-80  2.5  1"), 4, "3 numbers");
-    ExpectError(With(kPbrt, "-80  2.5  1     14", "-80  2.5  1  14  50"), 4, "5 numbers");
+    ExpectError(With(kPbrt, "-80  2.5  1     14", "-80  2.5  1  14  50 7"), 4, "6 numbers");
+    ExpectError(With(kPbrt, "1.6   14", "1.6   14 5"), 3, "an Abbe number of 5");
+    ExpectError(With(kPbrt, "1.6   14", "1.6   14 -50"), 3, "an Abbe number of -50");
     ExpectError(With(kPbrt, "-80  2.5", "-8O  2.5"), 4, "'-8O' where a number should be");
     ExpectError(With(kPbrt, "-80  2.5", "-80  2,5"), 4, "'2,5'");
     ExpectError(With(kPbrt, "-80  2.5", "inf  2.5"), 4, "not finite");

@@ -12,7 +12,7 @@ AIDS = ("focus_peaking", "focus_map", "show_planes")
 KEPT = ("blade_curvature", "squeeze", "edge_light", "natural_vignetting", "optical_vignetting", "distortion",
         "field_curvature", "lateral_colour", "axial_colour", "denoise", "sample_seed", *AIDS)
 # Blocks with one of these are not written: the page knows the ideal lens alone, and would write its focal length beside them.
-REFUSED = ("prescription",)
+REFUSED = ("prescription", "dispersion")
 
 
 class EditError(Exception):

@@ -38,6 +38,7 @@ namespace tilt_lens
 {
 
 class GlassLens;
+class GlassOfColours;
 struct Prescription;
 
 /// The perspective camera as POV-Ray holds it after all transformations. World frame, scene units.
@@ -78,6 +79,7 @@ struct Statement
     double squeeze = 1.0;                      ///< height of the aperture over its width; the larger is the diameter
     Character character;                       ///< what a real lens does otherwise than an ideal one
     std::shared_ptr<const Prescription> prescription;  ///< of a lens of glass, at its size; null: none
+    bool dispersion = false;                   ///< its indices depend on the wavelength
     bool denoise = true;                       ///< the picture is rebuilt from its pixels (reconstruction.h)
     std::uint32_t sampleSeed = 0;              ///< of the pattern of samples: another one, other noise
 
@@ -114,6 +116,7 @@ struct Lens
     double lateralColour = 0.0;    ///< by which the image of the red end is larger than that of the middle of the spectrum, relative
     double axialColour = 0.0;      ///< vergence that the film sees less of there; 1/(scene units)
     std::shared_ptr<const GlassLens> glass;  ///< what rays go through in place of the ideal lens (glass_camera.h), with its stop set
+    std::shared_ptr<const GlassOfColours> glassOfColours;  ///< the same for each part of the spectrum; null: one wavelength
     /// @}
 };
 

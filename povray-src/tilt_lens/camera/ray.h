@@ -93,7 +93,7 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
 }
 
 /// Whether the lens has colour fringes, so that rays of several colours must be traced.
-inline bool HasColours(const Lens& lens) { return lens.lateralColour != 0.0 || lens.axialColour != 0.0; }
+inline bool HasColours(const Lens& lens) { return lens.lateralColour != 0.0 || lens.axialColour != 0.0 || lens.glassOfColours; }
 
 /// The chief ray D, of any length, of the ray that leads through the lens point l and through P; nothing where that is none, or
 /// one that comes to P from beyond the focus of its film point. On the ray P = l + s (D - w l), so that Y = s D solves

@@ -9,6 +9,7 @@
 
 #include "tilt_lens/camera/film_point.h"
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 
 namespace tilt_lens
@@ -63,6 +64,8 @@ void ApplyPrescription(Lens& lens, const Statement& given)
     if (given.fStop || given.aperture > 0.0)
         glass->StopDown(fNumber);
     lens.glass = glass;
+    if (given.dispersion)
+        lens.glassOfColours = std::make_shared<GlassOfColours>(*glass, *given.prescription);
 }
 
 } // namespace tilt_lens

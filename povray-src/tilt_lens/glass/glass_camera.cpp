@@ -160,7 +160,7 @@ LensRay GlassCamera::ToWorld(const FilmPoint& film, const GlassRay& ray) const
     return {lens.millimetre * world(ray.origin), scale * direction, lens.focusMiddle + film.x * lens.focusRight + film.y * lens.focusUp};
 }
 
-GlassSample GlassCamera::Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const
+GlassSample GlassCamera::DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const
 {
     const Node node = Between(film);
     GlassSample sample{{}, 0.0, 0};
@@ -176,7 +176,7 @@ GlassSample GlassCamera::Draw(const FilmPoint& film, double u, double v, std::ui
         const double along = bounds.radial * point.a, across = bounds.tangential * point.b;
         std::optional<GlassRay> ray =
             RayTowards(place, {bounds.centre.l + along * radial.l - across * radial.m, bounds.centre.m + along * radial.m + across * radial.l});
-        if (ray && TraceThrough(*glass, aperture, *ray) == Passage::Passed)
+        if (ray && TraceThrough(colour, aperture, *ray) == Passage::Passed)
         {
             sample.ray = ToWorld(film, *ray);
             sample.weight = BrightnessOf(node);

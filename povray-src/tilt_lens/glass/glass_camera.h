@@ -24,6 +24,7 @@
 #include "tilt_lens/camera/film_point.h"
 #include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/pupil_view.h"
 
@@ -50,7 +51,18 @@ class GlassCamera
 
     /// @param u, v  in [0, 1)
     /// @param seed  of the random numbers that directions are drawn again with
-    GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const;
+    GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(*glass, film, u, v, seed); }
+
+    /// The same for light of one colour, of a lens with dispersion. How much of it the rims cover is taken as for the d line, so that
+    /// an even grey surface has no colour.
+    /// @param hue  its place in the spectrum, from -1 (blue end) to 1 (red end)
+    GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
+    {
+        return DrawThrough(lens.glassOfColours->Of(hue), film, u, v, seed);
+    }
+
+    /// Whether rays of several colours must be traced.
+    bool HasColours() const { return lens.glassOfColours != nullptr; }
 
     /// A ray through the middle of what the film point sees; nothing where that is covered.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
@@ -93,6 +105,7 @@ class GlassCamera
     Node Between(const FilmPoint& film) const;
     PupilEllipse BoundsOf(const Node& node, const Vec3& place) const;
     double BrightnessOf(const Node& node) const;
+    GlassSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
     LensRay ToWorld(const FilmPoint& film, const GlassRay& ray) const;
 };
 

@@ -89,6 +89,16 @@ double GlassLens::WidestRay() const
     return passes;
 }
 
+void GlassLens::TakeIndices(const Prescription& prescription)
+{
+    for (std::size_t i = 0; i < surfaces.size(); i++)
+    {
+        const std::size_t row = surfaces.size() - 1 - i;
+        surfaces[i].before = prescription.rows[row].index;
+        surfaces[i].after = IndexBefore(prescription, row);
+    }
+}
+
 /// The stop's radius is where the beam's outermost ray crosses it.
 void GlassLens::StopDown(double fNumber)
 {

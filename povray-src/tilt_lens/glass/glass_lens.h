@@ -75,6 +75,9 @@ class GlassLens
     /// Sets the stop so that focal length over diameter of the beam along the axis is this, but never wider than it was made.
     void StopDown(double fNumber);
 
+    /// Takes the indices of refraction of a prescription with the same surfaces; the frame and the cardinal points stay.
+    void TakeIndices(const Prescription& prescription);
+
     /// Follows a ray from the film to the scene.
     /// @param[in,out] ray  begins behind the lens with direction.z > 0; where it passes, it is the ray that leaves the first surface
     /// @param[out] stop    where it passed the stop, if it came that far

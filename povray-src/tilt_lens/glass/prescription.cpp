@@ -20,6 +20,9 @@ constexpr std::size_t kMostRows = 200;
 /// Of indices: those of glass in visible light end at 2.2, diamond has 2.42, germanium in the infrared 4.
 constexpr double kMostIndex = 4.0;
 
+/// Of Abbe numbers: glasses have 15 to 95.
+constexpr double kLeastAbbe = 10.0, kMostAbbe = 150.0;
+
 /// What each number must be. A conic that ends before its rim is no error: the rays beyond it find no surface.
 void RequireSensible(const ReadRow& read, bool last)
 {
@@ -35,6 +38,9 @@ void RequireSensible(const ReadRow& read, bool last)
     if (!(row.index >= 1.0 && row.index <= kMostIndex))
         throw PrescriptionError(read.line, "an index of refraction of " + Number(row.index) + ". It must be from 1 (air; pbrt's files "
                                            "may have 0) to " + Number(kMostIndex) + ".");
+    if (!(row.abbe == 0.0 || (row.abbe >= kLeastAbbe && row.abbe <= kMostAbbe)))
+        throw PrescriptionError(read.line, "an Abbe number of " + Number(row.abbe) + ". It must be from " + Number(kLeastAbbe) + " to " +
+                                           Number(kMostAbbe) + "; give 0 or none where it is not known, and in air.");
 }
 
 /// Gives rows without an index that of the medium before them, and finds the stop: the row that the file marks as such, or the
@@ -42,12 +48,15 @@ void RequireSensible(const ReadRow& read, bool last)
 std::size_t FindStop(std::vector<ReadRow>& rows)
 {
     std::vector<std::size_t> marked, planes;
-    double before = 1.0;
+    double before = 1.0, abbeBefore = 0.0;
     for (std::size_t i = 0; i < rows.size(); i++)
     {
         PrescriptionRow& row = rows[i].row;
         if (rows[i].stop)
+        {
             row.index = before;
+            row.abbe = abbeBefore;
+        }
         if (rows[i].stop && row.radius != 0.0)
             throw PrescriptionError(rows[i].line, "a stop that is curved. It must be a plane; give it a row of its own.");
         if (rows[i].stop)
@@ -55,6 +64,7 @@ std::size_t FindStop(std::vector<ReadRow>& rows)
         else if (row.radius == 0.0 && row.index == before && row.aspheric.empty())
             planes.push_back(i);
         before = row.index;
+        abbeBefore = row.abbe;
     }
     const std::vector<std::size_t>& stops = marked.empty() ? planes : marked;
     if (stops.empty())
@@ -86,6 +96,7 @@ Prescription ReadPrescription(const std::string& text, const std::string& choice
     {
         RequireSensible(rows[i], i + 1 == rows.size());
         prescription.rows.push_back(rows[i].row);
+        prescription.rows.back().line = rows[i].line;
     }
     if (rows[0].row.thickness == 0.0 && prescription.stop != 0)
         throw PrescriptionError(rows[0].line, "a thickness of 0 behind the first surface. In some old files the second column is the "

@@ -4,7 +4,8 @@
 /// @file prescription.h
 /// The table of a lens's surfaces as a file has it. Three forms are read:
 ///
-/// - the `.dat` files of the renderer pbrt: rows of radius, thickness, index and clear diameter; `#` begins a comment;
+/// - the `.dat` files of the renderer pbrt: rows of radius, thickness, index and clear diameter, and here also an Abbe number; `#`
+///   begins a comment;
 /// - the JSON of the lens shader lentil: an object with `optical-elements-patent` (or `-adjusted`), or a database of such
 ///   objects, of which one is chosen by its name;
 /// - the JSON of the ISET toolboxes: an object with `surfaces`.
@@ -31,9 +32,11 @@ struct PrescriptionRow
     double radius = 0.0;     ///< mm; 0: plane
     double thickness = 0.0;  ///< mm along the axis to the next row; that of the last row has no meaning
     double index = 1.0;      ///< of refraction behind the surface, for the d line (587.6 nm)
+    double abbe = 0.0;       ///< Abbe number of what has this index; 0: not stated, or air
     double diameter = 0.0;   ///< mm, of the clear opening
     double conic = 0.0;      ///< conic constant: 0 is a sphere, -1 a paraboloid
     std::vector<double> aspheric;  ///< 1/mm^3, 1/mm^5, ...
+    int line = 0;            ///< of the file; 0 where none can be told
 };
 
 struct Prescription

@@ -155,7 +155,10 @@ ReadRow LentilRow(const Members& element, int line)
     ReadShape(element, read.row);
     read.stop = material == "iris";
     if (!read.stop && material != "air")
+    {
         read.row.index = element.Number("ior");
+        read.row.abbe = element.NumberOr("abbe", 0.0);
+    }
     return read;
 }
 
@@ -174,6 +177,7 @@ ReadRow IsetRow(const Members& surface, int line)
             throw PrescriptionError(line, "a surface with a \"transform\". Surfaces must be round about the axis; take another lens.");
     }
     read.row.index = surface.Number("ior");
+    read.row.abbe = surface.NumberOr("abbe", 0.0);
     read.stop = read.row.radius == 0.0 && read.row.index == 0.0;
     return read;
 }

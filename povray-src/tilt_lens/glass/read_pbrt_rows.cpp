@@ -12,6 +12,8 @@ namespace tilt_lens
 namespace
 {
 
+const char* const kRow = "four numbers, radius, thickness, index of refraction and clear diameter, and may have a fifth, the Abbe number";
+
 double NumberOf(const std::string& word, int line)
 {
     double value = 0.0;
@@ -19,8 +21,8 @@ double NumberOf(const std::string& word, int line)
     const char* const begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const std::from_chars_result read = std::from_chars(begin, end, value);
     if (read.ec != std::errc() || read.ptr != end)
-        throw PrescriptionError(line, "'" + word.substr(0, 40) + "' where a number should be. A row has four numbers: radius, thickness, "
-                                      "index of refraction, clear diameter; '#' begins a comment.");
+        throw PrescriptionError(line, "'" + word.substr(0, 40) + "' where a number should be. A row has " + std::string(kRow) +
+                                      "; '#' begins a comment.");
     return value;
 }
 
@@ -39,15 +41,16 @@ std::vector<ReadRow> ReadPbrtRows(const std::string& text)
             numbers.push_back(NumberOf(word, line));
         if (numbers.empty())
             continue;
-        if (numbers.size() != 4)
-            throw PrescriptionError(line, std::to_string(numbers.size()) + " numbers. A row has four: radius, thickness, index of "
-                                          "refraction, clear diameter.");
+        if (numbers.size() != 4 && numbers.size() != 5)
+            throw PrescriptionError(line, std::to_string(numbers.size()) + " numbers. A row has " + kRow + ".");
         ReadRow read;
         read.line = line;
         read.row.radius = numbers[0];
         read.row.thickness = numbers[1];
         read.row.index = numbers[2];
         read.row.diameter = numbers[3];
+        if (numbers.size() == 5)
+            read.row.abbe = numbers[4];
         // pbrt writes air as 0 or 1, and takes a row of radius 0 for the stop
         read.stop = numbers[0] == 0.0 && numbers[2] == 0.0;
         if (read.row.index == 0.0)

@@ -32,14 +32,23 @@ struct CameraRay
     /// Completes a ray from its start.
     void FindRay(const Lens& lens) { Take(MakeRay(lens, sample.x, sample.y, sample.point.a, sample.point.b)); }
 
-    /// A sample of a lens of glass and its ray.
+    /// A sample of a lens of glass and its ray; of one with dispersion only the sample, whose rays DrawColour() finds.
     void Draw(const GlassCamera& glass, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
     {
-        const GlassSample drawn = glass.Draw(film, point.lensU, point.lensV, PixelHash(id.x, id.y, kGlassSeed, id.index));
-        sample = {film.x, film.y, {0.0, 0.0}, drawn.weight, 0.0};
-        refused = drawn.refused;
-        if (drawn.weight != 0.0)
-            Take(drawn.ray);
+        lensU = point.lensU;
+        lensV = point.lensV;
+        glassSeed = PixelHash(id.x, id.y, kGlassSeed, id.index);
+        if (glass.HasColours())
+            sample = {film.x, film.y, {0.0, 0.0}, glass.Brightness(film), 0.0};
+        else
+            Take(glass.Draw(film, lensU, lensV, glassSeed), film);
+    }
+
+    /// The ray of such a sample for light of one colour.
+    void DrawColour(const GlassCamera& glass, double hue)
+    {
+        const FilmPoint film{sample.x, sample.y};
+        Take(glass.DrawColour(film, lensU, lensV, glassSeed, hue), film);
     }
 
     /// The same for light of one colour; see MakeColourRay().
@@ -47,6 +56,17 @@ struct CameraRay
 
   private:
     static constexpr std::uint32_t kGlassSeed = 0x476c61;  ///< sets its random numbers apart from a sample's others
+
+    double lensU = 0.0, lensV = 0.0;  ///< what a sample of a lens of glass is drawn with
+    std::uint32_t glassSeed = 0;
+
+    void Take(const GlassSample& drawn, const FilmPoint& film)
+    {
+        sample = {film.x, film.y, {0.0, 0.0}, drawn.weight, 0.0};
+        refused = drawn.refused;
+        if (drawn.weight != 0.0)
+            Take(drawn.ray);
+    }
 
     void Take(const LensRay& found)
     {

@@ -12,7 +12,7 @@ syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
       \ focus_on focus_at film_distance focus_scale sample_seed
       \ shift film_width focal_length scene_unit f_stop blades blade_curvature squeeze denoise
       \ edge_light natural_vignetting optical_vignetting distortion field_curvature
-      \ lateral_colour axial_colour prescription
+      \ lateral_colour axial_colour prescription dispersion
       \ focus_peaking focus_map show_planes
 " Vim's own regions between braces contain all groups but those of this cluster.
 syn cluster povPRIVATE add=povTiltLensBlock,povTiltLensItem

@@ -15,6 +15,7 @@
 #include "backend/parser/parse.h"
 #include "backend/support/fileutil.h"
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/prescription.h"
 
@@ -112,13 +113,32 @@ void TiltLensParser::ParsePrescription(Statement& statement)
     }
 }
 
+/// Each glass's Abbe number, where they are asked for.
+void TiltLensParser::RequireColours(const Statement& statement, const TiltLensPlace& place)
+{
+    if (!statement.dispersion)
+        return;
+    try
+    {
+        tilt_lens::RequireAbbeNumbers(*statement.prescription);
+    }
+    catch (const tilt_lens::PrescriptionError& error)
+    {
+        ErrorAt(place, "dispersion in tilt_lens: the prescription has in line %d %s", error.line, error.what());
+    }
+}
+
 /// What glass has of its own cannot be asked for beside it.
 void TiltLensParser::RequireNoOtherLens(const Camera& camera)
 {
     const Statement& s = camera.TiltLens.statement;
+    const TiltLensPlace& place = camera.TiltLens.place;
+    if (!s.prescription && s.dispersion)
+        ErrorAt(place, "dispersion in tilt_lens without prescription: the ideal lens has no glass. Give it a prescription, or remove "
+                       "dispersion; lateral_colour and axial_colour give an ideal lens colour fringes.");
     if (!s.prescription)
         return;
-    const TiltLensPlace& place = camera.TiltLens.place;
+    RequireColours(s, place);
     const double own = tilt_lens::GlassLens(*s.prescription).Cardinal().focalLength;
     if (s.focalLength)
         ErrorAt(place, "focal_length %g and prescription in one camera: the lens of glass has its own, %g mm. Remove focal_length, or give "

@@ -204,8 +204,10 @@ void TiltLensParser::ParseItem(const std::string& word, TiltLensCamera& lens)
         s.squeeze = NumberWithin(word, 0.1, 10.0, "lying to upright ovals; 1 is round");
     else if (word == "prescription")
         ParsePrescription(s);
+    else if (word == "dispersion")
+        s.dispersion = Number(word) != 0.0;  // `on` and `off` are numbers
     else if (word == "denoise")
-        s.denoise = Number(word) != 0.0;  // `on` and `off` are numbers
+        s.denoise = Number(word) != 0.0;
     else if (word == "sample_seed")
         ParseSampleSeed(s);
     else

@@ -88,6 +88,7 @@ class TiltLensParser
     void RequireConsistent(const Camera& camera);
     void RequireFilm(const Camera& camera);
     void RequireNoOtherLens(const Camera& camera);
+    void RequireColours(const tilt_lens::Statement& statement, const TiltLensPlace& place);
     void RequireQuality(const Camera& camera, const WrittenItems& written);
     void RequireAperture(const Camera& camera);
     void TakeFocalPoint(Camera& camera);

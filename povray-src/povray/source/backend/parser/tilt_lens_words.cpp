@@ -11,7 +11,7 @@
 namespace pov
 {
 
-const TiltLensItem kTiltLensItems[31] = {
+const TiltLensItem kTiltLensItems[32] = {
     {"film_width", NULL, NULL, "film_width 36"},
     {"focal_length", NULL, NULL, "focal_length 50"},
     {"scene_unit", NULL, NULL, "scene_unit 1000"},
@@ -28,6 +28,7 @@ const TiltLensItem kTiltLensItems[31] = {
     {"lateral_colour", NULL, NULL, "lateral_colour 0.02"},
     {"axial_colour", NULL, NULL, "axial_colour 0.1"},
     {"prescription", NULL, NULL, "prescription \"tessar.dat\""},
+    {"dispersion", NULL, NULL, "dispersion on"},
     {"denoise", NULL, NULL, "denoise on"},
     {"sample_seed", NULL, NULL, "sample_seed frame_number"},
     {"tilt", "tilt and swing", NULL, "tilt 6"},

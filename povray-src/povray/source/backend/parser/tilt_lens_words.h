@@ -20,7 +20,7 @@ struct TiltLensItem
     const char* example; ///< how it is written with its value
 };
 
-extern const TiltLensItem kTiltLensItems[31];
+extern const TiltLensItem kTiltLensItems[32];
 
 /// The item of that spelling, or NULL.
 const TiltLensItem* FindTiltLensItem(const std::string& word);

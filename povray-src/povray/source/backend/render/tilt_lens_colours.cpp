@@ -28,7 +28,12 @@ void TiltLensTracer::TraceColours(const tilt_lens::PixelSampler& itsPixel, unsig
     for (int colour = pRED; colour <= pBLUE; colour++)
     {
         tilt_lens::CameraRay ray = camera;
-        ray.FindRay(view->lens, 1.0 - 2.0 / 3.0 * (colour + within));
+        const double hue = 1.0 - 2.0 / 3.0 * (colour + within);
+        if (view->glass)
+            ray.DrawColour(*view->glass, hue);
+        else
+            ray.FindRay(view->lens, hue);
+        refusedRays += ray.refused;
         TraceCameraRay(itsPixel, itsIndex, ray, width, result);
         mixed[colour] = result.radiance[colour];
         for (int c = pFILTER; c <= pTRANSM; c++)

@@ -219,7 +219,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
     tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->limits.FirstRound(), view->seed);
     areaLightPoints = areaLightPointsSkipped = 0;
-    std::uint64_t refusedRays = 0;
+    refusedRays = 0;
     sampler.Run(tile, [&](const SampleId& id, tilt_lens::SampleResult& result)
     {
         const tilt_lens::CameraRay& camera = rays.Of(id);

@@ -80,6 +80,8 @@ class TiltLensTracer : public AreaLightSampler
     unsigned int areaLightsMet = 0;
     /// Points of area lights in this tile: asked, and those beside them that were not.
     std::uint64_t areaLightPoints = 0, areaLightPointsSkipped = 0;
+    /// Rays that a lens of glass let not through, in this tile.
+    std::uint64_t refusedRays = 0;
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 

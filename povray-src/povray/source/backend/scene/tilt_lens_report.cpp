@@ -9,6 +9,7 @@
 
 #include "backend/frame.h"
 #include "backend/scene/tilt_lens_view.h"
+#include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/field_aberrations.h"
 
 #include "base/povdebug.h"
@@ -104,7 +105,7 @@ std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character&
     if (lens.fieldCurvature != 0.0)
         text += Line("  Field curvature......image %.4g mm before the film at half a film's width, radius %.5g mm\n",
                      character.fieldCurvature, 0.5 / (lens.fieldCurvature * lens.millimetre));
-    if (HasColours(lens))
+    if (lens.lateralColour != 0.0 || lens.axialColour != 0.0)
         text += Line("  Colour fringes.......red %.4g mm farther out than blue, focused %.4g mm farther back\n", character.lateralColour,
                      character.axialColour);
     return text;
@@ -132,6 +133,16 @@ std::string GlassOf(const tilt_lens::Lens& lens, double filmWidth)
     text += Line("    beside the axis....at %.4g mm distortion %.3g%%\n", height, 100.0 * field->distortion);
     text += Line("    image before film..%.3g mm (sagittal), %.3g mm (tangential)\n", field->sagittal, field->tangential);
     return text;
+}
+
+/// Where the middles of the spectrum's thirds are focused, beside the d line, for something far away.
+std::string DispersionOf(const tilt_lens::Lens& lens, const tilt_lens::Prescription& prescription)
+{
+    if (!lens.glassOfColours)
+        return "";
+    const auto behind = [&](double wavelength)
+    { return tilt_lens::GlassLens(AtWavelength(prescription, wavelength)).Cardinal().backFocus - lens.glass->Cardinal().backFocus; };
+    return Line("    focus of colours...%+.3g, %+.3g, %+.3g mm behind (450, 550, 650 nm)\n", behind(450.0), behind(550.0), behind(650.0));
 }
 
 /// What a squeezed aperture adds to its diameter.
@@ -245,7 +256,7 @@ std::string TiltLensView::Skipped() const
     }
     if (glass)
     {
-        const double tried = statistics.Samples() + statistics.refusedRays;
+        const double passed = statistics.Samples() * (glass->HasColours() ? 3.0 : 1.0), tried = passed + statistics.refusedRays;
         text += Line("  Refused by the glass.%.0f of ", statistics.refusedRays) + Count(tried, "ray") +
                 Line(" tried (%.2g%%)\n", tried > 0.0 ? 100.0 * statistics.refusedRays / tried : 0.0);
     }
@@ -273,7 +284,7 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
     if (lens.glass)
-        text += GlassOf(lens, camera.TiltLens.statement.filmWidth);
+        text += GlassOf(lens, camera.TiltLens.statement.filmWidth) + DispersionOf(lens, *camera.TiltLens.statement.prescription);
     text += CharacterOf(lens, camera.TiltLens.statement.character);
     text += FocusOf(camera.TiltLens) + PlaneOf(camera, lens);
     text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), usual) + " from the lens\n";

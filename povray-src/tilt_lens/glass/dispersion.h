@@ -1,0 +1,60 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file dispersion.h
+/// A lens of glass for light of other wavelengths than that of the d line.
+///
+/// A glass's index n at the d line (587.6 nm) and its Abbe number V = (n - 1) / (nF - nC) fix two points of its dispersion. A
+/// third one is that of a normal glass: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. The index between and beyond is
+/// Cauchy's equation of three terms through all of them, n = A + B/w^2 + C/w^4 for a wavelength w.
+///
+/// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (the line of normal glasses); M. Born,
+/// E. Wolf, Principles of Optics, section 2.3.4 (Cauchy's equation).
+
+#ifndef TILT_LENS_DISPERSION_H
+#define TILT_LENS_DISPERSION_H
+
+#include <memory>
+#include <vector>
+
+#include "tilt_lens/glass/glass_lens.h"
+#include "tilt_lens/glass/prescription.h"
+
+namespace tilt_lens
+{
+
+/// @name Wavelengths in nm.
+/// @{
+constexpr double kLineD = 587.5618, kLineF = 486.1327, kLineC = 656.2725, kLineG = 435.8343;
+
+/// Of a colour by its place in the spectrum, from -1 (blue end, 400) to 1 (red end, 700): its thirds are blue, green and red.
+constexpr double WavelengthOf(double hue) { return 550.0 + 150.0 * hue; }
+/// @}
+
+/// Index of refraction of a glass.
+/// @param index, abbe  at the d line, and the Abbe number; without one (0) the index is the same for all
+double IndexAt(double index, double abbe, double wavelength);
+
+/// The lens with its indices at a wavelength.
+Prescription AtWavelength(const Prescription& prescription, double wavelength);
+
+/// @throws PrescriptionError  a glass without Abbe number
+void RequireAbbeNumbers(const Prescription& prescription);
+
+/// A lens of glass, with its stop as it is set, for the colours of the spectrum. Immutable: threads share it.
+class GlassOfColours
+{
+  public:
+    /// @param prescription  that the lens was made of
+    GlassOfColours(const GlassLens& lens, const Prescription& prescription);
+
+    /// @param hue  from -1 to 1
+    const GlassLens& Of(double hue) const;
+
+  private:
+    std::vector<GlassLens> lenses;  ///< from blue to red
+};
+
+} // namespace tilt_lens
+
+#endif
