@@ -9,7 +9,6 @@
 #define TILT_LENS_FRAME_TABLE_H
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "tilt_lens/camera/film_point.h"
@@ -36,7 +35,7 @@ inline TablePlace PlaceOf(int side, const FilmPoint& film)
 {
     const int last = side - 2;
     const double x = (film.x + 0.5) * (side - 1), y = (0.5 - film.y) * (side - 1);
-    const int column = std::clamp(int(std::floor(x)), 0, last), row = std::clamp(int(std::floor(y)), 0, last);
+    const int column = std::clamp(int(x), 0, last), row = std::clamp(int(y), 0, last);
     return {std::size_t(row) * side + column, std::clamp(x - column, 0.0, 1.0), std::clamp(y - row, 0.0, 1.0)};
 }
 

@@ -64,8 +64,8 @@ GlassLens::GlassLens(const Prescription& prescription) : cardinal(FindCardinalPo
     for (std::size_t i = 0; i < prescription.rows.size(); i++)
     {
         const PrescriptionRow& row = prescription.rows[i];
-        Surface surface{z, row.radius == 0.0 ? 0.0 : -1.0 / row.radius, row.conic, row.index, IndexBefore(prescription, i),
-                        0.25 * row.diameter * row.diameter, i == prescription.stop, {}};
+        Surface surface{z, row.radius == 0.0 ? 0.0 : -1.0 / row.radius, row.index / IndexBefore(prescription, i),
+                        0.25 * row.diameter * row.diameter, i == prescription.stop, row.conic == 0.0 && row.aspheric.empty(), row.conic, {}};
         for (const double coefficient : row.aspheric)
             surface.aspheric.push_back(-coefficient);
         surfaces.insert(surfaces.begin(), surface);
@@ -94,8 +94,7 @@ void GlassLens::TakeIndices(const Prescription& prescription)
     for (std::size_t i = 0; i < surfaces.size(); i++)
     {
         const std::size_t row = surfaces.size() - 1 - i;
-        surfaces[i].before = prescription.rows[row].index;
-        surfaces[i].after = IndexBefore(prescription, row);
+        surfaces[i].ratio = prescription.rows[row].index / IndexBefore(prescription, row);
     }
 }
 
@@ -112,21 +111,66 @@ void GlassLens::StopDown(double fNumber)
             surface.squaredRim = stopRadius * stopRadius;
 }
 
-/// The ray's origin moves to the surface; the normal points to the scene. False where there is none, or the ray comes from
-/// beyond where the surface turns back.
-inline bool GlassLens::Intersect(const Surface& surface, GlassRay& ray, Vec3& normal)
+namespace
+{
+
+inline double SquaredHeight(const GlassRay& ray) { return ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y; }
+
+/// Of the way that a ray goes.
+template <bool towardsScene>
+inline double Signed(double value)
+{
+    return towardsScene ? value : -value;
+}
+
+/// Snell's law. False where all light is reflected.
+/// @param cosine  of the normal, of length 1, and the direction
+/// @param ratio   index on the side of the film over that of the scene
+template <bool towardsScene>
+inline bool Refract(double ratio, double cosine, const Vec3& normal, Vec3& direction)
+{
+    if (!towardsScene)
+        ratio = 1.0 / ratio;
+    const double left = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    if (!(left >= 0.0))
+        return false;
+    direction = ratio * direction + (Signed<towardsScene>(std::sqrt(left)) - ratio * cosine) * normal;
+    return true;
+}
+
+} // namespace
+
+/// Sphere or plane: c |p|^2 = 2 p.z for a point p counted from the vertex, so that along the ray c t^2 - 2 half t + constant = 0. The
+/// root near the vertex is meant; the square root itself is the cosine of the ray and the normal (-c p.x, -c p.y, 1 - c p.z).
+template <bool towardsScene>
+inline Passage GlassLens::CrossSphere(const Surface& surface, GlassRay& ray, bool rims)
+{
+    const double c = surface.curvature;
+    const Vec3& d = ray.direction;
+    const Vec3 p{ray.origin.x, ray.origin.y, ray.origin.z - surface.z};
+    const double constant = c * Dot(p, p) - 2.0 * p.z, half = d.z - c * Dot(p, d);
+    const double square = half * half - c * constant;
+    if (!(square >= 0.0))
+        return Passage::Missed;
+    const double cosine = Signed<towardsScene>(std::sqrt(square)), step = constant / (half + cosine), depth = p.z + step * d.z;
+    ray.origin = {p.x + step * d.x, p.y + step * d.y, surface.z + depth};
+    const Vec3 normal{-c * ray.origin.x, -c * ray.origin.y, 1.0 - c * depth};
+    if (!(normal.z > 0.0))  // beyond where the sphere turns back
+        return Passage::Missed;
+    if (rims && SquaredHeight(ray) > surface.squaredRim)
+        return Passage::Rim;
+    return Refract<towardsScene>(surface.ratio, cosine, normal, ray.direction) ? Passage::Passed : Passage::Reflected;
+}
+
+/// The ray's origin moves to the conic; the normal, of any length, points to the scene. False where there is none, or the ray comes
+/// from beyond where the surface turns back.
+bool GlassLens::IntersectConic(const Surface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;
     const Vec3& d = ray.direction;
     // on the plane through the vertex
     const double way = (surface.z - ray.origin.z) / d.z;
     const double x = ray.origin.x + way * d.x, y = ray.origin.y + way * d.y;
-    if (c == 0.0 && surface.aspheric.empty())
-    {
-        ray.origin = {x, y, surface.z};
-        normal = {0.0, 0.0, 1.0};
-        return true;
-    }
     // c (x^2 + y^2 + (1 + conic) z^2) = 2 z along the ray: square t^2 - 2 half t + constant = 0, the root near the vertex
     const double constant = c * (x * x + y * y), half = d.z - c * (x * d.x + y * d.y);
     const double square = c * (1.0 + surface.conic * d.z * d.z);
@@ -137,13 +181,7 @@ inline bool GlassLens::Intersect(const Surface& surface, GlassRay& ray, Vec3& no
     const double depth = step * d.z;
     ray.origin = {x + step * d.x, y + step * d.y, surface.z + depth};
     normal = {-c * ray.origin.x, -c * ray.origin.y, 1.0 - c * (1.0 + surface.conic) * depth};
-    if (!(normal.z > 0.0))
-        return false;
-    if (!surface.aspheric.empty())
-        return IntersectAspheric(surface, ray, normal);
-    if (surface.conic != 0.0)
-        normal = normal / std::sqrt(Dot(normal, normal));
-    return true;
+    return normal.z > 0.0;
 }
 
 /// From the conic's point by Newton's steps along the ray.
@@ -169,45 +207,56 @@ bool GlassLens::IntersectAspheric(const Surface& surface, GlassRay& ray, Vec3& n
         const double step = (surface.z + sag - ray.origin.z) / Dot(normal, ray.direction);
         ray.origin = ray.origin + step * ray.direction;
         if (std::fabs(step) <= kNearEnough * (1.0 + std::sqrt(square)))
-        {
-            normal = normal / std::sqrt(Dot(normal, normal));
             return true;
-        }
     }
     return false;
 }
 
-inline Passage GlassLens::Cross(const Surface& surface, bool towardsScene, GlassRay& ray, StopPoint& point, bool rims) const
+template <bool towardsScene>
+Passage GlassLens::CrossOther(const Surface& surface, GlassRay& ray, bool rims)
 {
     Vec3 normal;
-    if (!Intersect(surface, ray, normal))
+    if (!IntersectConic(surface, ray, normal) || (!surface.aspheric.empty() && !IntersectAspheric(surface, ray, normal)))
         return Passage::Missed;
-    const double square = ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y;
-    if (surface.stop)
-    {
-        const double scale = std::copysign(1.0 / stopRadius, cardinal.entranceRadius);
-        point = {scale * ray.origin.x, scale * ray.origin.y};
-        return square <= surface.squaredRim ? Passage::Passed : Passage::Stopped;
-    }
-    if (rims && square > surface.squaredRim)
+    if (rims && SquaredHeight(ray) > surface.squaredRim)
         return Passage::Rim;
-    const double ratio = towardsScene ? surface.before / surface.after : surface.after / surface.before;
+    normal = normal / std::sqrt(Dot(normal, normal));
     const double cosine = Dot(ray.direction, normal);
-    const double left = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
-    if (!(left >= 0.0))
-        return Passage::Reflected;
-    ray.direction = ratio * ray.direction + (std::copysign(std::sqrt(left), cosine) - ratio * cosine) * normal;
-    return Passage::Passed;
+    if (!(Signed<towardsScene>(cosine) > 0.0))
+        return Passage::Missed;
+    return Refract<towardsScene>(surface.ratio, cosine, normal, ray.direction) ? Passage::Passed : Passage::Reflected;
+}
+
+inline Passage GlassLens::CrossStop(const Surface& surface, GlassRay& ray, StopPoint& point) const
+{
+    ray.origin = ray.origin + ((surface.z - ray.origin.z) / ray.direction.z) * ray.direction;
+    const double scale = std::copysign(1.0 / stopRadius, cardinal.entranceRadius);
+    point = {scale * ray.origin.x, scale * ray.origin.y};
+    return SquaredHeight(ray) <= surface.squaredRim ? Passage::Passed : Passage::Stopped;
+}
+
+template <bool towardsScene>
+inline Passage GlassLens::Cross(const Surface& surface, GlassRay& ray, StopPoint& point, bool rims) const
+{
+    if (surface.sphere && !surface.stop)
+        return CrossSphere<towardsScene>(surface, ray, rims);
+    // by a copy, so that the ray can stay in registers
+    GlassRay crossed = ray;
+    const Passage passage = surface.stop ? CrossStop(surface, crossed, point) : CrossOther<towardsScene>(surface, crossed, rims);
+    ray = crossed;
+    return passage;
 }
 
 Passage GlassLens::Trace(GlassRay& ray, StopPoint& stop, bool rims) const
 {
+    GlassRay traced = ray;
     for (const Surface& surface : surfaces)
     {
-        const Passage passage = Cross(surface, true, ray, stop, rims);
+        const Passage passage = Cross<true>(surface, traced, stop, rims);
         if (passage != Passage::Passed)
             return passage;
     }
+    ray = traced;
     return ray.direction.z > 0.0 ? Passage::Passed : Passage::Missed;
 }
 
@@ -215,7 +264,7 @@ Passage GlassLens::TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims) con
 {
     for (auto surface = surfaces.rbegin(); surface != surfaces.rend(); ++surface)
     {
-        const Passage passage = Cross(*surface, false, ray, stop, rims);
+        const Passage passage = Cross<false>(*surface, ray, stop, rims);
         if (passage != Passage::Passed)
             return passage;
     }

@@ -8,7 +8,7 @@
 /// z = -separation. An ideal lens is this lens with the space between H and H' taken out, so that everything that holds for an
 /// ideal lens at the origin holds for this one with the film moved by the separation along the axis.
 ///
-/// Sources: the paraxial equations and the transfer to a conic surface without a case for planes are those of W. J. Smith, Modern
+/// Sources: the paraxial equations and the transfer to a surface without a case for planes are those of W. J. Smith, Modern
 /// Optical Engineering, chapters 2 and 10.
 
 #ifndef TILT_LENS_GLASS_LENS_H
@@ -100,10 +100,10 @@ class GlassLens
     {
         double z;             ///< of its vertex
         double curvature;     ///< 1/mm, positive where the centre lies towards the scene
-        double conic;
-        double before, after; ///< index on the side of the film, of the scene
+        double ratio;         ///< index on the side of the film over that of the scene
         double squaredRim;    ///< of the clear radius
-        bool stop;
+        bool stop, sphere;    ///< or plane, else a conic or an aspherical surface
+        double conic;
         std::vector<double> aspheric;  ///< in this frame: of height towards the scene
     };
 
@@ -112,9 +112,15 @@ class GlassLens
     double stopRadius = 0.0, widestStop = 0.0;
 
     double WidestRay() const;
-    static bool Intersect(const Surface& surface, GlassRay& ray, Vec3& normal);
+    static bool IntersectConic(const Surface& surface, GlassRay& ray, Vec3& normal);
     static bool IntersectAspheric(const Surface& surface, GlassRay& ray, Vec3& normal);
-    Passage Cross(const Surface& surface, bool towardsScene, GlassRay& ray, StopPoint& point, bool rims) const;
+    template <bool towardsScene>
+    static Passage CrossSphere(const Surface& surface, GlassRay& ray, bool rims);
+    template <bool towardsScene>
+    static Passage CrossOther(const Surface& surface, GlassRay& ray, bool rims);
+    template <bool towardsScene>
+    Passage Cross(const Surface& surface, GlassRay& ray, StopPoint& point, bool rims) const;
+    Passage CrossStop(const Surface& surface, GlassRay& ray, StopPoint& point) const;
 };
 
 } // namespace tilt_lens

@@ -201,38 +201,6 @@ PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const
 
 } // namespace
 
-PupilPoint RadialAxis(const Vec3& film)
-{
-    const double distance = std::hypot(film.x, film.y);
-    return distance > 0.0 ? PupilPoint{film.x / distance, film.y / distance} : PupilPoint{1.0, 0.0};
-}
-
-PupilPoint ParaxialAim(const CardinalPoints& points, const Vec3& film)
-{
-    if (!std::isfinite(points.exitPupil))
-        return {0.0, 0.0};
-    const Vec3 way{-film.x, -film.y, points.exitPupil - film.z};
-    const double length = std::copysign(std::sqrt(Dot(way, way)), way.z);  // a pupil behind the film is looked away from
-    return {way.x / length, way.y / length};
-}
-
-std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
-{
-    const double square = 1.0 - direction.l * direction.l - direction.m * direction.m;
-    if (!(square > 0.0))
-        return {};
-    return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
-}
-
-Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray, bool rims)
-{
-    StopPoint stop;
-    const Passage passage = lens.Trace(ray, stop, rims);
-    if (passage == Passage::Passed && !aperture.IsDisc() && !(aperture.Density({stop.a, stop.b}) > 0.0))
-        return Passage::Stopped;
-    return passage;
-}
-
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Aperture& aperture, const Vec3& film, const std::optional<PupilPoint>& near)
 {
     const Seen seen{lens, aperture, film};

@@ -11,6 +11,7 @@
 #ifndef TILT_LENS_PUPIL_VIEW_H
 #define TILT_LENS_PUPIL_VIEW_H
 
+#include <cmath>
 #include <optional>
 
 #include "tilt_lens/camera/aperture.h"
@@ -41,17 +42,41 @@ struct PupilView
 };
 
 /// Towards the film point's place beside the axis: the unit vector that the ellipse's radial axis has.
-PupilPoint RadialAxis(const Vec3& film);
+inline PupilPoint RadialAxis(const Vec3& film)
+{
+    const double distance = std::sqrt(film.x * film.x + film.y * film.y);
+    return distance > 0.0 ? PupilPoint{film.x / distance, film.y / distance} : PupilPoint{1.0, 0.0};
+}
 
 /// Towards the middle of the paraxial exit pupil.
-PupilPoint ParaxialAim(const CardinalPoints& points, const Vec3& film);
+inline PupilPoint ParaxialAim(const CardinalPoints& points, const Vec3& film)
+{
+    if (!std::isfinite(points.exitPupil))
+        return {0.0, 0.0};
+    const Vec3 way{-film.x, -film.y, points.exitPupil - film.z};
+    const double length = std::copysign(std::sqrt(Dot(way, way)), way.z);  // a pupil behind the film is looked away from
+    return {way.x / length, way.y / length};
+}
 
 /// A ray from a film point; nothing for cosines that no direction has.
-std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction);
+inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
+{
+    const double square = 1.0 - direction.l * direction.l - direction.m * direction.m;
+    if (!(square > 0.0))
+        return {};
+    return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
+}
 
 /// Whether the ray passes lens and aperture.
 /// @param[in,out] ray  the ray that leaves the lens, if it passes
-Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray, bool rims = true);
+inline Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray, bool rims = true)
+{
+    StopPoint stop;
+    const Passage passage = lens.Trace(ray, stop, rims);
+    if (passage == Passage::Passed && !aperture.IsDisc() && !(aperture.Density({stop.a, stop.b}) > 0.0))
+        return Passage::Stopped;
+    return passage;
+}
 
 /// Measures what a film point (mm, lens frame) sees, by some hundred rays.
 /// @param near  a direction that neighbours of the point see something in, tried first
