@@ -110,7 +110,8 @@ def kept_items(inside):
         raise EditError("the block has directives such as #if, which would be lost")
     for word in REFUSED:
         if re.search(rf"\b{word}\b", code):
-            raise EditError(f"the block has the item {word}, beside which the page's focal length must not stand")
+            raise EditError(f"the block has the item {word}, beside which the page's focal_length cannot stand: copy the page's block, and put "
+                            "its other items into the scene by hand")
     words = list(re.finditer(rf"\b(?:{'|'.join(WRITTEN + KEPT)})\b", code))
     ends = [word.start() for word in words[1:]] + [len(code)]
     items = [(word.group(), " ".join(code[word.start() : end].split())) for word, end in zip(words, ends)]
