@@ -132,6 +132,30 @@ class Macros(rendering.RenderTest):
             for words in past:
                 self.assertIn(words, said, macro)
 
+    def test_lenses_of_glass(self):
+        """Each has the values of the manual's table, stopped down and wide open, and there is one for each file."""
+        rows = table(ROOT / "docs" / "manual.md", "#### Lenses of glass")
+        text = (ROOT / "scenes" / "include" / "tilt_lens.inc").read_text()
+        files = {path.name for path in (ROOT / "scenes" / "include" / "lenses").iterdir()} - {"lenses.csv"}
+        self.assertEqual(set(re.findall(r'Tilt_Lens_Glass\("lenses/([\w.]+)"', text)), files)
+        self.assertEqual(len(rows), len(files))
+        for macro, _, focal, stop in rows:
+            focal, stop = (float(words.split()[0].lstrip("f/")) for words in (focal, stop))
+            lens = report(f"{self.VIEW}{macro}(1000, 0, 1, 0, <0, 0>)")
+            self.assert_close(lens.focal[0], focal, 2e-4, macro)
+            self.assert_close(lens.aperture[0], stop, 1e-3, macro)
+            stopped = report(f"{self.VIEW}{macro}(1000, 8, 0, 2, <1, 2>)")
+            self.assertEqual(stopped.aperture[0], 8)
+            self.assertEqual(stopped.turn, [0, 2])
+            self.assertIn("shift <1, 2> mm", stopped.said)
+
+    def test_character(self):
+        """Each macro makes a lens with traits and without a warning."""
+        for macro, words in (("Fast(2)", "Edge light...........0.35"), ("Anamorphic()", "squeezed to 0.5 of its width"), ("Soft()", "in the middle")):
+            said = report(f"{self.VIEW}tilt_lens {{ focal_length 50 f_stop 2 tilt 2 Tilt_Lens_Character_{macro} }}").said
+            self.assertIn(words, said)
+            self.assertNotIn("Warning:", said)
+
     def test_lens_on_another_film(self):
         camera = self.VIEW + "Tilt_Lens_Canon_TS_E_24(1000, 4, 0, 0, <0, 0>) "
         for film, width in (("Full_Frame", 36), ("APS_C", 15.6 * 1.5)):
@@ -258,6 +282,7 @@ class Macros(rendering.RenderTest):
                 (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <2, 0, 0>, 1, 4)", "lie side by side"),
                 (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <1, 0, 0>, 1, 4)", "lie side by side"),
                 (eye + "Tilt_Lens_Real(array[3] { 1, 2, 3 }, 1, 4, 0, 0, <0, 0>)", "an array of four"),
+                (eye + "Tilt_Lens_Glass_Minolta_50(1000, -1, 0, 0, <0, 0>)", "Stop is -1.0000. Neither may be less than 0"),
                 (eye + "Tilt_Lens_Canon_TS_E_24(1000, 0, 0, 0, <0, 0>)", "Stop is 0.0000. It must be larger than 0"),
                 (eye + "Tilt_Lens_Real_Upright(Tilt_Lens_TS_24, 1, 4, <0, 2, -6>, <0, 3, 0>)", "forms no picture of it"),
                 (eye + "tilt_lens { film_width Tilt_Lens_Film_Width(array[3] { 1, 2, 3 }) }", "an array of two lengths"),
@@ -278,6 +303,7 @@ class Macros(rendering.RenderTest):
         for camera, words in (
                 ("Tilt_Lens_Canon_TS_E_24(1000, 5.6, 0, 0, 8)",
                  "Tilt_Lens_Canon_TS_E_24: Shift is a number. It must be a vector of two numbers; write for example <0, 8>."),
+                ("Tilt_Lens_Glass(50, 0, 1000, 0, 0, 0, <0, 8>)", "Tilt_Lens_Glass: File is a number. It must be a text; write for example"),
                 ("Tilt_Lens_Real(24, 1000, 5.6, 0, 0, <0, 8>)", "Tilt_Lens_Real: Lens is a number. It must be an array"),
                 ("Tilt_Lens_Miniature(<0, 2, -6>, <0, 0, 0>, <1, 2, 3>)", "Strength is a point <x, y, z>. It must be a number"),
                 ('Tilt_Lens_Upright("here", <0, 9, 0>, 50, 1000, 0)', "Tilt_Lens_Upright: Location is a text. It must be a point"),

@@ -42,6 +42,7 @@ const Parameter kParameters[] = {{"Location", kVector, "<0, 1.6, -6>"},
                                  {"Shift", kPair, "<0, 8>"},
                                  {"Film", kArray, "Tilt_Lens_Film_Full_Frame"},
                                  {"Lens", kArray, "Tilt_Lens_TS_24"},
+                                 {"File", kText, "\"lenses/zeiss_planar_50.dat\""},
                                  {"Macro", kText, "\"Name\""},
                                  {"Name", kText, "\"Name\""}};
 
