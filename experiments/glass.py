@@ -3,17 +3,23 @@
 """The picture of the box scene through a glass lens, and the reasons of its difference from the thin lens: the thin
 lens gets the properties of the glass lens one after the other, and the remaining difference is measured after each. The
 limit of each difference is computed: rays that are displaced by some pixels change a line's brightness by at most that
-number times the picture's steepness."""
+number times the picture's steepness.
+
+The same picture by `tilt_lens`, with the distortion and field curvature that come nearest to the glass, and through the glass
+itself."""
 
 import dataclasses
 
+from experiments import gauss
 from experiments.box import LINES, VIEW, state
-from experiments.laboratory import SCENES, Claim
+from experiments.laboratory import OWN_SCENES, SCENES, Claim
 
 F_STOP = 8              # the glass's own aberrations are small there
 SAME_SCENE = 0.5        # levels: the ideal lens in the glass's program against tilt_lens, as Table 1
+PRESCRIPTION = 0.3      # levels: through the same surfaces
 MODELS = ("thin", "distortion", "field", "pupil", "glass")
 STEPS = ("distortion", "field", "pupil", "rest")
+REAL_VARIANCE = 6e-7    # of the pictures that these are told from; their noise is 0.2 level
 REACH = 3.0             # pixels beside a line whose steepness counts
 PINHOLE = 1e6           # f-number of the sharp picture
 
@@ -28,7 +34,7 @@ class Tracer:
     lines: list
 
     def picture(self, model, f_stop=F_STOP, measure=False, whole=False):
-        """Renders the surroundings of the lines, or the whole picture; also returns the measurements of the rays."""
+        """Renders the surroundings of the lines, or the whole picture; also returns what the tracer tells of its rays."""
         view, kind = self.lens.view, "whole" if whole else "sharp" if f_stop > F_STOP else "lines"
         made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
         made.parent.mkdir(parents=True, exist_ok=True)
@@ -39,7 +45,19 @@ class Tracer:
             self.lens.film_distance * view.scene_unit, "--model", model,
             *([] if whole else ["--line", *[x for line in self.lines for x in line], "--reach",
                                 REACH + 2]), *(["--measure"] if measure else [])])
-        return made, report["lines"]
+        return made, report
+
+
+def real_lenses(lab, letter, size, fitted):
+    """The state by `tilt_lens` with the character of the glass, and through the glass."""
+    k1, k2 = fitted["distortion"]
+    lenses = {"character": [("Glass", 0), ("K1", k1), ("K2", k2), ("Bent", fitted["field_curvature"])],
+              "prescription": [("Glass", 1)]}
+    gauss.write(lab.work)
+    return [lab.render(OWN_SCENES / "box_real.pov", f"{name}_{letter}.exr", size,
+                       [("State", "abc".index(letter)), *items, ("Stop", F_STOP), ("Quality", 1),
+                        ("Variance", REAL_VARIANCE)], [f"+L{lab.work}"])
+            for name, items in lenses.items()]
 
 
 def levels(lab, first, others, line):
@@ -53,7 +71,7 @@ def compare(lab):
     view = dataclasses.replace(VIEW, f_stop=F_STOP)
     if lab.quick:
         view = dataclasses.replace(view, width=120, height=80)
-    rows = []
+    rows, real, fits = [], [], []
     for letter in "b" if lab.quick else "abc":
         lens = state(letter, view)
         lines = {colour: [*lens.pixel(start), *lens.pixel(end)]
@@ -63,12 +81,13 @@ def compare(lab):
                           (view.width, view.height),
                           [("Stop", F_STOP), ("Quality", 1), ("Variance", 2e-6)])
         shots = {model: tracer.picture(model)[0] for model in MODELS[:-1]}
-        glass, measured = tracer.picture("glass", measure=True)
+        glass, told = tracer.picture("glass", measure=True)
+        like = real_lenses(lab, letter, (view.width, view.height), told["character"])
         sharp, _ = tracer.picture("thin", f_stop=PINHOLE)
         if not lab.quick:
             lab.png(tracer.picture("glass", whole=True)[0])
             lab.png(ours)
-        for (colour, line), rays in zip(lines.items(), measured):
+        for (colour, line), rays in zip(lines.items(), told["lines"]):
             whole, *left = levels(lab, glass, [ours, *shots.values()], line)
             same, = levels(lab, ours, [shots["thin"]], line)
             steep = float(lab.run([lab.tool("profile"), "steepness", sharp, "--from-to",
@@ -76,6 +95,15 @@ def compare(lab):
             rows.append([letter, colour, same, whole, *left[1:], *(rays[step] for step in STEPS),
                          rays["all"], rays["vignetted"], steep])
             yield from claims(f"glass ({letter}) {colour}", same, whole, left, rays, steep)
+            character, prescription = levels(lab, glass, like, line)
+            real.append([letter, colour, whole, character, rays["character"], prescription])
+            yield Claim(f"glass ({letter}) {colour}: tilt_lens with distortion and field curvature, rays {rays['character']:.2g} "
+                        "pixels aside", character, SAME_SCENE + steep * rays["character"], "levels")
+            yield Claim(f"glass ({letter}) {colour}: through the prescription", prescription, PRESCRIPTION, "levels")
+        fits.append([letter, *told["character"]["distortion"], told["character"]["field_curvature"]])
+    lab.table("real.csv", ["state", "line", "ideal lens, levels", "with character, levels",
+                          "its rays aside, pixels", "through the glass, levels"], real)
+    lab.table("fits.csv", ["state", "`distortion` K1", "K2", "`field_curvature`, mm"], fits)
     lab.table("glass.csv",
               ["state", "line", "ideal lens, levels", "glass, levels", "with its distortion",
                "with its field", "with its pupil", *(f"{step}, pixels" for step in STEPS),

@@ -87,12 +87,13 @@ double Between(const std::array<double, 2>& a, const std::array<double, 2>& b)
 }
 
 /// Along a line of the film: the mean distance in pixels, at the depth of what is seen there, from
-/// the rays of each model to those of the next, and from the first to the last.
-json MeasureLine(const GlassCamera& camera, double x0, double y0, double x1, double y1)
+/// the rays of each model to those of the next, from the first to the last, and from an ideal lens with character to the last.
+json MeasureLine(const GlassCamera& camera, const paper::Character& character, double x0, double y0, double x1, double y1)
 {
     const paper::BoxScene scene;
     const int places = 40, rays = 128;
     double steps[paper::kModels] = {};  // the last: from the thin lens to the glass
+    double fromCharacter = 0.0;
     int passed = 0, vignetted = 0;
     for (int i = 0; i < places; ++i)
     {
@@ -115,12 +116,15 @@ json MeasureLine(const GlassCamera& camera, double x0, double y0, double x1, dou
             for (int m = 0; m + 1 < paper::kModels; ++m)
                 steps[m] += Between(met[m], met[m + 1]);
             steps[paper::kModels - 1] += Between(met[0], met[paper::kModels - 1]);
+            const auto like = camera.ShootCharacter(character, x, y, p.a, p.b);
+            fromCharacter += Between(camera.PixelAt(*like, depth), met[paper::kModels - 1]);
         }
     }
     for (double& step : steps)
         step /= passed;
     return {{"distortion", steps[0]}, {"field", steps[1]}, {"pupil", steps[2]},
             {"rest", steps[3]},       {"all", steps[4]},
+            {"character", fromCharacter / passed},
             {"vignetted", static_cast<double>(vignetted) / (passed + vignetted)}};
 }
 
@@ -159,11 +163,15 @@ int main(int argc, char** argv)
         witness::WriteReference(
             output,
             witness::Average({Photograph(setting, camera, model, samples, lines, reach)}));
+        const paper::Character character = measure ? camera.Fitted() : paper::Character{};
         json measured = json::array();
         for (std::size_t i = 0; measure && i + 3 < lines.size(); i += 4)
             measured.push_back(
-                MeasureLine(camera, lines[i], lines[i + 1], lines[i + 2], lines[i + 3]));
+                MeasureLine(camera, character, lines[i], lines[i + 1], lines[i + 2], lines[i + 3]));
         std::cout << json{{"lines", measured},
+                          {"character",
+                           {{"distortion", {character.distortion1, character.distortion2}},
+                            {"field_curvature", character.fieldCurvature}}},
                           {"separation", camera.Glass().Separation()},
                           {"entrance_pupil", camera.Glass().EntrancePupil()},
                           {"exit_pupil", camera.Glass().ExitPupil()}}

@@ -201,10 +201,61 @@ std::optional<std::array<Ray, kModels>> GlassCamera::ShootAll(double x, double y
     return rays;
 }
 
+std::optional<Ray> GlassCamera::ShootCharacter(const Character& character, double x, double y, double a, double b) const
+{
+    const auto passage = mGlass.Trace(FilmRay(x, y, a, b));
+    if (!passage)
+        return std::nullopt;
+    const double half = 0.5 * kFilmWidth, radius = 0.5 * mSetting.focalLength / mSetting.fStop, f = mSetting.focalLength;
+    const Vector ideal = ToLens(Chief(x, y));
+    const double r = std::hypot(ideal.x, ideal.y) / ideal.z * mSetting.filmDistance / half;
+    const double factor = (1.0 + character.distortion1 * r * r + character.distortion2 * std::pow(r, 4)) / ideal.z;
+    const Vector chief{factor * ideal.x, factor * ideal.y, 1.0}, point{radius * passage->stopX, radius * passage->stopY, 0.0};
+    const double image = mSetting.filmDistance / FromLens(chief).z;
+    const double w = (image - f) / (f * image) + character.fieldCurvature / (half * half) * (chief.x * chief.x + chief.y * chief.y);
+    return ToWorld(FromLens(point), FromLens(chief - w * point));
+}
+
 bool GlassCamera::Vignetted(double x, double y, double a, double b) const
 {
     const Ray ray = FilmRay(x, y, a, b);
     return mGlass.Trace(ray, false) && !mGlass.Trace(ray);
+}
+
+/// The ideal chief ray at the tangent u from the lens's axis is bent to u (1 + d2 u^2 + d4 u^4): least squares of the difference.
+/// Slopes against the axis fall by w for each mm across the lens's plane, w being the inverse distance to the focus; field
+/// curvature adds c u^2 to it.
+Character GlassCamera::Fitted() const
+{
+    const int places = 24;
+    double a[2][2] = {}, right[2] = {}, bent = 0.0, most = 0.0;
+    for (int pass = 0; pass < 2; ++pass)
+        for (int i = 0; i <= places; ++i)
+            for (int j = 0; j <= places; ++j)
+            {
+                const double x = static_cast<double>(mSetting.width) * i / places, y = static_cast<double>(mSetting.height) * j / places;
+                const Bundle bundle = BundleAt(x, y);
+                const Vector chief = ToLens(Chief(x, y));
+                const double u = std::hypot(chief.x, chief.y) / chief.z, seen = std::hypot(bundle.slopes[0], bundle.slopes[3]);
+                if (pass == 0)
+                {
+                    const double terms[2] = {std::pow(u, 3), std::pow(u, 5)};
+                    for (int k = 0; k < 2; ++k)
+                    {
+                        right[k] += terms[k] * (seen - u);
+                        for (int l = 0; l < 2; ++l)
+                            a[k][l] += terms[k] * terms[l];
+                    }
+                    continue;
+                }
+                const double image = mSetting.filmDistance / FromLens(bundle.Direction(0.0, 0.0)).z;
+                const double w = -0.5 * (bundle.slopes[1] + bundle.slopes[5]), f = mSetting.focalLength;
+                bent += seen * seen * (w - (image - f) / (f * image));
+                most += std::pow(seen, 4);
+            }
+    const double half = 0.5 * kFilmWidth, unit = half / mSetting.filmDistance, whole = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    const double d2 = (right[0] * a[1][1] - right[1] * a[0][1]) / whole, d4 = (a[0][0] * right[1] - a[1][0] * right[0]) / whole;
+    return {d2 * unit * unit, d4 * std::pow(unit, 4), bent / most * half * half};
 }
 
 double GlassCamera::Depth(const Vector& point) const

@@ -36,6 +36,13 @@ enum class Model
 };
 constexpr int kModels = 5;
 
+/// The numbers of `tilt_lens` that make its lens most like this one.
+struct Character
+{
+    double distortion1, distortion2;  ///< of the squared distance from the lens's axis, in half widths of the film, and its square
+    double fieldCurvature;            ///< mm by which the image lies before the film half a film's width beside the axis
+};
+
 class GlassCamera
 {
   public:
@@ -54,6 +61,13 @@ class GlassCamera
 
     /// Whether the stop lets pass what a rim ends.
     bool Vignetted(double x, double y, double a, double b) const;
+
+    /// By least squares over all of the frame: where its chief rays go, then where its rays meet on average (astigmatism is
+    /// left out).
+    Character Fitted() const;
+
+    /// The ray of an ideal lens with these numbers, through the same point of the stop as ShootAll(). World, scene units.
+    std::optional<Ray> ShootCharacter(const Character& character, double x, double y, double a, double b) const;
 
     /// Along the camera's axis, scene units.
     double Depth(const Vector& point) const;

@@ -14,44 +14,17 @@ import subprocess
 import sys
 import tempfile
 
+from experiments import gauss
 from experiments.box import EDGE_TOP, VIEW
 from experiments.laboratory import SCENES
 from experiments.lens import Lens
 from tests.render import rendering
 
-# The rows of experiments/tools/glass_lens.cpp; the stop where it puts it, so that the entrance pupil lies in H.
-ROWS = ("29.475 3.76 1.67 25.2", "84.83 0.12 1 25.2", "19.275 4.025 1.67 23", "40.77 3.275 1.699 23", "12.75 {before} 1 18",
-        "0 {behind} 0 24", "-14.495 1.18 1.603 17", "40.77 6.065 1.658 20", "-20.385 0.19 1 20", "437.065 3.22 1.717 20",
-        "-39.73 0 1 20")
-GAP = 10.205
 TILTS, STOPS = (0, 4, 8), (8, 2.1)
 WIDTH, HEIGHT = 90, 60
 # RMSE is 0.006 at f/8 and 0.013 at f/2.1, mostly the noise of both; with the wrong sign of the tilt it is 0.13.
 RMSE, MEAN = 0.016, 0.001
 WRONG = 0.1
-
-
-def stop_place():
-    """Behind the fifth surface, mm, of the stop that the scene sees in H."""
-    index, a, b, c, d = 1.0, 1.0, 0.0, 0.0, 1.0     # height' = a height + b slope', slope' (times the index) = c height + d slope'
-    at_stop = None
-    for number, row in enumerate(ROWS):
-        radius, thickness, behind, _ = (float(x) for x in row.format(before=GAP, behind=0).split())
-        if number == 5:
-            continue
-        c, d = c - (behind - index) / radius * a, d - (behind - index) / radius * b
-        index = behind
-        if number == 4:
-            at_stop = (a, b, c, d)
-        a, b = a + thickness / index * c, b + thickness / index * d
-    principal = (d - 1) / c                         # behind the first surface
-    a, b, c, d = at_stop
-    return (principal * a - b) / (d - principal * c)
-
-
-def prescription(folder):
-    before = stop_place()
-    (folder / "gauss.dat").write_text("\n".join(ROWS).format(before=before, behind=GAP - before) + "\n")
 
 
 def scene(tilt, stop, even=False):
@@ -98,7 +71,7 @@ def main():
     failed = False
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
-        prescription(folder)
+        gauss.write(folder)
         for stop in STOPS:
             for tilt in TILTS:
                 traced = traced_picture(args.glass, folder, tilt, stop)
