@@ -6,10 +6,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 
 namespace tilt_lens
@@ -117,6 +119,53 @@ TEST(LensFiles, FormSharpImages)
         // 0.01 mm for a lens of 50 mm, at twice the f-number
         EXPECT_LT(AxialSpot(lens, 2.0 * lens.Cardinal().fNumber), 0.01 / 50.0);
     }
+}
+
+/// Root mean square radius in micrometres of the image of a star on the axis, in the film at the stated back focus, in light of the lines
+/// d, C and F.
+double SpotOfThreeColours(const Stated& stated)
+{
+    const Prescription prescription = ReadPrescription(Whole(stated.file));
+    const GlassLens lens(prescription);
+    const CardinalPoints& points = lens.Cardinal();
+    const int rays = 200;
+    double squares = 0.0;
+    int passed = 0;
+    for (const double wavelength : {kLineD, kLineC, kLineF})
+    {
+        GlassLens coloured = lens;
+        coloured.TakeIndices(AtWavelength(prescription, wavelength));
+        for (int i = 0; i < rays; i++)
+        {
+            const double height = 0.5 * points.focalLength / stated.fNumber * std::sqrt((i + 0.5) / rays);
+            GlassRay ray{{height, 0.0, points.frontVertex + points.focalLength}, {0.0, 0.0, -1.0}};
+            StopPoint stop;
+            if (coloured.TraceFromScene(ray, stop) != Passage::Passed)
+                continue;
+            const double way = points.rearVertex - stated.backFocus - ray.origin.z;
+            squares += std::pow(ray.origin.x + way * ray.direction.x / ray.direction.z, 2);
+            passed++;
+        }
+    }
+    return 1000.0 * std::sqrt(squares / passed);
+}
+
+/// Spot diagrams that another program made of the same tables: spot-report.txt of the ray tracer jfotoptix, in the repository
+/// BeamFour/Beam42. Only of lenses without glasses of abnormal dispersion, and of which that report has the same focal length and
+/// back focus.
+TEST(LensFiles, HaveTheSpotsOfAnotherProgram)
+{
+    const std::map<std::string, double> published = {{"nikon_nikkor_n_50.dat", 82.04}, {"angenieux_55.dat", 65.53}, {"nikon_nikkor_52.dat", 19.73}};
+    std::size_t found = 0;
+    for (const Stated& stated : Lenses())
+    {
+        const auto spot = published.find(stated.file);
+        if (spot == published.end())
+            continue;
+        EXPECT_NEAR(SpotOfThreeColours(stated) / spot->second, 1.0, 0.02) << stated.file;
+        found++;
+    }
+    EXPECT_EQ(found, published.size());
 }
 
 } // namespace
