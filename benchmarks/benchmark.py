@@ -16,6 +16,7 @@ from benchmarks import (
     comparison,
     contract,
     cycles,
+    glass_cost,
     growth,
     instructions,
     pages,
@@ -34,8 +35,8 @@ from benchmarks import (
 from benchmarks.lab import Failed, Lab
 from tools.repository import BUILD
 
-PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "denoise", "pan", "tilt", "instructions", "loops", "growth",
-         "contract", "crops", "builds", "ablation")
+PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "denoise", "pan", "tilt", "instructions", "glass", "loops",
+         "growth", "contract", "crops", "builds", "ablation")
 NAMES = [*[scene.name for scene in suite.SCENES], *suite.DISPLAY]
 # Parts whose short form is shown in the pages, too: the page then says so by the size of its pictures.
 SHORT = {"display", "lamps", "cycles", "preview", "crops", "ablation"}
@@ -136,6 +137,8 @@ def measure(lab, args):
     if "instructions" in args.parts:
         results["instructions"] = instructions.measure(lab, args.unpatched.resolve())
         results["camera"] = camera_share.measure(lab)
+    if "glass" in args.parts:
+        results["glass"] = glass_cost.measure(lab)
     if "loops" in args.parts:
         results["loops"] = instructions.inner_loops(lab)
     if "growth" in args.parts:

@@ -169,6 +169,20 @@ def section_camera(rows):
             *[goal.sentence() for goal in goals_camera(rows)]]
 
 
+def goals_glass(rows):
+    ideal = {row["scene"]: row["camera"] for row in rows if row["lens"] == "ideal"}
+    times = [row["camera"]/ideal[row["scene"]] for row in rows if row["lens"] != "ideal"]
+    return [Goal("Camera and sampler with a lens of glass, against an ideal lens", "at most 3 times", f"{max(times):.1f} times at the most",
+                 max(times) <= 3)]
+
+
+def section_glass(rows):
+    cells = [[TITLES[row["scene"]], row["lens"], f"{row['instructions']:,.0f}", f"{row['camera']:,.0f}", f"{100*row['share']:.0f} %"]
+             for row in rows]
+    return [table(["scene", "lens", "instructions of a ray, 16 rays in each pixel", "camera and sampler", "their share"], cells),
+            *[goal.sentence() for goal in goals_glass(rows)]]
+
+
 def section_loops(rows):
     return [table(["function", "ns for each call"], [[name, f"{ns:.1f}"] for name, ns in rows])]
 
@@ -281,6 +295,7 @@ SECTIONS = {
     "tilt": ("What a tilt costs at equal blur", section_tilt),
     "instructions": ("Instructions of scenes without tilt_lens", section_instructions),
     "camera": ("What camera and sampler take of a ray", section_camera),
+    "glass": ("What a lens of glass takes of a ray", section_glass),
     "loops": ("Inner loops", section_loops),
     "growth": ("How cost grows", section_growth),
     "contract": ("Whether `variance V` is kept", section_contract),
@@ -290,7 +305,7 @@ SECTIONS = {
 }
 GOALS = {"contract": goals_contract, "crops": goals_crops, "display": goals_display, "lamps": goals_lamps,
          "preview": goals_preview, "stock": goals_stock, "tilted": goals_tilted, "denoise": goals_denoise, "pan": goals_pan,
-         "tilt": goals_tilt, "instructions": goals_instructions, "camera": goals_camera}
+         "tilt": goals_tilt, "instructions": goals_instructions, "camera": goals_camera, "glass": goals_glass}
 
 
 def section(part, rows):

@@ -20,6 +20,7 @@ from benchmarks import (
     contract,
     cycles,
     gallery,
+    glass_cost,
     instructions,
     pan_focus,
     plots,
@@ -145,6 +146,11 @@ class SmallRun(unittest.TestCase):
         rows = camera_share.measure(self.lab, lambda *_, within: 1000 if within == camera_share.ALL else 750)
         self.assertEqual([row["share"] for row in rows], [0.25])
         self.assertIn("25.0 % at the most (missed)", report.section("camera", rows))
+
+    def test_cost_of_glass(self):
+        rows = glass_cost.measure(self.lab, lambda _, __, shot, within: 1000 * (1 + (("Glass", 8) in shot.declare)) if within == glass_cost.ALL else 750)
+        self.assertEqual([row["share"] for row in rows], [0.25, 0.25, 0.625])
+        self.assertIn("5.0 times at the most (missed)", report.section("glass", rows))
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
