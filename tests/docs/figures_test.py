@@ -1,14 +1,14 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The pictures of the manual and the drawings of the optics agree with tools/docs/figures.py: each picture has its scene
-and is shown, and each drawing is the result of its script."""
+and is shown, and each drawing is the result of its script. Each lens has its portraits."""
 
 import pathlib
 import re
 import tempfile
 import unittest
 
-from tools.docs import figures, pages
+from tools.docs import figures, lens_portraits, pages
 from tools.repository import ROOT
 
 
@@ -34,6 +34,19 @@ class Pictures(unittest.TestCase):
     def test_they_are_small(self):
         for path in figures.PICTURES.iterdir():
             self.assertLess(path.stat().st_size, 60_000, path.name)
+
+
+class Portraits(unittest.TestCase):
+    def test_each_lens_is_shown(self):
+        self.assertEqual(lens_portraits.PAGE.read_text(encoding="utf-8"), lens_portraits.page(), "python3 -m tools.docs.lens_portraits --table")
+        made = {f"{lens}_{shape}.jpg" for lens in lens_portraits.lenses() for shape in lens_portraits.SHAPES}
+        self.assertEqual({path.name for path in lens_portraits.PICTURES.iterdir()}, made)
+        for path in lens_portraits.PICTURES.iterdir():
+            self.assertLess(path.stat().st_size, 30_000, path.name)
+
+    def test_the_scene_has_the_lenses_in_their_order(self):
+        files = re.findall(r'"(\w+)\.(?:dat|json)"', lens_portraits.SCENE.read_text())
+        self.assertEqual(["ideal", *files], list(lens_portraits.lenses()))
 
 
 def drawn_by(svg):
