@@ -103,7 +103,7 @@ Zebra(<-11, 0, -14>, 9, no)
 Zebra(<40, 0, -14>, 9, no)
 
 // the avenue: tram track between two lanes
-box { <-3.2, 0, -70>, <3.2, 0.03, 176> texture { T_Pavement } }
+box { <-3.2, 0, -70>, <3.2, 0.04, 176> texture { T_Pavement } }  // above the asphalt of the bridge
 #for (I, 0, 3)
   #declare X = -2.35+1.44*mod(I, 2)+3.26*int(I/2);
   box { <X-0.08, 0, -70>, <X+0.08, 0.05, 176> texture { T_Rail } }
