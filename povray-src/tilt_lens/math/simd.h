@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file simd.h
-/// Vector registers of 16 bytes: their types, and numbers that lie side by side to and from them. Memory needs no alignment.
+/// Vector registers of 16 and 32 bytes: their types, and numbers that lie side by side to and from them. Memory needs no alignment.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
@@ -18,6 +18,8 @@ typedef float Float4 __attribute__((vector_size(16)));
 typedef float Float2 __attribute__((vector_size(8)));  ///< what converts to a Double2
 typedef long long Mask2 __attribute__((vector_size(16)));
 typedef int Mask4 __attribute__((vector_size(16)));
+typedef float Float8 __attribute__((vector_size(32)));
+typedef int Mask8 __attribute__((vector_size(32)));
 
 /// @param from  as many numbers as a Vector holds, which may be a single number
 template<class Vector, class Number>

@@ -1,0 +1,66 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file scene_hierarchy.h
+/// The bounding hierarchies of a scene with `tilt_lens`: one of its objects, and one of the triangles of each mesh. They take
+/// the place of stock's for rays; the nearest intersection is the same. Of objects at exactly the same depth it is that of the
+/// object which the scene names first, as without any hierarchy (-MB), while stock's show the one that their queue comes to
+/// first. This is why scenes without `tilt_lens` stay with them.
+
+#ifndef SCENE_HIERARCHY_H
+#define SCENE_HIERARCHY_H
+
+#include <memory>
+#include <vector>
+
+#include "backend/frame.h"
+#include "tilt_lens/hierarchy/box_hierarchy.h"
+
+namespace pov
+{
+
+class Mesh;
+
+class SceneHierarchy
+{
+  public:
+    /// Also gives all meshes among the objects, in CSG, in bounding and in clipping objects, a hierarchy of their own.
+    /// @param all  the scene's objects, which outlive the hierarchy
+    explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
+
+    /// @param best   intersections nearer than its depth are looked for; set to the nearest
+    /// @return       whether there is one
+    bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const;
+
+    /// The same among objects and intersections that fulfil the conditions.
+    bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition,
+                   const RayObjectCondition& postcondition, TraceThreadData* thread) const;
+
+  private:
+    std::vector<std::unique_ptr<tilt_lens::BoxHierarchy>> meshes;
+    std::vector<ObjectPtr> objects;          ///< in the scene's order
+    std::vector<const ObjectPtr*> infinite;  ///< of these, objects without a finite box
+    std::unique_ptr<tilt_lens::BoxHierarchy> finite;
+
+    void AddMeshes(const std::vector<ObjectPtr>& among);
+    void AddMeshes(ObjectPtr object);
+
+    template<class FindNearer>
+    bool Walk(const Ray& ray, Intersection& best, TraceThreadData* thread, const FindNearer& findNearer) const;
+};
+
+/// A mesh's own way through its hierarchy, beside Mesh::intersect_bbox_tree().
+class MeshHierarchy
+{
+  public:
+    static std::unique_ptr<tilt_lens::BoxHierarchy> Of(Mesh& mesh);
+
+    /// @param ray       in the mesh's frame, with a direction of length 1
+    /// @param worldRay  the same ray in the world
+    /// @param length    of the world's unit in the mesh's frame
+    static bool Intersect(Mesh& mesh, const Ray& ray, const Ray& worldRay, DBL length, IStack& hits, TraceThreadData* thread);
+};
+
+} // namespace pov
+
+#endif
