@@ -26,6 +26,7 @@ from benchmarks import (
     preview,
     reconstruction,
     report,
+    sample_cost,
     suite,
     tables,
     tilt_cost,
@@ -35,8 +36,8 @@ from benchmarks import (
 from benchmarks.lab import Failed, Lab
 from tools.repository import BUILD
 
-PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "denoise", "pan", "tilt", "instructions", "glass", "loops",
-         "growth", "contract", "crops", "builds", "ablation")
+PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "denoise", "pan", "tilt", "instructions", "samples", "glass",
+         "loops", "growth", "contract", "crops", "builds", "ablation")
 NAMES = [*[scene.name for scene in suite.SCENES], *suite.DISPLAY]
 # Parts whose short form is shown in the pages, too: the page then says so by the size of its pictures.
 SHORT = {"display", "lamps", "cycles", "preview", "crops", "ablation"}
@@ -63,6 +64,7 @@ def arguments():
                         help="the same source built as ours, without the patches (for part instructions)")
     parser.add_argument("--fast", type=pathlib.Path, default=BUILD / "fast" / "bin" / "povray",
                         help="the patched program as cmake/build-fast makes it (for part builds)")
+    parser.add_argument("--before", type=pathlib.Path, help="the patched program of before a change (for part samples)")
     parser.add_argument("--tools", type=pathlib.Path, default=BUILD / "tests" / "benchmarks" / "tools")
     parser.add_argument("--work", type=pathlib.Path, default=BUILD / "benchmarks")
     parser.add_argument("--fresh", action="store_true",
@@ -83,7 +85,8 @@ def arguments():
         parser.error(f"part display needs one of the scenes {', '.join(suite.DISPLAY)}")
     if args.pages:
         return args
-    programs = [args.ours, args.stock] + [args.unpatched] * ("instructions" in args.parts) + [args.fast] * ("builds" in args.parts)
+    programs = [args.ours, args.stock, *[args.unpatched] * ("instructions" in args.parts), *[args.fast] * ("builds" in args.parts),
+                *[args.before] * bool(args.before)]
     for path in programs:
         if not path.is_file():
             parser.error(f"no such program: {path}")
@@ -139,6 +142,8 @@ def measure(lab, args):
         results["camera"] = camera_share.measure(lab)
     if "glass" in args.parts:
         results["glass"] = glass_cost.measure(lab)
+    if "samples" in args.parts:
+        results["samples"] = sample_cost.measure(lab, args.before and args.before.resolve())
     if "loops" in args.parts:
         results["loops"] = instructions.inner_loops(lab)
     if "growth" in args.parts:

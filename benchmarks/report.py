@@ -183,6 +183,25 @@ def section_glass(rows):
             *[goal.sentence() for goal in goals_glass(rows)]]
 
 
+def goals_samples(rows):
+    ratios = [row["instructions"]/row["before"] for row in rows if row.get("before")]
+    if not ratios:
+        return []
+    mean, most = geometric_mean(ratios), max(ratios)
+    return [Goal("Instructions of a sample over those of the program of before, geometric mean", "at most 0.65", f"{mean:.2f}",
+                 mean <= 0.65),
+            Goal("Instructions of a sample over those of the program of before, in each scene", "at most 0.85",
+                 f"{most:.2f} at the most", most <= 0.85)]
+
+
+def section_samples(rows):
+    cells = [[TITLES[row["scene"]], f"{row['instructions']:,.0f}", f"{100*row['intersections']/row['instructions']:.0f} %",
+              *([f"{row['before']:,.0f}", f"{row['instructions']/row['before']:.2f}"] if row.get("before") else ["-", "-"])]
+             for row in rows]
+    return [table(["scene", "instructions of a sample", "of these in intersections", "before", "ratio"], cells),
+            *[goal.sentence() for goal in goals_samples(rows)]]
+
+
 def section_loops(rows):
     return [table(["function", "ns for each call"], [[name, f"{ns:.1f}"] for name, ns in rows])]
 
@@ -296,6 +315,7 @@ SECTIONS = {
     "instructions": ("Instructions of scenes without tilt_lens", section_instructions),
     "camera": ("What camera and sampler take of a ray", section_camera),
     "glass": ("What a lens of glass takes of a ray", section_glass),
+    "samples": ("What a sample costs with all its rays", section_samples),
     "loops": ("Inner loops", section_loops),
     "growth": ("How cost grows", section_growth),
     "contract": ("Whether `variance V` is kept", section_contract),
@@ -305,7 +325,7 @@ SECTIONS = {
 }
 GOALS = {"contract": goals_contract, "crops": goals_crops, "display": goals_display, "lamps": goals_lamps,
          "preview": goals_preview, "stock": goals_stock, "tilted": goals_tilted, "denoise": goals_denoise, "pan": goals_pan,
-         "tilt": goals_tilt, "instructions": goals_instructions, "camera": goals_camera, "glass": goals_glass}
+         "tilt": goals_tilt, "instructions": goals_instructions, "camera": goals_camera, "samples": goals_samples, "glass": goals_glass}
 
 
 def section(part, rows):

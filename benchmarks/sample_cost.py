@@ -1,0 +1,30 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What a sample of the lens costs with all rays that follow from it: callgrind's instructions within the sampling of tiles, and
+of these, what the search for intersections takes: hierarchies and objects."""
+
+from benchmarks import gallery, instructions, suite
+from benchmarks.lab import TILT_LENS, Shot
+
+SAMPLES = 8
+EVEN = suite.limits(SAMPLES, SAMPLES, 0)
+SIZE = (96, 54)
+OF_GALLERY = {"folder": gallery.GALLERY, "size": SIZE, "declare": (("Samples", SAMPLES),)}
+SHOTS = [Shot("miniature_town", TILT_LENS, **OF_GALLERY), Shot("miniature_harbour", TILT_LENS, **OF_GALLERY),
+         Shot("forest_reverse_tilt", TILT_LENS, **OF_GALLERY), Shot("foliage", TILT_LENS, size=SIZE, declare=EVEN),
+         Shot("glass", TILT_LENS, size=SIZE, declare=EVEN), Shot("shadows", TILT_LENS, size=SIZE, declare=EVEN)]
+ALL, INTERSECTIONS = "tilt_lens::TileSampler::Run(*", "pov::SceneHierarchy::Intersect(*"
+
+
+def measure(lab, before=None, count=instructions.count):
+    """A row for each scene: instructions a sample, those of the search, and those of the program of before, if there is one."""
+    lab.say("instructions of a sample with all its rays")
+    rows = []
+    for shot in SHOTS:
+        samples = SAMPLES*shot.size[0]*shot.size[1]
+        row = {"scene": shot.scene, "instructions": count(lab, lab.ours, shot, within=ALL)/samples,
+               "intersections": count(lab, lab.ours, shot, within=INTERSECTIONS)/samples}
+        if before:
+            row["before"] = count(lab, before, shot, within=ALL)/samples
+        rows.append(row)
+    return rows
