@@ -148,12 +148,11 @@ class SmallRun(unittest.TestCase):
         self.assertEqual([row["share"] for row in rows], [0.25])
         self.assertIn("25.0 % at the most (missed)", report.section("camera", rows))
 
-<<<<<<< HEAD
     def test_cost_of_glass(self):
         rows = glass_cost.measure(self.lab, lambda _, __, shot, within: 1000 * (1 + (("Glass", 8) in shot.declare)) if within == glass_cost.ALL else 750)
         self.assertEqual([row["share"] for row in rows], [0.25, 0.25, 0.625])
         self.assertIn("5.0 times at the most (missed)", report.section("glass", rows))
-=======
+
     def test_cost_of_a_sample(self):
         counts = {sample_cost.ALL: 800, sample_cost.INTERSECTIONS: 200}
         for before, words in ((None, "| 25 % | - | - |"), ("before", "ratio"), ("before", "0.50 (reached)")):
@@ -161,7 +160,6 @@ class SmallRun(unittest.TestCase):
                 1600 if program == "before" else counts[within])*sample_cost.SAMPLES*math.prod(shot.size))
             self.assertEqual({row["instructions"] for row in rows}, {800})
             self.assertIn(words, report.section("samples", rows))
->>>>>>> 102e103 (WIP hierarchies of their own for scenes with tilt_lens)
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)

@@ -59,7 +59,6 @@ CAMERAS = {
     # all rays run along an axis, those in mirrors along two
     "along an axis": "camera { orthographic location <0.1, 0.7, -4> direction z right 4*x up 3*y }\n",
 }
-# without an aperture a picture goes stock's way
 TILTED = ("camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> focal_point <0, 0.7, 0> aperture 0.1 "
           "blur_samples 2, 2 variance 0 tilt_lens { tilt 5 } }\n")
 

@@ -9,34 +9,42 @@ namespace tilt_lens
 namespace
 {
 
-unsigned int SignBits(const Mask8& mask)
+unsigned int SignBits(const Mask4& mask)
 {
 #ifdef __SSE2__
-    const Float4* const halves = reinterpret_cast<const Float4*>(&mask);
-    return __builtin_ia32_movmskps(halves[0]) | __builtin_ia32_movmskps(halves[1]) << 4;
+    return __builtin_ia32_movmskps(reinterpret_cast<const Float4&>(mask));
 #else
     unsigned int bits = 0;
-    for (int i = 0; i < 8; i++)
+    for (int i = 0; i < 4; i++)
         bits |= (mask[i] < 0 ? 1u : 0u) << i;
     return bits;
 #endif
 }
 
-/// Written once, compiled for each kind of processor: no operation is contracted, so that all have the same results.
-inline __attribute__((always_inline)) unsigned int EnterAll(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin)
+unsigned int SignBits(const Mask8& mask)
 {
-    const char* const from = reinterpret_cast<const char*>(&boxes);
-    Float8 enter = Float8(), leave = Float8() + limit;
+    const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
+    return SignBits(halves[0]) | SignBits(halves[1]) << 4;
+}
+
+/// As many of the boxes as a Vector has lanes, from `first`. Written once for each kind of processor: no operation is contracted,
+/// so that all have the same results.
+template<class Vector>
+inline __attribute__((always_inline)) unsigned int EnterSome(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin,
+                                                             int first)
+{
+    const char* const from = reinterpret_cast<const char*>(&boxes) + first * sizeof(float);
+    Vector enter = Vector(), leave = Vector() + limit;
     for (int axis = 0; axis < 3; axis++)
     {
-        const Float8 in = *reinterpret_cast<const Float8*>(from + ray.enterPlanes[axis]);
-        const Float8 out = *reinterpret_cast<const Float8*>(from + ray.leavePlanes[axis]);
-        const Float8 near = (in - ray.enterFrom[axis]) * ray.enterInverse[axis];
-        const Float8 far = (out - ray.leaveFrom[axis]) * ray.leaveInverse[axis];
+        const Vector in = *reinterpret_cast<const Vector*>(from + ray.enterPlanes[axis]);
+        const Vector out = *reinterpret_cast<const Vector*>(from + ray.leavePlanes[axis]);
+        const Vector near = (in - ray.enterFrom[axis]) * ray.enterInverse[axis];
+        const Vector far = (out - ray.leaveFrom[axis]) * ray.leaveInverse[axis];
         enter = near > enter ? near : enter;
         leave = far < leave ? far : leave;
     }
-    *reinterpret_cast<Float8*>(begin) = enter;
+    *reinterpret_cast<Vector*>(begin + first) = enter;
     return SignBits(enter <= leave);
 }
 
@@ -44,14 +52,14 @@ inline __attribute__((always_inline)) unsigned int EnterAll(const EightBoxes& bo
 
 unsigned int EnterPlain(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin)
 {
-    return EnterAll(boxes, ray, limit, begin);
+    return EnterSome<Float4>(boxes, ray, limit, begin, 0) | EnterSome<Float4>(boxes, ray, limit, begin, 4) << 4;
 }
 
 #if defined(__x86_64__) || defined(__i386__)
 
 __attribute__((target("avx2"))) unsigned int EnterByAvx2(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin)
 {
-    return EnterAll(boxes, ray, limit, begin);
+    return EnterSome<Float8>(boxes, ray, limit, begin, 0);
 }
 
 bool HasAvx2() { return __builtin_cpu_supports("avx2"); }
@@ -60,7 +68,7 @@ bool HasAvx2() { return __builtin_cpu_supports("avx2"); }
 
 unsigned int EnterByAvx2(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin)
 {
-    return EnterAll(boxes, ray, limit, begin);
+    return EnterPlain(boxes, ray, limit, begin);
 }
 
 bool HasAvx2() { return false; }

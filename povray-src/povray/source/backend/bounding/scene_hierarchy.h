@@ -28,6 +28,9 @@ class SceneHierarchy
     /// @param all  the scene's objects, which outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
 
+    unsigned int FiniteObjects() const { return objects.size() - infinite.size(); }
+    unsigned int InfiniteObjects() const { return infinite.size(); }
+
     /// @param best   intersections nearer than its depth are looked for; set to the nearest
     /// @return       whether there is one
     bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const;
