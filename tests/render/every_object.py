@@ -73,7 +73,7 @@ OBJECTS = {
     "light_group": "light_group { light_source { <3, 3, -3>, 0.7 } sphere { 0, 0.8 } global_lights on }",
 }
 
-# one of each six placements that turn, squeeze, and move
+# placements that turn, squeeze and move
 PLACES = ["rotate <20, 35, 10> translate <-1.6, 0, 0.4>", "rotate <0, 80, -30> scale <0.8, 1.2, 0.7> translate <0.3, -0.1, 2.1>",
           "rotate -50*x scale 0.5 translate <1.7, 0.2, -0.7>", "scale 0.3 rotate 77 translate <0.4, -0.8, -1.3>"]
 
@@ -91,7 +91,7 @@ def placed(body):
 
 
 class EveryObject(rendering.RenderTest):
-    def assert_as_stock(self, world, what, make_camera=camera):
+    def assert_as_without_boxes(self, world, what, make_camera=camera):
         self.assert_same(rendering.render(make_camera(True) + world, "-A", "+MB1", **SIZE),
                          rendering.render(make_camera(False) + world, "-A", "-MB", **SIZE), what)
 
@@ -103,7 +103,7 @@ class EveryObject(rendering.RenderTest):
                     world = world.replace("object { Thing pigment { rgb", "object { Thing finish { ambient rgb 0.1*")
                 if name in ("lamp", "light_group"):
                     world = "".join(f"{body[:-1]} {place} }}\n" for place in PLACES)
-                self.assert_as_stock(LIGHTS + FLOOR + world, name)
+                self.assert_as_without_boxes(LIGHTS + FLOOR + world, name)
 
     def test_random_scenes(self):
         for seed in range(12):
@@ -118,7 +118,7 @@ class EveryObject(rendering.RenderTest):
                           f"translate <{place[0]}, {place[1]}, {place[2]}> pigment {{ rgbt <{dice.random()}, {dice.random()}, "
                           f"{dice.random()}, {dice.choice((0, 0, 0.5))}> }} finish {{ reflection {dice.choice((0, 0.3))} }} }}\n")
             with self.subTest(seed):
-                self.assert_as_stock(world, f"seed {seed}")
+                self.assert_as_without_boxes(world, f"seed {seed}")
 
     def test_sizes(self):
         """POV-Ray's own tolerances leave little of a tiny world, and nothing beyond 1e7 units."""
@@ -126,7 +126,7 @@ class EveryObject(rendering.RenderTest):
         for size in (1e-9, 1e-6, 1e-2, 1e3, 1e5, 1e9, 1e12):
             with self.subTest(size):
                 # a large world beside the ordinary one, and a tiny one in it
-                self.assert_as_stock(LIGHTS + FLOOR + placed(OBJECTS["difference"]) +
+                self.assert_as_without_boxes(LIGHTS + FLOOR + placed(OBJECTS["difference"]) +
                                      f"union {{ {world} scale {size} translate <0.2, 0.1, {2.1*size:.17g}> }}\n", f"{size:g}")
 
     def test_along_axes(self):
@@ -138,7 +138,7 @@ class EveryObject(rendering.RenderTest):
                        for x in (-2, -1, 0, 1) for y in (-2, 0, 1) for z in (-1, 0, 1))
         for direction, up in (("z", "y"), ("x", "y"), ("-y", "z")):
             with self.subTest(direction):
-                self.assert_as_stock(LIGHTS + grid + placed(OBJECTS["mesh2"]), direction,
+                self.assert_as_without_boxes(LIGHTS + grid + placed(OBJECTS["mesh2"]), direction,
                                      lambda block, d=direction, u=up: axes(block, d, u))
 
     def test_camera_inside(self):
@@ -148,7 +148,7 @@ class EveryObject(rendering.RenderTest):
                 return (f"camera {{ location {place} look_at {place} + <0.4, 0.1, 1> angle 90 "
                         f"{'tilt_lens { }' if block else ''} }}\n")
             with self.subTest(place):
-                self.assert_as_stock(LIGHTS + "box { -0.5, 0.5 pigment { checker rgbt <1, 0.5, 0.2, 0.4> rgbt <0.2, 0.5, 1, 0.4> scale 0.21 } }"
+                self.assert_as_without_boxes(LIGHTS + "box { -0.5, 0.5 pigment { checker rgbt <1, 0.5, 0.2, 0.4> rgbt <0.2, 0.5, 1, 0.4> scale 0.21 } }"
                                      "sphere { <0.2, 0.1, 0.3>, 0.4 pigment { rgbt <0.3, 0.9, 0.4, 0.6> } }" + FLOOR +
                                      placed(OBJECTS["mesh2"]), place, inside)
 
@@ -158,7 +158,7 @@ class EveryObject(rendering.RenderTest):
                  "".join(f"sphere {{ 0, {0.5 + 0.001*i} pigment {{ rgbt <1, {i/40:g}, 0.3, 0.9> }} }}\n" for i in range(40)) +
                  "triangle { <-1, -1, 3>, <1, -1, 3>, <0, 1, 3> pigment { rgb <0.9, 0.9, 0.2> } }\n"
                  "sphere { <0, 0, 4>, 1e-7 pigment { rgb 1 } } sphere { <0, 3e6, 0>, 1e6 pigment { rgb <0.3, 0.4, 1> } }\n")
-        self.assert_as_stock(LIGHTS + FLOOR + world, "degenerate")
+        self.assert_as_without_boxes(LIGHTS + FLOOR + world, "degenerate")
 
     def test_equal_depth(self):
         """Of surfaces in one place that of the object is shown which the scene names first."""
@@ -166,7 +166,7 @@ class EveryObject(rendering.RenderTest):
             boxes = [f"box {{ -1, 1 pigment {{ rgb <{i % 3/2}, {i/count:.3f}, {1 - i/count:.3f}> }} finish {{ ambient 1 diffuse 0 }} }}\n"
                      for i in range(count)]
             for order in (boxes, boxes[::-1], boxes[count//2:] + boxes[:count//2]):
-                self.assert_as_stock(LIGHTS + FLOOR + "".join(order), f"{count} boxes")
+                self.assert_as_without_boxes(LIGHTS + FLOOR + "".join(order), f"{count} boxes")
 
 
 if __name__ == "__main__":

@@ -188,6 +188,13 @@ TEST(BoxHierarchy, LeavesMostBoxesAlone)
     EXPECT_LT(visited, 400u);
 }
 
+/// As docs/hierarchies.md says.
+TEST(BoxHierarchy, Memory)
+{
+    for (const int number : {1000, 20000, 100000})
+        EXPECT_LE(Scene(Boxes(number, number, 10.0, 0.04)).hierarchy.Bytes(), 110u * number);
+}
+
 /// Along one axis or two, from faces, edges and corners of the boxes, where rounding decides.
 TEST(BoxHierarchy, RaysAlongAxesAndOnFaces)
 {
