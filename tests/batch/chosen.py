@@ -4,6 +4,7 @@
 
 import json
 import os
+import signal
 import subprocess
 
 from tests.batch import harness
@@ -129,11 +130,14 @@ class Told(BatchTest):
 
     def test_status_of_a_unit_at_work(self):
         self.scene(LENS)
-        self.start("still", "scene.pov", "--bands", 1, *SIZE, "Declare=Samples=4000")
+        large = ("+W480", "+H400", "+WT1")  # takes minutes, and is ended below
+        process = self.start("still", "scene.pov", "--bands", 1, *large, "Declare=Samples=4000")
         work = self.folder / "scene.png.batch"
         self.until("the unit", lambda: list(work.glob("running/*.json")))
         unit = self.until("a percentage", lambda: next((u for u in self.status("scene.png")["units"] if u.get("percent")), None))
         self.assertEqual(unit["state"], "running")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=60), 130)
 
     def test_status_of_no_batch(self):
         done = subprocess.run([str(ROOT / "batch"), "status", "nothing"], cwd=self.folder, capture_output=True, text=True, check=False)
