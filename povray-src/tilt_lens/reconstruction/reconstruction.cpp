@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "tilt_lens/math/simd.h"
+#include "tilt_lens/math/window.h"
 #include "tilt_lens/reconstruction/filters.h"
 #include "tilt_lens/settings.h"
 
@@ -228,22 +230,31 @@ class RiskWeightedMean
     }
 };
 
-/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around; 1 where none is noisy.
-BlockPlane ResidualVarianceRatio(const BlockPlane& before, const BlockPlane& after)
+/// Squared difference of a pixel's two buffers, before and after filtering.
+struct SquaredDifference
 {
+    float before = 0.0f, after = 0.0f;
+};
+
+void AddTo(SquaredDifference& sum, const SquaredDifference& one)
+{
+    sum.before += one.before;
+    sum.after += one.after;
+}
+
+void DivideBy(SquaredDifference& sum, float divisor)
+{
+    sum.before /= divisor;
+    sum.after /= divisor;
+}
+
+/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around; 1 where none is noisy.
+BlockPlane ResidualVarianceRatio(const std::vector<SquaredDifference>& differences)
+{
+    const std::vector<SquaredDifference> around = WindowMeans<kRatioRadius>(differences, kSide);
     BlockPlane ratio;
-    for (int y = 0; y < kSide; y++)
-        for (int x = 0; x < kSide; x++)
-        {
-            float b = 0.0f, a = 0.0f;
-            for (int v = std::max(0, y - kRatioRadius); v <= std::min(kSide - 1, y + kRatioRadius); v++)
-                for (int u = std::max(0, x - kRatioRadius); u <= std::min(kSide - 1, x + kRatioRadius); u++)
-                {
-                    b += before[v * kSide + u];
-                    a += after[v * kSide + u];
-                }
-            ratio[y * kSide + x] = b > 0.0f ? std::min(1.0f, a / b + settings.leastResidualRatio) : 1.0f;
-        }
+    std::transform(around.begin(), around.end(), ratio.begin(), [](const SquaredDifference& mean)
+        { return mean.before > 0.0f ? std::min(1.0f, mean.after / mean.before + settings.leastResidualRatio) : 1.0f; });
     return ratio;
 }
 
@@ -321,17 +332,17 @@ ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const PaddedSp
         mean.Add(SpreadCandidate<true>(around, *spread, mean.Risky(), mean.Wanted()));
     }
     ReconstructedBlock block{};
-    BlockPlane before{}, after{};
+    std::vector<SquaredDifference> noise(kPixels);
     for (int c = 0; c < kChannels; c++)
         for (int i = 0; i < kPixels; i++)
         {
             const int at = At(i % kSide, i / kSide);
             block.mean[c][i] = mean.MeanOf(c, at);
             const float plain = around.DualBufferDifference(c)[at], filtered = mean.DualBufferDifferenceOf(c, at);
-            before[i] += plain * plain;
-            after[i] += filtered * filtered;
+            noise[i].before += plain * plain;
+            noise[i].after += filtered * filtered;
         }
-    block.residualVarianceRatio = ResidualVarianceRatio(before, after);
+    block.residualVarianceRatio = ResidualVarianceRatio(noise);
     return block;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "tilt_lens/math/window.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
 #include "tilt_lens/sampling/variance_ratio.h"
 
@@ -19,15 +18,6 @@ namespace
 std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 {
     return pixel / estimate.area.width * kBlockSide + pixel % estimate.area.width;
-}
-
-/// Mean variance of one sample over the 3 by 3 pixels around each, as far as they are in the block.
-std::vector<Radiance> VarianceAround(const BlockEstimate& estimate)
-{
-    std::vector<Radiance> variance;
-    for (const PixelEstimate& pixel : estimate.pixels)
-        variance.push_back(pixel.statistics.Variation().variance);
-    return WindowMeans<kNeighbourRadius>(variance, estimate.area.width);
 }
 
 /// A candidate's variance after the reconstruction.
@@ -65,15 +55,15 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
         return;
     const Area& area = estimate.area;
     const bool uniform = estimate.IsUniform();  // then there is no noise to estimate
-    const std::vector<Radiance> variance = uniform ? std::vector<Radiance>(area.Size()) : VarianceAround(estimate);
     const std::vector<double> ratio = uniform ? std::vector<double>(area.Size()) : LocalVarianceRatios(estimate);
     const auto made = std::make_shared<BlockStatistics>();
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         const PixelStatistics& pixel = estimate.pixels[i].statistics;
         double noise = 0.0;
-        for (std::size_t c = 0; !uniform && c < variance[i].size(); c++)
-            noise += variance[i][c];
+        if (!uniform)
+            for (const double ofChannel : VariationAround(estimate, i, nullptr).variance)
+                noise += ofChannel;
         made->Set(i % area.width, i / area.width, pixel.Mean(), uniform ? Radiance{} : pixel.DualBufferDifference(),
                   ratio[i] * noise / pixel.Samples(), pixel.Samples());
     }

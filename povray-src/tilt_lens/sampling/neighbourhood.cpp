@@ -28,27 +28,6 @@ Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& li
         FindBlurred();
 }
 
-SampleVariation Neighbourhood::Around(const BlockEstimate& estimate, std::size_t pixel) const
-{
-    const Area& area = estimate.area;
-    const std::int64_t left = pixel % area.width, top = pixel / area.width;
-    SampleVariation around;
-    int count = 0;
-    for (std::int64_t y = top - kNeighbourRadius; y <= top + kNeighbourRadius; y++)
-        for (std::int64_t x = left - kNeighbourRadius; x <= left + kNeighbourRadius; x++)
-        {
-            if (x >= 0 && x < area.width && y >= 0 && y < area.height)
-                around.Merge(estimate.pixels[y * area.width + x].statistics.Variation());
-            else if (const FirstRound* round = FirstRoundAt(rounds, area.left + x, area.top + y))
-                around.Merge(round->At(area.left + x, area.top + y).variation);
-            else
-                continue;
-            count++;
-        }
-    DivideBy(around.variance, count);
-    return around;
-}
-
 void Neighbourhood::FindBlurred()
 {
     const Area& area = rounds[4]->area;

@@ -30,7 +30,10 @@ class Neighbourhood
     /// block or just beside it they are: mean variance, greatest deviation.
     const SampleVariation& Blurred(std::size_t pixel) const { return blurred[pixel]; }
     /// The same of the 3 by 3 pixels around one: by their latest samples in the block, by their first beside it.
-    SampleVariation Around(const BlockEstimate& estimate, std::size_t pixel) const;
+    SampleVariation Around(const BlockEstimate& estimate, std::size_t pixel) const
+    {
+        return VariationAround(estimate, pixel, &rounds);
+    }
     /// The first rounds' BlockStatistics; null where they are not known.
     const FirstRounds& Rounds() const { return rounds; }
 
