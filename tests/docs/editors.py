@@ -25,7 +25,7 @@ BATCH_KINDS = re.compile(r"(\w+(?:\|\w+)+)")
 
 def items():
     """The words of the block, from the parser."""
-    table = re.search(r"kTiltLensItems\[.*?\] = \{(.*?)\};", WORDS.read_text(), re.DOTALL)[1]
+    table = re.search(r"TiltLensItems::kAll\[.*?\] = \{(.*?)\};", WORDS.read_text(), re.DOTALL)[1]
     return sorted(re.findall(r'\{"(\w+)"', table))
 
 

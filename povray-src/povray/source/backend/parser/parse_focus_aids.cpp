@@ -16,22 +16,12 @@
 namespace pov
 {
 
-/// Takes an item that is a focus aid; tells whether it was one.
-bool TiltLensParser::ParseFocusAid(const std::string& word, tilt_lens::FocusAids& aids)
+void TiltLensParser::RequireAidsTogether(const tilt_lens::FocusAids& aids)
 {
-    if (word == "focus_peaking")
-        ParsePeaking(aids);
-    else if (word == "focus_map")
-        aids.map = true;
-    else if (word == "show_planes")
-        aids.planes = true;
-    else
-        return false;
     if (aids.map && (aids.peaking || aids.planes))
         ErrorAt(item, "focus_map and %s in one tilt_lens: a tint would falsify the map's colours. "
                       "focus_peaking and show_planes may go together, focus_map stands alone; remove one.",
                 aids.peaking ? "focus_peaking" : "show_planes");
-    return true;
 }
 
 void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
@@ -63,6 +53,7 @@ void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
         aids.peakingPixels = PositiveNumber("focus_peaking's pixels");
     else
         parser.Unget_Token();
+    RequireAidsTogether(aids);
 }
 
 /// A focus aid shows how blurred things are, and a pinhole blurs nothing.

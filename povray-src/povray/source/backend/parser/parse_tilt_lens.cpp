@@ -22,9 +22,6 @@
 namespace pov
 {
 
-using tilt_lens::FocusFamily;
-using tilt_lens::Statement;
-
 namespace
 {
 
@@ -81,7 +78,7 @@ void TiltLensParser::ParseBlock(Camera& camera)
     std::set<std::string> seen;
     std::string word;
     while (NextItem(word, seen))
-        ParseItem(word, lens);
+        FindTiltLensItem(word)->parse(*this, word, lens);
     parser.Parse_End();
     lens.written = camera.TiltLens.written;
     lens.items = camera.TiltLens.items;
@@ -108,7 +105,7 @@ void TiltLensParser::DeclareFeature()
 std::vector<SYM_ENTRY*> TiltLensParser::MacrosNamedAsItems()
 {
     std::vector<SYM_ENTRY*> macros;
-    for (const TiltLensItem& known : kTiltLensItems)
+    for (const TiltLensItem& known : TiltLensItems::kAll)
         for (int table = parser.Table_Index; table > 0; table--)
         {
             SYM_ENTRY* entry = parser.Find_Symbol(table, known.word);
@@ -171,47 +168,6 @@ void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& s
                           "film_distance, focus_scale, focal_plane, focal_points is allowed; remove the others.",
                     other.c_str(), word.c_str());
     }
-}
-
-void TiltLensParser::ParseItem(const std::string& word, TiltLensCamera& lens)
-{
-    Statement& s = lens.statement;
-    if (ParseFocusAid(word, lens.aids) || ParseCharacter(word, s.character))
-        return;
-    if (word == "film_width")
-        s.filmWidth = PositiveNumber(word);
-    else if (word == "focal_length")
-        s.focalLength = PositiveNumber(word);
-    else if (word == "scene_unit")
-        s.sceneUnit = PositiveNumber(word);
-    else if (word == "f_stop")
-        s.fStop = PositiveNumber(word);
-    else if (word == "tilt")
-        s.tilt = Number(word);
-    else if (word == "swing")
-        s.swing = Number(word);
-    else if (word == "focus_tilt")
-        s.family = FocusFamily::FocusTurn, s.focusTilt = Number(word);
-    else if (word == "focus_swing")
-        s.family = FocusFamily::FocusTurn, s.focusSwing = Number(word);
-    else if (word == "shift")
-        ParseShift(s);
-    else if (word == "blades")
-        ParseBlades(s);
-    else if (word == "blade_curvature")
-        s.bladeCurvature = NumberWithin(word, 0.0, 1.0, "straight to round");
-    else if (word == "squeeze")
-        s.squeeze = NumberWithin(word, 0.1, 10.0, "lying to upright ovals; 1 is round");
-    else if (word == "prescription")
-        ParsePrescription(s);
-    else if (word == "dispersion")
-        s.dispersion = Number(word) != 0.0;  // `on` and `off` are numbers
-    else if (word == "denoise")
-        s.denoise = Number(word) != 0.0;
-    else if (word == "sample_seed")
-        ParseSampleSeed(s);
-    else
-        ParseFocus(word, lens);
 }
 
 void TiltLensParser::ErrorAt(const TiltLensPlace& place, const char* format, ...)

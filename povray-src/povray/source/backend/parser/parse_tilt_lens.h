@@ -20,6 +20,7 @@ namespace pov
 
 class Parser;
 struct Sym_Table_Entry;
+struct TiltLensItems;
 
 class TiltLensParser
 {
@@ -52,16 +53,18 @@ class TiltLensParser
     void CheckMacro(const char* macro, Sym_Table_Entry* const* arguments, char* const* names, int count);
 
   private:
+    friend TiltLensItems;  // whose functions parse the items
+
     Parser& parser;
     TiltLensPlace item;  ///< where the current item's word stands; its value may end lines later
 
     TiltLensPlace Here() const;
     bool NextItem(std::string& word, std::set<std::string>& seen);
-    void ParseItem(const std::string& word, TiltLensCamera& lens);
-    bool ParseCharacter(const std::string& word, tilt_lens::Character& character);
+    void ParseOpticalVignetting(tilt_lens::Character& character);
+    void ParseDistortion(tilt_lens::Character& character);
     void ParsePrescription(tilt_lens::Statement& statement);
     std::string ReadWhole(const std::string& name);
-    bool ParseFocusAid(const std::string& word, tilt_lens::FocusAids& aids);
+    void RequireAidsTogether(const tilt_lens::FocusAids& aids);
     void NotAnItem(const std::string& word);
     void ClaimOnce(const std::string& word, std::set<std::string>& seen);
     std::vector<Sym_Table_Entry*> MacrosNamedAsItems();
@@ -69,18 +72,19 @@ class TiltLensParser
     void RequireValue(const std::string& word);
     double Number(const std::string& word);
     double PositiveNumber(const std::string& word);
+    bool Switch(const std::string& word);
     double NumberWithin(const std::string& word, double least, double most, const char* meaning);
     bool NextIsComma();
     tilt_lens::Vec3 Vector(const std::string& word);
     void ParseShift(tilt_lens::Statement& statement);
     void ParseBlades(tilt_lens::Statement& statement);
     void ParseSampleSeed(tilt_lens::Statement& statement);
-    void ParseFocus(const std::string& word, TiltLensCamera& lens);
     void ParseFocalPlane(tilt_lens::Statement& statement);
     void PlaneBrace(int brace, const char* sign);
     void ParseFocalPoints(TiltLensCamera& lens);
-    bool NextIsTarget(std::string& word);
-    void ParseTarget(const std::string& word, FocusTarget& target);
+    bool ParseTarget(FocusTarget& target);
+    void ParseFocusOn(FocusTarget& target);
+    void ParseFocusAt(FocusTarget& target);
     void ParsePeaking(tilt_lens::FocusAids& aids);
 
     void CheckBlock(Camera& camera);

@@ -22,20 +22,6 @@ namespace pov
 using tilt_lens::FocusFamily;
 using tilt_lens::Statement;
 
-void TiltLensParser::ParseFocus(const std::string& word, TiltLensCamera& lens)
-{
-    if (word == "focal_plane")
-        ParseFocalPlane(lens.statement);
-    else if (word == "focal_points")
-        ParseFocalPoints(lens);
-    else if (word == "film_distance")
-        lens.statement.filmDistance = PositiveNumber(word);
-    else if (word == "focus_scale")
-        lens.statement.focusScale = PositiveNumber(word);
-    else
-        ParseTarget(word, lens.focusTarget);
-}
-
 void TiltLensParser::ParseFocalPlane(Statement& s)
 {
     s.family = FocusFamily::FocalPlane;
@@ -69,41 +55,44 @@ void TiltLensParser::ParseFocalPoints(TiltLensCamera& lens)
     {
         if (i > 0)
             parser.Parse_Comma();
-        std::string word;
-        if (NextIsTarget(word))
-            ParseTarget(word, lens.pointTargets[i]);
-        else
+        if (!ParseTarget(lens.pointTargets[i]))
             lens.statement.points[i] = Vector("focal_points");
     }
 }
 
-/// Takes the word `focus_on` or `focus_at`, unless the scene has an identifier of that name.
-bool TiltLensParser::NextIsTarget(std::string& word)
+/// Takes `focus_on` or `focus_at` with its value, unless the scene has an identifier of that name; tells whether it did.
+bool TiltLensParser::ParseTarget(FocusTarget& target)
 {
     parser.Get_Token();
-    word = parser.Token.Token_String;
-    if (parser.Token.Token_Id == IDENTIFIER_TOKEN && (word == "focus_on" || word == "focus_at"))
-        return true;
-    parser.Unget_Token();
-    return false;
+    const std::string word = parser.Token.Token_Id == IDENTIFIER_TOKEN ? parser.Token.Token_String : "";
+    if (word == "focus_on")
+        ParseFocusOn(target);
+    else if (word == "focus_at")
+        ParseFocusAt(target);
+    else
+    {
+        parser.Unget_Token();
+        return false;
+    }
+    return true;
 }
 
-void TiltLensParser::ParseTarget(const std::string& word, FocusTarget& target)
+void TiltLensParser::ParseFocusAt(FocusTarget& target)
 {
-    if (word == "focus_at")
-    {
-        RequireValue(word);
-        EXPRESS v;
-        const int terms = parser.Parse_Unknown_Vector(v);
-        if (terms != 2 || !(v[X] >= 0.0 && v[X] <= 1.0 && v[Y] >= 0.0 && v[Y] <= 1.0))
-            ErrorAt(item, "focus_at in tilt_lens: found %s%g, %g%s. It takes a place in the picture, from <0, 0> in the lower left "
-                          "to <1, 1> in the upper right corner; write it as <right, up>.", terms == 2 ? "<" : "a value of other than "
-                          "two numbers, <", v[X], v[Y], terms > 2 ? ", ...>" : ">");
-        target.kind = FocusTarget::Picture;
-        target.x = v[X];
-        target.y = v[Y];
-        return;
-    }
+    RequireValue("focus_at");
+    EXPRESS v;
+    const int terms = parser.Parse_Unknown_Vector(v);
+    if (terms != 2 || !(v[X] >= 0.0 && v[X] <= 1.0 && v[Y] >= 0.0 && v[Y] <= 1.0))
+        ErrorAt(item, "focus_at in tilt_lens: found %s%g, %g%s. It takes a place in the picture, from <0, 0> in the lower left "
+                      "to <1, 1> in the upper right corner; write it as <right, up>.", terms == 2 ? "<" : "a value of other than "
+                      "two numbers, <", v[X], v[Y], terms > 2 ? ", ...>" : ">");
+    target.kind = FocusTarget::Picture;
+    target.x = v[X];
+    target.y = v[Y];
+}
+
+void TiltLensParser::ParseFocusOn(FocusTarget& target)
+{
     parser.Get_Token();
     if (parser.Token.Token_Id != OBJECT_ID_TOKEN)
         ErrorAt(item, "focus_on in tilt_lens: found '%s' in place of an object. It takes the identifier of an object that was "

@@ -18,7 +18,6 @@ namespace pov
 {
 
 using tilt_lens::Character;
-using tilt_lens::kMostEdgeLight;
 using tilt_lens::kMostOpticalVignetting;
 using tilt_lens::Statement;
 using tilt_lens::Vec3;
@@ -65,6 +64,12 @@ double TiltLensParser::PositiveNumber(const std::string& word)
         ErrorAt(item, "%s %g in tilt_lens. It must be larger than 0; give a positive number.", word.c_str(),
                      value);
     return value;
+}
+
+/// `on` and `off` are numbers.
+bool TiltLensParser::Switch(const std::string& word)
+{
+    return Number(word) != 0.0;
 }
 
 /// @param meaning  of the least and the greatest value
@@ -140,34 +145,20 @@ bool TiltLensParser::NextIsComma()
     return comma;
 }
 
-/// The items that take a lens away from the ideal one; false for any other word.
-bool TiltLensParser::ParseCharacter(const std::string& word, Character& c)
+void TiltLensParser::ParseOpticalVignetting(Character& c)
 {
-    if (word == "edge_light")
-        c.edgeLight = NumberWithin(word, -kMostEdgeLight, kMostEdgeLight, "light in the middle to light at the rim; 0 is even");
-    else if (word == "natural_vignetting")
-        c.naturalVignetting = NumberWithin(word, 0.0, 1.0, "none to that of a real lens");
-    else if (word == "optical_vignetting")
-    {
-        c.opticalVignetting = NumberWithin(word, 0.0, kMostOpticalVignetting, "lens diameters by which the rim covers the corners' aperture");
-        if (NextIsComma())
-            c.rimStop = PositiveNumber("optical_vignetting's f-number");
-    }
-    else if (word == "distortion")
-    {
-        c.distortion1 = NumberWithin(word, -1.0, 1.0, "pincushion to barrel");
-        if (NextIsComma())
-            c.distortion2 = NumberWithin("distortion's K2", -1.0, 1.0, "pincushion to barrel");
-    }
-    else if (word == "field_curvature")
-        c.fieldCurvature = NumberWithin(word, -100.0, 100.0, "millimetres by which the image of the film's sides lies before it");
-    else if (word == "lateral_colour")
-        c.lateralColour = NumberWithin(word, -100.0, 100.0, "millimetres between the images of the ends of the spectrum");
-    else if (word == "axial_colour")
-        c.axialColour = NumberWithin(word, -100.0, 100.0, "millimetres between the images of the ends of the spectrum");
-    else
-        return false;
-    return true;
+    c.opticalVignetting = NumberWithin("optical_vignetting", 0.0, kMostOpticalVignetting,
+                                       "lens diameters by which the rim covers the corners' aperture");
+    if (NextIsComma())
+        c.rimStop = PositiveNumber("optical_vignetting's f-number");
+}
+
+void TiltLensParser::ParseDistortion(Character& c)
+{
+    const char* const meaning = "pincushion to barrel";
+    c.distortion1 = NumberWithin("distortion", -1.0, 1.0, meaning);
+    if (NextIsComma())
+        c.distortion2 = NumberWithin("distortion's K2", -1.0, 1.0, meaning);
 }
 
 } // namespace pov

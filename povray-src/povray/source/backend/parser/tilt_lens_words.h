@@ -12,15 +12,25 @@
 namespace pov
 {
 
+class TiltLensParser;
+struct TiltLensCamera;
+
+/// An item of the block. This is the one place that has its word.
 struct TiltLensItem
 {
     const char* word;
     const char* family;  ///< words of its family of focus, or NULL
     const char* distance; ///< itself where it says how far away the focus lies, or NULL
     const char* example; ///< how it is written with its value
+    /// Parses what stands behind the word.
+    void (*parse)(TiltLensParser& parser, const std::string& word, TiltLensCamera& lens);
 };
 
-extern const TiltLensItem kTiltLensItems[32];
+/// All items, in the order in which messages name them.
+struct TiltLensItems
+{
+    static const TiltLensItem kAll[32];
+};
 
 /// The item of that spelling, or NULL.
 const TiltLensItem* FindTiltLensItem(const std::string& word);
