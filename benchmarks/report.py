@@ -292,7 +292,8 @@ def section_ablation(rows):
     for (rule, section_number, settings), of_rule in found.items():
         means = [geometric_mean(row["ratio"] for row in of_rule if row["denoise"] == on) for on in (0, 1)]
         worst = max(of_rule, key=lambda row: row["ratio"])
-        error, beyond = (max(of_rule, key=lambda row, name=name: row[name]) for name in ("error", "beyond"))
+        judged = [row for row in of_rule if row["error"] is not None]
+        error, beyond = (max(judged, key=lambda row, name=name: row[name]) for name in ("error", "beyond"))
         cells.append([rule or "*(nothing)*", f"{section_number or ''}", f"`{settings}`" if settings else "",
                       *[f"{mean:.2f}" for mean in means], f"{worst['ratio']:.2f} {worst['scene']}" if settings else "",
                       f"{error['error']:.1f} {error['scene']}", f"{100*beyond['beyond']:.0f} % {beyond['scene']}"])
