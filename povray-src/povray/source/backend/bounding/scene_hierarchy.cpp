@@ -83,6 +83,10 @@ void Count(const BoxHierarchy::Count& count, TraceThreadData* thread)
 SceneHierarchy::SceneHierarchy(const std::vector<ObjectPtr>& all)
 {
     AddMeshes(all);
+}
+
+void SceneHierarchy::AddObjects(const std::vector<ObjectPtr>& all)
+{
     for (const ObjectPtr each : all)
         if (const ObjectPtr object = Visible(each))
             objects.push_back(object);

@@ -24,9 +24,12 @@ class Mesh;
 class SceneHierarchy
 {
   public:
-    /// Also gives all meshes among the objects, in CSG, in bounding and in clipping objects, a hierarchy of their own.
+    /// Gives all meshes among the objects, in CSG, in bounding and in clipping objects, a hierarchy of their own.
     /// @param all  the scene's objects, which outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
+
+    /// Makes the hierarchy of the objects, without which no intersections are found.
+    void AddObjects(const std::vector<ObjectPtr>& all);
 
     unsigned int FiniteObjects() const { return objects.size() - infinite.size(); }
     unsigned int InfiniteObjects() const { return infinite.size(); }
