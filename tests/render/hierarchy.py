@@ -53,6 +53,27 @@ LEAVES = {
     "all wanted": "mesh { #for (I, 1, 150) Leaf() #end inside_vector <1, 2, 3> }",
     "one by one": "#for (I, 1, 150) mesh { Leaf() } #end",
 }
+# all that asks meshes for something: trace(), patterns, functions, bounding, clipping, CSG, photons, copies with other flags
+ASKED = """
+#macro Corner(A, B) <cos(A)*cos(B), sin(B), sin(A)*cos(B)> #end
+#declare Ball = mesh { #for (I, 0, 23) #for (J, -6, 5)
+    #local A = I*pi/12; #local B = J*pi/12; #local C = A + pi/12; #local D = B + pi/12;
+    triangle { Corner(A, B), Corner(C, B), Corner(A, D) } triangle { Corner(C, D), Corner(C, B), Corner(A, D) }
+  #end #end inside_vector <1, 2, 3> %s }
+#declare Top = trace(Ball, <0.13, 4, 0.07>, -y);
+#declare Within = function { pattern { object { Ball scale 0.3 } } }
+sphere { Top + <0.9, 0, 2>, 0.2 pigment { rgb <0.2, 0.3, Top.y> } }
+object { Ball scale 0.5 translate <-1, 0, 0> pigment { object { Ball scale 0.3 translate <-1.1, 0.3, -0.4> rgb 1, rgb x } } }
+intersection { object { Ball scale 0.6 } box { -0.4, 1 } pigment { rgb <0.3, 0.7, 0.3> } translate <0.4, 0, 0> }
+sphere { 0, 0.5 clipped_by { object { Ball scale <0.6, 0.6, 0.3> } } translate <1.2, 0, -0.8> pigment { rgb <0.7, 0.6, 0.2> } }
+union { torus { 0.2, 0.1 rotate 50*x } bounded_by { object { Ball scale 0.25 } } translate <-0.3, 1.3, 0>
+        pigment { function { 1 - Within(x, 2*y, z)/2 } } }
+object { Ball hierarchy off scale 0.3 translate <0.6, 1.2, 0> pigment { rgb <0.2, 0.6, 0.8> } }
+object { Ball scale 0.25 translate <0, 0.1, -1.5> pigment { rgbf 0.9 } interior { ior 1.5 }
+         photons { target reflection on refraction on } }
+plane { y, -0.6 pigment { checker rgb 0.3 rgb 0.8 } }
+global_settings { photons { count 3000 } }
+"""
 WORLD = LIGHT + NESTED + SCATTERED + MESHES + INFINITE
 CAMERAS = {
     "perspective": "camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> }\n",
@@ -81,6 +102,13 @@ class Hierarchy(rendering.RenderTest):
         pictures = {name: rendering.render(TILTED + LIGHT + TRIANGLES % leaves, **SIZE) for name, leaves in LEAVES.items()}
         for name in ("passed over", "all wanted"):
             self.assert_same(pictures[name], pictures["one by one"], name)
+
+    def test_of_meshes_whatever_asks_them(self):
+        for name, camera in {**CAMERAS, "tilt_lens": TILTED}.items():
+            walked = rendering.render(camera + LIGHT + ASKED % "hierarchy off", "-MB", "+WT1", **SIZE)
+            for options in ("-MB",), ("+MB1",), ("+BM2",), ("+MB1", "+WT4"):
+                with self.subTest(name, options=options):
+                    self.assert_same(rendering.render(camera + LIGHT + ASKED % "", *options, **SIZE), walked, name)
 
 
 if __name__ == "__main__":

@@ -4,10 +4,10 @@
 #include "backend/bounding/scene_hierarchy.h"
 
 #include <cmath>
+#include <mutex>
 
 #include "backend/scene/objects.h"
 #include "backend/scene/threaddata.h"
-#include "backend/shape/mesh.h"
 #include "backend/support/statistics.h"
 
 // this must be the last file included
@@ -108,7 +108,7 @@ void SceneHierarchy::AddMeshes(const std::vector<ObjectPtr>& among)
 void SceneHierarchy::AddMeshes(ObjectPtr object)
 {
     Mesh* const mesh = dynamic_cast<Mesh*>(object);
-    if (mesh != NULL && mesh->Data->Hierarchy == NULL && mesh->Data->Tree != NULL)
+    if (mesh != NULL && mesh->Data->Hierarchy == NULL && mesh->Data->Bounded)
     {
         meshes.push_back(MeshHierarchy::Of(*mesh));
         mesh->Data->Hierarchy = meshes.back().get();
@@ -152,6 +152,20 @@ bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, const RayObje
         const auto condition = [&](DBL depth) { return postcondition(ray, object, depth); };
         return precondition(ray, object, 0.0) && FindNearer(object, precedes, ray, best, thread, condition);
     });
+}
+
+bool MeshHierarchy::MakeTree(const Mesh& mesh)
+{
+    // one at a time, of whichever mesh
+    static std::mutex making;
+    const std::lock_guard<std::mutex> lock(making);
+    BBOX_TREE* tree = mesh.Data->Tree;
+    if (tree == NULL)
+    {
+        mesh.Make_BBox_Tree(tree);
+        __atomic_store_n(&mesh.Data->Tree, tree, __ATOMIC_RELEASE);
+    }
+    return tree != NULL;
 }
 
 std::unique_ptr<BoxHierarchy> MeshHierarchy::Of(Mesh& mesh)

@@ -14,12 +14,11 @@
 #include <vector>
 
 #include "backend/frame.h"
+#include "backend/shape/mesh.h"
 #include "tilt_lens/hierarchy/box_hierarchy.h"
 
 namespace pov
 {
-
-class Mesh;
 
 class SceneHierarchy
 {
@@ -55,16 +54,25 @@ class SceneHierarchy
     bool Walk(const Ray& ray, Intersection& best, TraceThreadData* thread, const FindNearer& findNearer) const;
 };
 
-/// A mesh's own way through its hierarchy, beside Mesh::intersect_bbox_tree().
+/// A mesh's own way through its hierarchy, beside Mesh::intersect_bbox_tree(), and when stock's tree is made for the latter.
 class MeshHierarchy
 {
   public:
+    /// Whether the mesh has stock's bounding tree, mesh.Data->Tree. Makes it when it is first asked for, in whichever thread.
+    static bool HasTree(const Mesh& mesh)
+    {
+        return __atomic_load_n(&mesh.Data->Tree, __ATOMIC_ACQUIRE) != NULL || (mesh.Data->Bounded && MakeTree(mesh));
+    }
+
     static std::unique_ptr<tilt_lens::BoxHierarchy> Of(Mesh& mesh);
 
     /// @param ray       in the mesh's frame, with a direction of length 1
     /// @param worldRay  the same ray in the world
     /// @param length    of the world's unit in the mesh's frame
     static bool Intersect(Mesh& mesh, const Ray& ray, const Ray& worldRay, DBL length, IStack& hits, TraceThreadData* thread);
+
+  private:
+    static bool MakeTree(const Mesh& mesh);
 };
 
 } // namespace pov
