@@ -64,7 +64,7 @@ OBJECTS = {
     "clipped": "sphere { 0, 0.9 clipped_by { plane { <1, 1, -1>, 0.2 } } }",
     "clipped mesh": "object { %s clipped_by { box { -0.6, 2 } } }" % (MESH2 % ""),
     "bounded": "union { torus { 0.6, 0.2 } sphere { 0, 0.3 } bounded_by { sphere { 0, 0.9 } } }",
-    "bounded by a mesh": "sphere { 0, 0.6 bounded_by { object { %s scale 3 } } }" % (MESH2 % "inside_vector <1, 2, 3>"),
+    "bounded by a mesh": "union { torus { 0.6, 0.2 } sphere { 0, 0.3 } bounded_by { object { %s scale 3 } } }" % (MESH2 % "inside_vector <1, 2, 3>"),
     "no_shadow": "box { -0.6, 0.7 no_shadow }",
     "no_image": "box { -0.6, 0.7 no_image }",
     "no_reflection": "sphere { 0, 0.8 no_reflection double_illuminate }",
