@@ -64,7 +64,8 @@ OBJECTS = {
     "clipped": "sphere { 0, 0.9 clipped_by { plane { <1, 1, -1>, 0.2 } } }",
     "clipped mesh": "object { %s clipped_by { box { -0.6, 2 } } }" % (MESH2 % ""),
     "bounded": "union { torus { 0.6, 0.2 } sphere { 0, 0.3 } bounded_by { sphere { 0, 0.9 } } }",
-    "bounded by a mesh": "union { torus { 0.6, 0.2 } sphere { 0, 0.3 } bounded_by { object { %s scale 3 } } }" % (MESH2 % "inside_vector <1, 2, 3>"),
+    "bounded by a mesh": "union { torus { 0.6, 0.2 } sphere { 0, 0.3 } bounded_by { object { %s scale 3 } } }" %
+                         (MESH2 % "inside_vector <1, 2, 3>"),
     "no_shadow": "box { -0.6, 0.7 no_shadow }",
     "no_image": "box { -0.6, 0.7 no_image }",
     "no_reflection": "sphere { 0, 0.8 no_reflection double_illuminate }",
@@ -127,7 +128,7 @@ class EveryObject(rendering.RenderTest):
             with self.subTest(size):
                 # a large world beside the ordinary one, and a tiny one in it
                 self.assert_as_without_boxes(LIGHTS + FLOOR + placed(OBJECTS["difference"]) +
-                                     f"union {{ {world} scale {size} translate <0.2, 0.1, {2.1*size:.17g}> }}\n", f"{size:g}")
+                                             f"union {{ {world} scale {size} translate <0.2, 0.1, {2.1*size:.17g}> }}\n", f"{size:g}")
 
     def test_along_axes(self):
         """Rays along one axis or in a plane of two, some exactly on the faces of boxes, on edges and through corners."""
@@ -139,7 +140,7 @@ class EveryObject(rendering.RenderTest):
         for direction, up in (("z", "y"), ("x", "y"), ("-y", "z")):
             with self.subTest(direction):
                 self.assert_as_without_boxes(LIGHTS + grid + placed(OBJECTS["mesh2"]), direction,
-                                     lambda block, d=direction, u=up: axes(block, d, u))
+                                             lambda block, d=direction, u=up: axes(block, d, u))
 
     def test_camera_inside(self):
         """Rays that begin in, on and at the edge of boxes."""
@@ -149,8 +150,8 @@ class EveryObject(rendering.RenderTest):
                         f"{'tilt_lens { }' if block else ''} }}\n")
             with self.subTest(place):
                 self.assert_as_without_boxes(LIGHTS + "box { -0.5, 0.5 pigment { checker rgbt <1, 0.5, 0.2, 0.4> rgbt <0.2, 0.5, 1, 0.4> scale 0.21 } }"
-                                     "sphere { <0.2, 0.1, 0.3>, 0.4 pigment { rgbt <0.3, 0.9, 0.4, 0.6> } }" + FLOOR +
-                                     placed(OBJECTS["mesh2"]), place, inside)
+                                             "sphere { <0.2, 0.1, 0.3>, 0.4 pigment { rgbt <0.3, 0.9, 0.4, 0.6> } }" + FLOOR +
+                                             placed(OBJECTS["mesh2"]), place, inside)
 
     def test_degenerate(self):
         """Boxes without thickness, without size, all in one place, and more than a node can tell apart."""
