@@ -316,5 +316,16 @@ class Records(unittest.TestCase):
             self.assertEqual(os.listdir(name), ["r.json"])
 
 
+class Interrupted(unittest.TestCase):
+    def test_before_the_wait_begins(self):
+        """Whoever interrupts a call that found the jobs of an earlier one is told how to end them, however early."""
+        said = io.StringIO()
+        with tempfile.TemporaryDirectory() as name, \
+                unittest.mock.patch.object(progress, "Progress", side_effect=KeyboardInterrupt), \
+                contextlib.redirect_stderr(said), self.assertRaises(KeyboardInterrupt):
+            batch.watch(store.Work(name), ["7", "8"], unittest.mock.Mock(quiet=True))
+        self.assertIn("To end them: scancel 7 8", said.getvalue())
+
+
 if __name__ == "__main__":
     harness.main()

@@ -296,8 +296,9 @@ def batch(settings, words):
 
 def watch(work, jobs, settings):
     """Waits for the jobs of an earlier call before anything is done about what is missing."""
-    print(f"jobs {' '.join(jobs)} of an earlier call are still at work: waiting for them", file=sys.stderr)
-    slurm.wait(jobs, progress.Progress(work, read_json(work.description), settings.quiet))
+    with slurm.interrupted_alone(jobs):
+        print(f"jobs {' '.join(jobs)} of an earlier call are still at work: waiting for them", file=sys.stderr)
+        slurm.wait(jobs, progress.Progress(work, read_json(work.description), settings.quiet))
 
 
 def last_step(folder):

@@ -165,13 +165,19 @@ def cancelled(jobs):
     return found
 
 
-def wait(jobs, progress):
-    """Waits for the jobs; refuses to go on where somebody cancelled them."""
+@contextlib.contextmanager
+def interrupted_alone(jobs):
+    """Who interrupts what is done within, ends this call and not the jobs, and is told how to end these."""
     try:
-        wait_for_end(jobs, progress)
+        yield
     except KeyboardInterrupt:
         print(f"\nThe jobs go on. To end them: scancel {' '.join(jobs)}", file=sys.stderr)
         raise
+
+
+def wait(jobs, progress):
+    """Waits for the jobs; refuses to go on where somebody cancelled them."""
+    wait_for_end(jobs, progress)
     gone = cancelled(jobs)
     if gone:
         raise BatchError(f"the jobs {' '.join(gone)} were cancelled. The same command submits what is missing.")
@@ -200,11 +206,12 @@ def wait_for_end(jobs, progress):
 def run(work, description, tasks, settings, progress):
     """Submits the tasks and waits for the last step, unless told not to."""
     jobs = submit(work, description, tasks, settings)
-    print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)
-    if settings.detach:
-        print(
-            "Not waiting for them. Call again with the same arguments to watch, or to go on with what is missing.",
-            file=sys.stderr,
-        )
-        return
-    wait(jobs, progress)
+    with interrupted_alone(jobs):
+        print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)
+        if settings.detach:
+            print(
+                "Not waiting for them. Call again with the same arguments to watch, or to go on with what is missing.",
+                file=sys.stderr,
+            )
+            return
+        wait(jobs, progress)
