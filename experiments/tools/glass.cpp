@@ -170,7 +170,8 @@ int main(int argc, char** argv)
                 MeasureLine(camera, character, lines[i], lines[i + 1], lines[i + 2], lines[i + 3]));
         std::cout << json{{"lines", measured},
                           {"character",
-                           {{"distortion", {character.distortion1, character.distortion2}},
+                           {{"distortion", {character.distortion1, character.distortion2, character.distortionNear}},
+                            {"left", {character.leftWithoutNear, character.left}},
                             {"field_curvature", character.fieldCurvature}}},
                           {"separation", camera.Glass().Separation()},
                           {"entrance_pupil", camera.Glass().EntrancePupil()},

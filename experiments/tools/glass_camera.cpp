@@ -20,6 +20,9 @@ namespace
 const double kFilmWidth = 36.0;
 const double kPi = std::acos(-1.0);
 
+/// Steps of the frame's width and height between the places that numbers are fitted to.
+const int kPlaces = 24;
+
 /// A little more than the paraxial pupil: the stop decides.
 const double kAim = 1.15;
 
@@ -209,7 +212,8 @@ std::optional<Ray> GlassCamera::ShootCharacter(const Character& character, doubl
     const double half = 0.5 * kFilmWidth, radius = 0.5 * mSetting.focalLength / mSetting.fStop, f = mSetting.focalLength;
     const Vector ideal = ToLens(Chief(x, y));
     const double r = std::hypot(ideal.x, ideal.y) / ideal.z * mSetting.filmDistance / half;
-    const double factor = (1.0 + character.distortion1 * r * r + character.distortion2 * std::pow(r, 4)) / ideal.z;
+    const double third = character.distortion1 + character.distortionNear * Nearness(Chief(x, y));
+    const double factor = (1.0 + third * r * r + character.distortion2 * std::pow(r, 4)) / ideal.z;
     const Vector chief{factor * ideal.x, factor * ideal.y, 1.0}, point{radius * passage->stopX, radius * passage->stopY, 0.0};
     const double image = mSetting.filmDistance / FromLens(chief).z;
     const double w = (image - f) / (f * image) + character.fieldCurvature / (half * half) * (chief.x * chief.x + chief.y * chief.y);
@@ -222,40 +226,106 @@ bool GlassCamera::Vignetted(double x, double y, double a, double b) const
     return mGlass.Trace(ray, false) && !mGlass.Trace(ray);
 }
 
-/// The ideal chief ray at the tangent u from the lens's axis is bent to u (1 + d2 u^2 + d4 u^4): least squares of the difference.
+namespace
+{
+
+/// Least squares of up to three terms, by the normal equations; terms that tell nothing new get 0.
+class LeastSquares
+{
+  public:
+    void Add(const std::array<double, 3>& terms, double value)
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            mRight[i] += terms[i] * value;
+            for (int j = 0; j < 3; ++j)
+                mMatrix[i][j] += terms[i] * terms[j];
+        }
+    }
+
+    /// Gauss's elimination: as the matrix is symmetric and positive, a pivot that vanishes is that of a term which the ones before it
+    /// make up.
+    std::array<double, 3> Solve() const
+    {
+        auto a = mMatrix;
+        auto b = mRight;
+        std::array<bool, 3> used{};
+        for (int i = 0; i < 3; ++i)
+        {
+            used[i] = a[i][i] > 1e-9 * mMatrix[i][i];
+            for (int j = i + 1; used[i] && j < 3; ++j)
+            {
+                const double factor = a[j][i] / a[i][i];
+                for (int k = i; k < 3; ++k)
+                    a[j][k] -= factor * a[i][k];
+                b[j] -= factor * b[i];
+            }
+        }
+        std::array<double, 3> found{};
+        for (int i = 2; i >= 0; --i)
+        {
+            for (int k = i + 1; k < 3; ++k)
+                b[i] -= a[i][k] * found[k];
+            found[i] = used[i] ? b[i] / a[i][i] : 0.0;
+        }
+        return found;
+    }
+
+  private:
+    std::array<std::array<double, 3>, 3> mMatrix{};
+    std::array<double, 3> mRight{};
+};
+
+}  // namespace
+
+double GlassCamera::Nearness(const Vector& chief) const
+{
+    return 1.0 - mSetting.focalLength / (mSetting.filmDistance * Dot(chief, mLensAxis));
+}
+
+/// The ideal chief ray at the tangent u from the lens's axis is bent to u (1 + (d2 + n m) u^2 + d4 u^4), m being Nearness(): least
+/// squares of the difference.
+GlassCamera::Distortion GlassCamera::FittedDistortion(bool near) const
+{
+    LeastSquares bend;
+    std::vector<std::array<double, 4>> places;  // the terms and the difference
+    for (int i = 0; i <= kPlaces; ++i)
+        for (int j = 0; j <= kPlaces; ++j)
+        {
+            const double x = static_cast<double>(mSetting.width) * i / kPlaces, y = static_cast<double>(mSetting.height) * j / kPlaces;
+            const Bundle bundle = BundleAt(x, y);
+            const Vector chief = ToLens(Chief(x, y));
+            const double u = std::hypot(chief.x, chief.y) / chief.z, seen = std::hypot(bundle.slopes[0], bundle.slopes[3]);
+            const double third = std::pow(u, 3);
+            places.push_back({third, std::pow(u, 5), near ? Nearness(Chief(x, y)) * third : 0.0, seen - u});
+            bend.Add({places.back()[0], places.back()[1], places.back()[2]}, seen - u);
+        }
+    Distortion found{bend.Solve(), 0.0};
+    for (const auto& place : places)
+        found.left += std::pow(place[3] - found.factors[0] * place[0] - found.factors[1] * place[1] - found.factors[2] * place[2], 2);
+    found.left = std::sqrt(found.left / static_cast<double>(places.size())) * mSetting.filmDistance / kFilmWidth * mSetting.width;
+    return found;
+}
+
 /// Slopes against the axis fall by w for each mm across the lens's plane, w being the inverse distance to the focus; field
 /// curvature adds c u^2 to it.
 Character GlassCamera::Fitted() const
 {
-    const int places = 24;
-    double a[2][2] = {}, right[2] = {}, bent = 0.0, most = 0.0;
-    for (int pass = 0; pass < 2; ++pass)
-        for (int i = 0; i <= places; ++i)
-            for (int j = 0; j <= places; ++j)
-            {
-                const double x = static_cast<double>(mSetting.width) * i / places, y = static_cast<double>(mSetting.height) * j / places;
-                const Bundle bundle = BundleAt(x, y);
-                const Vector chief = ToLens(Chief(x, y));
-                const double u = std::hypot(chief.x, chief.y) / chief.z, seen = std::hypot(bundle.slopes[0], bundle.slopes[3]);
-                if (pass == 0)
-                {
-                    const double terms[2] = {std::pow(u, 3), std::pow(u, 5)};
-                    for (int k = 0; k < 2; ++k)
-                    {
-                        right[k] += terms[k] * (seen - u);
-                        for (int l = 0; l < 2; ++l)
-                            a[k][l] += terms[k] * terms[l];
-                    }
-                    continue;
-                }
-                const double image = mSetting.filmDistance / FromLens(bundle.Direction(0.0, 0.0)).z;
-                const double w = -0.5 * (bundle.slopes[1] + bundle.slopes[5]), f = mSetting.focalLength;
-                bent += seen * seen * (w - (image - f) / (f * image));
-                most += std::pow(seen, 4);
-            }
-    const double half = 0.5 * kFilmWidth, unit = half / mSetting.filmDistance, whole = a[0][0] * a[1][1] - a[0][1] * a[1][0];
-    const double d2 = (right[0] * a[1][1] - right[1] * a[0][1]) / whole, d4 = (a[0][0] * right[1] - a[1][0] * right[0]) / whole;
-    return {d2 * unit * unit, d4 * std::pow(unit, 4), bent / most * half * half};
+    double bent = 0.0, most = 0.0;
+    for (int i = 0; i <= kPlaces; ++i)
+        for (int j = 0; j <= kPlaces; ++j)
+        {
+            const Bundle bundle = BundleAt(static_cast<double>(mSetting.width) * i / kPlaces, static_cast<double>(mSetting.height) * j / kPlaces);
+            const double seen = std::hypot(bundle.slopes[0], bundle.slopes[3]);
+            const double image = mSetting.filmDistance / FromLens(bundle.Direction(0.0, 0.0)).z;
+            const double w = -0.5 * (bundle.slopes[1] + bundle.slopes[5]), f = mSetting.focalLength;
+            bent += seen * seen * (w - (image - f) / (f * image));
+            most += std::pow(seen, 4);
+        }
+    const double half = 0.5 * kFilmWidth, unit = half / mSetting.filmDistance;
+    const Distortion bend = FittedDistortion(true);
+    return {bend.factors[0] * unit * unit, bend.factors[1] * std::pow(unit, 4), bend.factors[2] * unit * unit, bent / most * half * half,
+            bend.left, FittedDistortion(false).left};
 }
 
 double GlassCamera::Depth(const Vector& point) const

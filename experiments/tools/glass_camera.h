@@ -40,7 +40,9 @@ constexpr int kModels = 5;
 struct Character
 {
     double distortion1, distortion2;  ///< of the squared distance from the lens's axis, in half widths of the film, and its square
+    double distortionNear;            ///< by which the first is greater at Nearness() 1
     double fieldCurvature;            ///< mm by which the image lies before the film half a film's width beside the axis
+    double left, leftWithoutNear;     ///< pixels by which chief rays miss those of the glass: root mean square over the frame
 };
 
 class GlassCamera
@@ -76,6 +78,17 @@ class GlassCamera
     std::array<double, 2> PixelAt(const Ray& ray, double depth) const;
 
   private:
+    /// Focal length over the distance, along the lens's axis, of what an ideal lens focuses on a film point.
+    /// @param chief  of the film point, camera frame, 1 along the camera's axis
+    double Nearness(const Vector& chief) const;
+
+    struct Distortion
+    {
+        std::array<double, 3> factors;  ///< of the squared tangent, its square, and of the squared tangent by Nearness()
+        double left;                    ///< root mean square of what they miss, pixels
+    };
+    Distortion FittedDistortion(bool near) const;
+
     /// The rays that the glass makes of one film point, to first order in the pupil: slopes against
     /// the lens's axis where a ray crosses H's plane at (x, y).
     struct Bundle

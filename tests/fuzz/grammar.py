@@ -76,7 +76,7 @@ class Grammar:
                 "scene_unit": lambda: self.number(0.1, 2000), "f_stop": lambda: self.number(0.5, 32),
                 "blade_curvature": lambda: self.number(0, 1), "squeeze": lambda: self.number(0.1, 10),
                 "edge_light": lambda: self.number(-0.9, 0.9), "natural_vignetting": lambda: self.number(0, 1),
-                "optical_vignetting": lambda: self.number(0, 2), "distortion": lambda: self.number(-0.2, 0.5),
+                "optical_vignetting": lambda: self.number(0, 2), "distortion": lambda: ", ".join(self.number(-0.2, 0.5) for _ in range(r.choice((1, 2, 3)))),
                 "field_curvature": lambda: self.number(-1, 1), "lateral_colour": lambda: self.number(-0.5, 0.5),
                 "axial_colour": lambda: self.number(-0.5, 0.5), "film_distance": lambda: self.number(1, 500),
                 "focus_scale": lambda: self.number(0.1, 20)}[word]()

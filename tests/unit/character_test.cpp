@@ -37,11 +37,12 @@ Lens Made(const Statement& given)
     return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given);
 }
 
-Character Distorted(double k1, double k2 = 0.0)
+Character Distorted(double k1, double k2 = 0.0, double near = 0.0)
 {
     Character character;
     character.distortion1 = k1;
     character.distortion2 = k2;
+    character.distortionNear = near;
     return character;
 }
 
@@ -63,7 +64,7 @@ void ForManyPoints(const Check& check)
                 for (const double shift : {0.0, 9.0})
                     for (const double curvature : {-0.4, 0.0, 0.7})
                     {
-                        Character character = Distorted(k1, k2);
+                        Character character = Distorted(k1, k2, k1 > 0.0 && curvature > 0.0 ? 0.5 : 0.0);
                         character.fieldCurvature = curvature;
                         const Lens lens = Made(Block(character, tilt, shift, -0.5 * shift));
                         for (int i = 0; i < 20; i++)
@@ -104,6 +105,36 @@ TEST(Distortion, TurnsWithTheLens)
     }
 }
 
+/// The same polynomial with a first factor that grows with the focal length over the distance, along the lens's axis, of what is sharp.
+TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
+{
+    Statement given = Block(Distorted(0.1, -0.02, 0.4), 10.0, 5.0, 3.0);
+    given.focalPoint = {0.0, 0.0, 400.0};
+    const Lens lens = Made(given);
+    const double halfWidth = 18.0 / lens.filmDistance;  // tangent
+    const auto tangent = [&](const Vec3& v) { return Length(Cross(v, lens.normal)) / Dot(v, lens.normal); };
+    double least = HUGE_VAL, most = 0.0;
+    for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
+    {
+        // 1/D by the film point's place behind the lens: 1/f = 1/v + 1/D
+        const Vec3 seen = IdealChiefRay(lens, picture);
+        const double v = lens.filmDistance * Dot(seen, lens.normal) / Dot(seen, lens.axis), nearness = 50.0 * (1.0 / 50.0 - 1.0 / v);
+        const double r = tangent(seen) / halfWidth, factor = 0.1 + 0.4 * nearness;
+        const Vec3 shown = ChiefRay(lens, picture);
+        EXPECT_NEAR(tangent(shown) / halfWidth, r * (1.0 + factor * r * r - 0.02 * r * r * r * r), 1e-13);
+        EXPECT_NEAR(Dot(Cross(Normalized(seen), Normalized(shown)), lens.normal), 0.0, 1e-15);
+        least = std::min(least, nearness);
+        most = std::max(most, nearness);
+    }
+    EXPECT_GT(most, 1.4 * least);
+    // focused at 400 in front of a lens of 50, it is that of a factor that is greater by 0.4/8
+    given = Block(Distorted(0.1, -0.02, 0.4));
+    given.focalPoint = {0.0, 0.0, 400.0};
+    Statement constant = given;
+    constant.character = Distorted(0.15, -0.02);
+    EXPECT_NEAR(IdealFilmPoint(Made(given), {0.4, -0.3}).x, IdealFilmPoint(Made(constant), {0.4, -0.3}).x, 1e-14);
+}
+
 TEST(Distortion, TheWayBackIsExact)
 {
     ForManyPoints([](const Lens& lens, const FilmPoint& picture)
@@ -123,6 +154,13 @@ TEST(Distortion, BeyondTheFoldNothingIsShown)
     EXPECT_TRUE(std::isinf(FoldOf(0.1, 0.0)));
     EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.0)));
     EXPECT_TRUE(std::isinf(FoldOf(-0.1, 0.1)));
+    // the derivative 1 - 4 c r^3 is 0 at (4 c)^(-1/3), and 1 - 4 r^3 + 3 r^4 = (1 - r)^2 (1 + 2 r + 3 r^2) touches 0 at 1
+    EXPECT_NEAR(FoldOf(0.0, 0.0, -0.02), std::pow(0.08, -2.0 / 3.0), 1e-12);
+    EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.0, 0.02)));
+    EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.601, -1.0)));
+    const double before = std::sqrt(FoldOf(0.0, 0.599, -1.0));
+    EXPECT_LT(before, 1.0);
+    EXPECT_NEAR(1.0 - 4.0 * std::pow(before, 3) + 2.995 * std::pow(before, 4), 0.0, 1e-14);
     const Lens lens = Made(Block(Distorted(-0.1)));
     EXPECT_TRUE(PictureFilmPoint(lens, {0.5 * 0.666 * fold, 0.0}));
     EXPECT_FALSE(PictureFilmPoint(lens, {0.5 * 0.667 * fold, 0.0}));

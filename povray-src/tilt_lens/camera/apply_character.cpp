@@ -36,10 +36,13 @@ double FarthestOf(const Lens& lens)
 /// A picture that its distortion leaves whole.
 void RequireUnfolded(const Lens& lens, const Character& character, double unit, double farthest)
 {
-    const double fold = FoldOf(lens.distortion2, lens.distortion4);
+    // in the direction from the axis in which what is focused on recedes, or comes nearer, such that it folds first
+    const Vec3 across = lens.focus - Dot(lens.focus, lens.normal) * lens.normal;
+    const double atAxis = lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal);
+    const double fold = FoldOf(atAxis, lens.distortion4, -std::fabs(lens.distortionNear) * Length(across));
     if (!(farthest < fold))
         throw OpticsError("distortion " + Number(character.distortion1) + ", " + Number(character.distortion2) +
-                          " folds the picture: beyond " + Number(std::sqrt(fold) / unit) + " half widths of the film from the "
+                          (character.distortionNear != 0.0 ? ", " + Number(character.distortionNear) : "") + " folds the picture: beyond " + Number(std::sqrt(fold) / unit) + " half widths of the film from the "
                           "lens's axis it would show the same again, and the frame reaches to " +
                           Number(std::sqrt(farthest) / unit) + ". Give numbers nearer to 0, or shift or turn less.");
 }
@@ -77,7 +80,7 @@ double LateralColourOf(const Lens& lens, const Character& character, double unit
 void ApplyCharacter(Lens& lens, const Statement& given)
 {
     const Character& character = given.character;
-    const bool distorts = character.distortion1 != 0.0 || character.distortion2 != 0.0;
+    const bool distorts = character.Distorts();
     if (character.rimStop && *character.rimStop * lens.diameter > lens.focalLength * (1.0 + 1e-9))
         throw OpticsError("optical_vignetting has a rim of f/" + Number(*character.rimStop) + ", which is narrower than the aperture of f/" +
                           Number(lens.focalLength / lens.diameter) + ". It must be at least as wide; give the f-number of the lens "
@@ -92,6 +95,7 @@ void ApplyCharacter(Lens& lens, const Statement& given)
         lens.distorts = true;
         lens.distortion2 = character.distortion1 / (unit * unit);
         lens.distortion4 = character.distortion2 / (unit * unit * unit * unit);
+        lens.distortionNear = character.distortionNear * lens.focalLength / (unit * unit);
         RequireUnfolded(lens, character, unit, farthest);
         RequireBefore(lens);
     }

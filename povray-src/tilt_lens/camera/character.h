@@ -22,9 +22,12 @@ struct Character
     double edgeLight = 0.0;          ///< light gathers at the rim of the aperture (above 0) or in its middle (below 0)
     double distortion1 = 0.0;        ///< of the squared distance from the lens's axis, in half widths of the film
     double distortion2 = 0.0;        ///< of its fourth power
+    double distortionNear = 0.0;     ///< by which distortion1 is greater where the focal length over the distance of the focus is 1
     double fieldCurvature = 0.0;     ///< mm by which the image lies before the film half a film's width beside the axis
     double lateralColour = 0.0;      ///< mm by which the red end's image lies farther out than the blue end's there
     double axialColour = 0.0;        ///< mm by which the red end's image lies behind the blue end's
+
+    bool Distorts() const { return distortion1 != 0.0 || distortion2 != 0.0 || distortionNear != 0.0; }
 };
 
 /// @name Limits of the items.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tilt_lens
 {
@@ -14,6 +15,9 @@ namespace
 {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A picture that folds back farther out does not fold.
+constexpr double kFarthestTangent = 1e6;
 
 /// A chief ray's parts along the lens's axis and across it.
 struct Split
@@ -27,10 +31,28 @@ struct Split
 };
 
 /// r_ideal / r_picture.
-double Factor(const Lens& lens, double squaredTangent)
+double Factor(const Lens& lens, const Vec3& chief, const Split& split)
 {
-    return 1.0 + squaredTangent * (lens.distortion2 + squaredTangent * lens.distortion4);
+    const double squaredTangent = split.SquaredTangent(), nearness = Dot(lens.focus, chief) / split.along;
+    return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
+
+/// The same along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4, as nearness changes evenly on the way.
+struct Bend
+{
+    double square, cube, fourth;
+
+    /// @param across  a unit vector at right angles to the axis
+    Bend(const Lens& lens, const Vec3& across) :
+        square(lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal)),
+        cube(lens.distortionNear * Dot(lens.focus, across)),
+        fourth(lens.distortion4)
+    {
+    }
+
+    double Ideal(double r) const { return r * (1.0 + r * r * (square + r * cube + r * r * fourth)); }
+    double Slope(double r) const { return 1.0 + r * r * (3.0 * square + 4.0 * r * cube + 5.0 * fourth * r * r); }
+};
 
 /// Film point of a chief ray that ends where the frame lies; `up` may lean against `right`.
 FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
@@ -40,14 +62,13 @@ FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
     return {(Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight), y};
 }
 
-/// The root r of r (1 + a r^2 + b r^4) = wanted, below the fold; negative where there is none. Newton's steps within a
-/// bracket, which is halved where they leave it.
-double PictureTangent(double a, double b, double wanted)
+/// The r that is bent to the wanted one, below the fold; negative where there is none. Newton's steps within a bracket, which
+/// is halved where they leave it.
+double PictureTangent(const Bend& bend, double wanted)
 {
-    const double fold = std::sqrt(FoldOf(a, b));
-    const auto value = [=](double r) { return r * (1.0 + r * r * (a + r * r * b)); };
+    const double fold = std::sqrt(FoldOf(bend.square, bend.fourth, bend.cube));
     double low = 0.0, high = std::min(std::max(wanted, 1e-300), fold);
-    while (value(high) < wanted)
+    while (bend.Ideal(high) < wanted)
     {
         if (high == fold || !std::isfinite(high))
             return -1.0;
@@ -57,10 +78,9 @@ double PictureTangent(double a, double b, double wanted)
     double r = 0.5 * (low + high);
     for (int i = 0; i < 100; i++)
     {
-        const double error = value(r) - wanted;
+        const double error = bend.Ideal(r) - wanted;
         (error > 0.0 ? high : low) = r;
-        const double slope = 1.0 + r * r * (3.0 * a + 5.0 * b * r * r);
-        double next = r - error / slope;
+        double next = r - error / bend.Slope(r);
         if (!(next > low && next < high))
             next = 0.5 * (low + high);
         if (next == r || std::fabs(next - r) <= 1e-16 * r)
@@ -70,10 +90,46 @@ double PictureTangent(double a, double b, double wanted)
     return r;
 }
 
+/// Where a falling function crosses 0.
+template <typename Function>
+double Bisect(const Function& function, double low, double high)
+{
+    for (double middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high))
+        (function(middle) > 0.0 ? low : high) = middle;
+    return low;
+}
+
+/// The least root above 0 of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, which is 1 for r = 0. Between the places where it turns it only
+/// grows or only falls.
+double LeastRoot(double a, double c, double b)
+{
+    const auto slope = [=](double r) { return 1.0 + r * r * (3.0 * a + r * (4.0 * c + 5.0 * b * r)); };
+    // it turns where 3 a + 6 c r + 10 b r^2 is 0
+    const double root = 9.0 * c * c - 30.0 * a * b, q = -(3.0 * c + std::copysign(std::sqrt(std::max(root, 0.0)), c));
+    double first = q / (10.0 * b), second = 3.0 * a / q;
+    if (first > second)
+        std::swap(first, second);
+    double low = 0.0;
+    for (const double turn : {first, second, kFarthestTangent})
+    {
+        if (!(turn > low && turn <= kFarthestTangent) || (root < 0.0 && turn != kFarthestTangent))
+            continue;
+        if (!(slope(turn) > 0.0))
+            return Bisect(slope, low, turn);
+        low = turn;
+    }
+    return kInfinity;
+}
+
 } // namespace
 
-double FoldOf(double distortion2, double distortion4)
+double FoldOf(double distortion2, double distortion4, double cube)
 {
+    if (cube != 0.0)
+    {
+        const double least = LeastRoot(distortion2, cube, distortion4);
+        return least * least;
+    }
     // the least positive root t of 1 + 3 a t + 5 b t^2, the derivative of r (1 + a r^2 + b r^4) by r
     const double a = 3.0 * distortion2, b = 5.0 * distortion4;
     const double root = a * a - 4.0 * b;
@@ -95,7 +151,7 @@ FilmPoint IdealFilmPoint(const Lens& lens, const FilmPoint& picture, double magn
 {
     const Vec3 chief = IdealChiefRay(lens, picture);
     const Split split(lens, chief);
-    const Vec3 along = chief + (Factor(lens, split.SquaredTangent()) / magnified - 1.0) * split.across;
+    const Vec3 along = chief + (Factor(lens, chief, split) / magnified - 1.0) * split.across;
     return IdealFilmPointOf(lens, along).value_or(FilmPoint{picture.x, picture.y});
 }
 
@@ -109,7 +165,7 @@ std::optional<FilmPoint> PictureFilmPoint(const Lens& lens, const FilmPoint& ide
         return {};
     if (tangent == 0.0)
         return ideal;
-    const double found = PictureTangent(lens.distortion2, lens.distortion4, tangent);
+    const double found = PictureTangent(Bend(lens, Normalized(split.across)), tangent);
     if (found < 0.0)
         return {};
     return IdealFilmPointOf(lens, split.along * lens.normal + (found / tangent) * split.across);

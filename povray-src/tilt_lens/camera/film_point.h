@@ -8,12 +8,17 @@
 /// at another point. For a turned lens it turns along, as if the picture were first made on a film at right angles to the axis.
 /// With r the tangent of a chief ray's angle to the axis,
 ///
-///     r_ideal = r_picture (1 + K1 r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance)
+///     r_ideal = r_picture (1 + K r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance)
+///
+/// A real lens's pupil does not stay in its place when it is seen from aside, which shifts a ray towards a near point more than one
+/// towards a far one. Therefore K = K1 + NEAR f/D, D being the distance along the lens's axis to what the picture's point is focused on:
+/// for a turned lens it changes over the picture. With w = k.chief/(t.chief) for 1/D it changes evenly along each line through the axis.
 ///
 /// The ideal point is a polynomial of the picture's, so that each ray finds it directly; the way back is its root.
 /// Everything else (the plane of sharp focus, blur, rays through the lens) is that of the ideal point.
 ///
-/// Source of the polynomial: D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering 37(8), 1971.
+/// Source of the polynomial, and of distortion that is linear in 1/D: D. C. Brown, "Close-Range Camera Calibration",
+/// Photogrammetric Engineering 37(8), 1971.
 
 #ifndef TILT_LENS_FILM_POINT_H
 #define TILT_LENS_FILM_POINT_H
@@ -71,7 +76,8 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture);
 
 /// Squared tangent of the angle to the lens's axis at which the picture folds back: farther out it would show again, mirrored,
 /// what is nearer. Infinite where it never does.
-double FoldOf(double distortion2, double distortion4);
+/// @param cube  of the third power of the tangent, along the direction that is asked about
+double FoldOf(double distortion2, double distortion4, double cube = 0.0);
 
 } // namespace tilt_lens
 

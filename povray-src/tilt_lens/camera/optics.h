@@ -109,8 +109,9 @@ struct Lens
 
     /// @name Not those of an ideal lens, for which they are 0.
     /// @{
-    bool distorts = false;         ///< the film is mapped (film_point.h), by these two factors
+    bool distorts = false;         ///< the film is mapped (film_point.h), by these three factors
     double distortion2 = 0.0, distortion4 = 0.0;  ///< of the angle's tangent, squared and to the fourth
+    double distortionNear = 0.0;   ///< of the squared tangent over the distance, along the lens's axis, of the focus; scene units
     double fieldCurvature = 0.0;   ///< c: the surface of sharp focus is k.X + c a^2/b = 1, X being a across the lens's axis
                                    ///< and b along it; 1/(scene units)
     double lateralColour = 0.0;    ///< by which the image of the red end is larger than that of the middle of the spectrum, relative

@@ -54,7 +54,7 @@ const char* CharacterAsked(const Character& c)
 {
     return c.edgeLight != 0.0            ? "edge_light"
            : c.opticalVignetting != 0.0  ? "optical_vignetting"
-           : c.distortion1 != 0.0 || c.distortion2 != 0.0 ? "distortion"
+           : c.Distorts()                ? "distortion"
            : c.fieldCurvature != 0.0     ? "field_curvature"
            : c.lateralColour != 0.0      ? "lateral_colour"
            : c.axialColour != 0.0        ? "axial_colour"

@@ -159,6 +159,10 @@ void TiltLensParser::ParseDistortion(Character& c)
     c.distortion1 = NumberWithin("distortion", -1.0, 1.0, meaning);
     if (NextIsComma())
         c.distortion2 = NumberWithin("distortion's K2", -1.0, 1.0, meaning);
+    else
+        return;
+    if (NextIsComma())
+        c.distortionNear = NumberWithin("distortion's NEAR", -1.0, 1.0, "pincushion to barrel, where the picture is focused nearer");
 }
 
 } // namespace pov

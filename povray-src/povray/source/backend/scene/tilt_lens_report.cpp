@@ -101,7 +101,9 @@ std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character&
                      character.rimStop.value_or(lens.focalLength / lens.diameter));
     if (lens.distorts)
         text += Line("  Distortion...........%.4g, %.4g of the distance from the lens's axis in half widths of film\n",
-                     character.distortion1, character.distortion2);
+                     character.distortion1, character.distortion2) +
+                (character.distortionNear == 0.0 ? "" :
+                 Line("    near...............%.4g more times focal length over distance\n", character.distortionNear));
     if (lens.fieldCurvature != 0.0)
         text += Line("  Field curvature......image %.4g mm before the film at half a film's width, radius %.5g mm\n",
                      character.fieldCurvature, 0.5 / (lens.fieldCurvature * lens.millimetre));
