@@ -8,6 +8,7 @@
 #include "tilt_lens/camera/apply_character.h"
 #include "tilt_lens/camera/numbers.h"
 #include "tilt_lens/glass/apply_prescription.h"
+#include "tilt_lens/glass/inner_focus.h"
 
 namespace tilt_lens
 {
@@ -253,6 +254,29 @@ Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statemen
     return SolveLensTurn(t, FocalPointInCamera(axes, camera, given), focalLength, angleFilmDistance);
 }
 
+/// Where the groups of a prescription that focuses by them stand, so that the film need not move; 0 for infinity.
+double GroupsOf(const Axes& axes, const CameraFrame& camera, const Statement& statement, const Real& angleFilmDistance,
+                const Real& millimetre)
+{
+    // a film that is placed by hand stays there, behind the lens as it is for infinity
+    if (!statement.prescription || statement.prescription->objectDistances.empty() || statement.filmDistance)
+        return 0.0;
+    Statement ideal = statement;
+    ideal.prescription.reset();
+    return StateFor(*statement.prescription, [&](double focalLength)
+    {
+        ideal.focalLength = focalLength;
+        try
+        {
+            return double(millimetre / SolveCamera(axes, camera, ideal, angleFilmDistance, millimetre).filmDistance);
+        }
+        catch (const OpticsError&)
+        {
+            return -HUGE_VAL;  // nearer than this focal length can be focused; what is wrong in other ways is so for all, and told later
+        }
+    });
+}
+
 Real DiameterOf(const Statement& given, const Real& focalLength)
 {
     if (given.fStop)
@@ -306,16 +330,17 @@ void RequireUsable(const Lens& lens)
 
 Lens Solve(const CameraFrame& camera, const Statement& statement)
 {
-    const Statement given = IdealStatement(statement);
     const Axes axes = AxesOf(camera);
-    const Real millimetre = Real(given.scale) / given.sceneUnit;
-    const Real filmWidth = given.filmWidth * millimetre, rightLength = Length(Exact(camera.right));
+    const Real millimetre = Real(statement.scale) / statement.sceneUnit;
+    const Real filmWidth = statement.filmWidth * millimetre, rightLength = Length(Exact(camera.right));
     const Real angleFilmDistance = filmWidth * Dot(axes.axis, Exact(camera.direction)) / rightLength;
+    Lens lens;
+    lens.groups = GroupsOf(axes, camera, statement, angleFilmDistance, millimetre);
+    const Statement focused = WithGroups(statement, lens.groups), given = IdealStatement(focused);
     const Solution solved = SolveCamera(axes, camera, given, angleFilmDistance, millimetre);
     const Real diameter = DiameterOf(given, solved.focalLength);
     const RealVec focus = axes.ToWorld(solved.focus);
 
-    Lens lens;
     lens.axisRight = Rounded(axes.right);
     lens.axisUp = Rounded(axes.up);
     lens.axis = Rounded(axes.axis);
@@ -339,8 +364,8 @@ Lens Solve(const CameraFrame& camera, const Statement& statement)
     SpanLens(lens, axes, solved.normal, diameter);
     RequireUsable(lens);
     ApplyCharacter(lens, given);
-    if (statement.prescription)
-        ApplyPrescription(lens, statement);
+    if (focused.prescription)
+        ApplyPrescription(lens, focused);
     return lens;
 }
 

@@ -117,6 +117,7 @@ struct Lens
     double lateralColour = 0.0;    ///< by which the image of the red end is larger than that of the middle of the spectrum, relative
     double axialColour = 0.0;      ///< vergence that the film sees less of there; 1/(scene units)
     std::shared_ptr<const GlassLens> glass;  ///< what rays go through in place of the ideal lens (glass_camera.h), with its stop set
+    double groups = 0.0;           ///< where the groups of glass stand that focus it (inner_focus.h); 0: as for infinity
     std::shared_ptr<const GlassOfColours> glassOfColours;  ///< the same for each part of the spectrum; null: one wavelength
     /// @}
 };

@@ -11,6 +11,7 @@
 #include "tilt_lens/camera/numbers.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
+#include "tilt_lens/glass/inner_focus.h"
 
 namespace tilt_lens
 {
@@ -47,6 +48,15 @@ Statement IdealStatement(const Statement& given)
         ideal.fStop = points.fNumber;
     ideal.prescription.reset();
     return ideal;
+}
+
+Statement WithGroups(const Statement& given, double state)
+{
+    if (!given.prescription || given.prescription->objectDistances.empty())
+        return given;
+    Statement focused = given;
+    focused.prescription = std::make_shared<const Prescription>(InState(*given.prescription, state));
+    return focused;
 }
 
 void ApplyPrescription(Lens& lens, const Statement& given)

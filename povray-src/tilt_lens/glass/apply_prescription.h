@@ -16,6 +16,9 @@ namespace tilt_lens
 /// stays as it is.
 Statement IdealStatement(const Statement& given);
 
+/// The statement with its prescription in a state of focus (inner_focus.h); one whose lens moves no groups stays as it is.
+Statement WithGroups(const Statement& given, double state);
+
 /// Gives a solved ideal lens the glass of its prescription.
 /// @throws OpticsError  an aperture that is wider than the glass, a film that lies within the glass
 void ApplyPrescription(Lens& lens, const Statement& given);

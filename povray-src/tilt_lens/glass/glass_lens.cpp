@@ -27,7 +27,9 @@ double IndexBefore(const Prescription& prescription, std::size_t row)
     return row > 0 ? prescription.rows[row - 1].index : 1.0;
 }
 
-CardinalPoints FindCardinalPoints(const Prescription& prescription)
+} // namespace
+
+CardinalPoints CardinalPointsOf(const Prescription& prescription)
 {
     const std::size_t count = prescription.rows.size(), stop = prescription.stop;
     const ParaxialMap whole = MapBetween(prescription, 0, count);
@@ -56,9 +58,7 @@ CardinalPoints FindCardinalPoints(const Prescription& prescription)
     return points;
 }
 
-} // namespace
-
-GlassLens::GlassLens(const Prescription& prescription) : cardinal(FindCardinalPoints(prescription))
+GlassLens::GlassLens(const Prescription& prescription) : cardinal(CardinalPointsOf(prescription))
 {
     double z = cardinal.frontVertex;
     for (std::size_t i = 0; i < prescription.rows.size(); i++)

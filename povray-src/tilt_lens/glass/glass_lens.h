@@ -37,6 +37,10 @@ struct CardinalPoints
     double entranceRadius = 0.0; ///< of the entrance pupil over that of the stop; below 0 where the stop is seen upside down
 };
 
+/// By rays near the axis; the f-number, which takes real ones, is left out.
+/// @throws PrescriptionError  a lens that does not collect light
+CardinalPoints CardinalPointsOf(const Prescription& prescription);
+
 /// A ray: its direction has length 1.
 struct GlassRay
 {

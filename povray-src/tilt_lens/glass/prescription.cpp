@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/glass/inner_focus.h"
 #include "tilt_lens/glass/prescription_rows.h"
 
 namespace tilt_lens
@@ -35,6 +36,10 @@ void RequireSensible(const ReadRow& read, bool last)
     if (!(row.thickness >= 0.0 || last) || !std::isfinite(row.thickness))
         throw PrescriptionError(read.line, "a thickness of " + Number(row.thickness) + ". It is the distance to the next surface "
                                            "towards the film and must not be negative.");
+    for (const double near : row.nearThickness)
+        if (!(near >= 0.0 || last) || !std::isfinite(near))
+            throw PrescriptionError(read.line, "a thickness of " + Number(near) + " for a near focus. It is the distance to the next surface "
+                                               "towards the film and must not be negative.");
     if (!(row.index >= 1.0 && row.index <= kMostIndex))
         throw PrescriptionError(read.line, "an index of refraction of " + Number(row.index) + ". It must be from 1 (air; pbrt's files "
                                            "may have 0) to " + Number(kMostIndex) + ".");
@@ -87,7 +92,8 @@ Prescription ReadPrescription(const std::string& text, const std::string& choice
     const bool json = text[start] == '{' || text[start] == '[';
     if (!json && !choice.empty())
         throw PrescriptionError(0, "one lens, but '#" + choice + "' behind the file's name chooses one of several. Remove it.");
-    std::vector<ReadRow> rows = json ? ReadJsonRows(text, choice) : ReadPbrtRows(text);
+    ReadLens read = json ? ReadJsonRows(text, choice) : ReadLens{ReadPbrtRows(text), {}, 0};
+    std::vector<ReadRow>& rows = read.rows;
     if (rows.size() < 2 || rows.size() > kMostRows)
         throw PrescriptionError(0, std::to_string(rows.size()) + " surfaces. A lens has 2 to " + std::to_string(kMostRows) + ".");
     Prescription prescription;
@@ -104,16 +110,22 @@ Prescription ReadPrescription(const std::string& text, const std::string& choice
     if (prescription.rows.back().index != 1.0)
         throw PrescriptionError(rows.back().line, "an index of " + Number(prescription.rows.back().index) + " behind the last surface. "
                                                   "The film is in air; the last index must be 1.");
+    prescription.objectDistances = read.objectDistances;
+    RequireFocuses(prescription, read.objectDistanceLine);
     return prescription;
 }
 
 Prescription Scaled(const Prescription& prescription, double factor)
 {
     Prescription scaled = prescription;
+    for (double& distance : scaled.objectDistances)
+        distance *= factor;
     for (PrescriptionRow& row : scaled.rows)
     {
         row.radius *= factor;
         row.thickness *= factor;
+        for (double& near : row.nearThickness)
+            near *= factor;
         row.diameter *= factor;
         double power = factor * factor * factor;
         for (double& coefficient : row.aspheric)

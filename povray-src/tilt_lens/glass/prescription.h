@@ -10,6 +10,9 @@
 ///   objects, of which one is chosen by its name;
 /// - the JSON of the ISET toolboxes: an object with `surfaces`.
 ///
+/// The JSON forms may say how groups of the lens move to focus nearer: `object-distance`, a list of distances from the first surface
+/// that begins with infinity, and thicknesses with one value for each of them.
+///
 /// A file's own order and signs are kept: rows run from the scene to the film, and a radius is positive where the centre of the
 /// sphere lies on the side of the film.
 
@@ -30,7 +33,8 @@ namespace tilt_lens
 struct PrescriptionRow
 {
     double radius = 0.0;     ///< mm; 0: plane
-    double thickness = 0.0;  ///< mm along the axis to the next row; that of the last row has no meaning
+    double thickness = 0.0;  ///< mm along the axis to the next row; that of the last row has no meaning, but for what nearThickness adds
+    std::vector<double> nearThickness;  ///< mm, for each of the prescription's objectDistances; empty: it stays. For the last row the film's
     double index = 1.0;      ///< of refraction behind the surface, for the d line (587.6 nm)
     double abbe = 0.0;       ///< Abbe number of what has this index; 0: not stated, or air
     double diameter = 0.0;   ///< mm, of the clear opening
@@ -43,6 +47,8 @@ struct Prescription
 {
     std::vector<PrescriptionRow> rows;
     std::size_t stop = 0;  ///< the row that is the aperture stop, a plane within one medium
+    std::vector<double> objectDistances;  ///< mm from the first surface to the focus, from far to near, for each nearThickness; empty: no
+                                          ///< group moves. The rows' thickness is for infinity
 };
 
 /// What a file says that no lens can be made of. what() says the value found, what is allowed and what to do.

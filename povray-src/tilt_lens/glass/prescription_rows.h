@@ -23,12 +23,20 @@ struct ReadRow
     bool stop = false;  ///< the file itself says that it is the stop; its index is that before it
 };
 
+/// What a file says of a lens.
+struct ReadLens
+{
+    std::vector<ReadRow> rows;
+    std::vector<double> objectDistances;  ///< as in Prescription
+    int objectDistanceLine = 0;           ///< in which they are stated
+};
+
 /// @throws PrescriptionError
 std::vector<ReadRow> ReadPbrtRows(const std::string& text);
 
 /// Of lentil or ISET.
 /// @throws PrescriptionError
-std::vector<ReadRow> ReadJsonRows(const std::string& text, const std::string& choice);
+ReadLens ReadJsonRows(const std::string& text, const std::string& choice);
 
 } // namespace tilt_lens
 

@@ -11,6 +11,7 @@
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
+#include "tilt_lens/camera/numbers.h"
 #include "tilt_lens/glass/prescription_rows.h"
 
 namespace tilt_lens
@@ -140,7 +141,23 @@ void ReadShape(const Members& surface, PrescriptionRow& row)
     row.aspheric = surface.Numbers("aspherical-equation");
 }
 
-ReadRow LentilRow(const Members& element, int line)
+/// One number, or with `states` focuses one for each of them.
+void ReadThickness(const Members& surface, std::size_t states, int line, PrescriptionRow& row)
+{
+    const std::vector<double> values = surface.Numbers("thickness");
+    if (values.empty() || states == 0)
+    {
+        row.thickness = surface.Number("thickness");
+        return;
+    }
+    if (values.size() != states)
+        throw PrescriptionError(line, "\"thickness\" with " + std::to_string(values.size()) + " values, where \"object-distance\" has " +
+                                      std::to_string(states) + ". Give one for each, or one number for a distance that stays.");
+    row.thickness = values.front();
+    row.nearThickness.assign(values.begin() + 1, values.end());
+}
+
+ReadRow LentilRow(const Members& element, int line, std::size_t states)
 {
     ReadRow read;
     read.line = line;
@@ -150,7 +167,7 @@ ReadRow LentilRow(const Members& element, int line)
                                       "axis; take another lens.");
     const double radius = element.Number("radius");
     read.row.radius = std::abs(radius) >= kPlaneRadius ? 0.0 : radius;
-    read.row.thickness = element.Number("thickness");
+    ReadThickness(element, states, line, read.row);
     read.row.diameter = 2.0 * element.Number("housing-radius");
     ReadShape(element, read.row);
     read.stop = material == "iris";
@@ -162,12 +179,12 @@ ReadRow LentilRow(const Members& element, int line)
     return read;
 }
 
-ReadRow IsetRow(const Members& surface, int line)
+ReadRow IsetRow(const Members& surface, int line, std::size_t states)
 {
     ReadRow read;
     read.line = line;
     read.row.radius = surface.Number("radius");
-    read.row.thickness = surface.Number("thickness");
+    ReadThickness(surface, states, line, read.row);
     read.row.diameter = 2.0 * surface.Number("semi_aperture");
     ReadShape(surface, read.row);
     if (surface.Has("transform"))
@@ -182,16 +199,48 @@ ReadRow IsetRow(const Members& surface, int line)
     return read;
 }
 
-template <typename RowOf>
-std::vector<ReadRow> RowsOf(const Tree& list, const ListLines& lines, const RowOf& rowOf)
+/// The distances at which the file states where groups stand: infinity, which is left out, and nearer ones.
+std::vector<double> ObjectDistancesOf(const Tree& lens, int line)
 {
-    std::vector<ReadRow> rows;
-    for (const auto& [none, element] : list)
+    const char* const name = "object-distance";
+    const Members members(lens, line);
+    if (!members.Has(name))
+        return {};
+    const Tree& list = lens.find(name)->second;
+    const std::string first = list.empty() ? list.data() : list.front().second.data();
+    if (first != "infinity" && first != "Infinity")
+        throw PrescriptionError(line, "\"object-distance\" that begins with '" + first.substr(0, 40) + "'. It must be a list that begins with "
+                                      "\"infinity\", as in [\"infinity\", 450], for which the first of each thickness holds.");
+    Tree nearer;
+    nearer.add_child(name, list);
+    nearer.front().second.pop_front();
+    std::vector<double> distances = Members(nearer, line).Numbers(name);
+    if (distances.empty())
+        throw PrescriptionError(line, "\"object-distance\" with infinity alone. Give a nearer distance behind it, in mm from the first surface, "
+                                      "or leave it out.");
+    for (std::size_t i = 0; i < distances.size(); i++)
+        if (!(distances[i] > 0.0) || (i > 0 && !(distances[i] < distances[i - 1])))
+            throw PrescriptionError(line, "an object distance of " + Number(distances[i]) + ". It must be larger than 0 and smaller than the one "
+                                          "before it; give the thicknesses in the same order.");
+    return distances;
+}
+
+template <typename RowOf>
+ReadLens LensOf(const Tree& lens, const std::string& text, std::size_t from, const char* name, const RowOf& rowOf)
+{
+    const std::size_t stated = text.find("\"object-distance\"", from);
+    const auto begin = text.begin(), end = stated == std::string::npos ? begin : begin + std::ptrdiff_t(stated);
+    ReadLens read;
+    read.objectDistanceLine = 1 + int(std::count(begin, end, '\n'));
+    read.objectDistances = ObjectDistancesOf(lens, read.objectDistanceLine);
+    const std::size_t states = read.objectDistances.empty() ? 0 : 1 + read.objectDistances.size();
+    const ListLines lines(text, from, name);
+    for (const auto& [none, element] : lens.find(name)->second)
     {
-        const int line = lines.Of(rows.size());
-        rows.push_back(rowOf(Members(element, line), line));
+        const int line = lines.Of(read.rows.size());
+        read.rows.push_back(rowOf(Members(element, line), line, states));
     }
-    return rows;
+    return read;
 }
 
 const char* LentilList(const Tree& lens)
@@ -217,7 +266,7 @@ std::string Names(const Tree& database)
 
 } // namespace
 
-std::vector<ReadRow> ReadJsonRows(const std::string& text, const std::string& choice)
+ReadLens ReadJsonRows(const std::string& text, const std::string& choice)
 {
     Tree file;
     std::istringstream stream(text);
@@ -240,9 +289,9 @@ std::vector<ReadRow> ReadJsonRows(const std::string& text, const std::string& ch
     const Tree& lens = name.empty() ? file : file.find(name)->second;
     const std::size_t from = name.empty() ? 0 : text.find('"' + name + '"');
     if (const char* list = LentilList(lens))
-        return RowsOf(lens.find(list)->second, ListLines(text, from, list), LentilRow);
+        return LensOf(lens, text, from, list, LentilRow);
     if (lens.find("surfaces") != lens.not_found())
-        return RowsOf(lens.find("surfaces")->second, ListLines(text, from, "surfaces"), IsetRow);
+        return LensOf(lens, text, from, "surfaces", IsetRow);
     throw PrescriptionError(0, "JSON of no known form. " + std::string(kKnown));
 }
 

@@ -16,7 +16,7 @@ global_settings { assumed_gamma 1  max_trace_level 3 }
 // files and focal lengths; that of the retrofocus lens is made smaller for 35 mm film
 #declare Files = array[12] {
   "", "tronnier_gauss_50.dat", "leica_summicron_52.dat", "zeiss_planar_50.dat", "nikon_nikkor_n_50.dat", "angenieux_55.dat",
-  "nikon_nikkor_52.dat", "nikon_micro_nikkor_200.dat", "minolta_50.json", "zeiss_master_prime_100.json", "canon_rf_51.json",
+  "nikon_nikkor_52.dat", "nikon_micro_nikkor_200.json", "minolta_50.json", "zeiss_master_prime_100.json", "canon_rf_51.json",
   "nikon_retrofocus.dat" }
 #declare Focal = array[12] { 50, 50, 52, 50, 50, 55, 51.6, 200, 50, 100, 51, 28 }
 #declare Night_Away = 58*Focal[Lens]/50;

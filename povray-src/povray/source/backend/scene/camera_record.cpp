@@ -119,6 +119,12 @@ Statement WithFocus(const Camera& camera)
     return s;
 }
 
+/// With the focal length that a lens of glass has where its groups stand.
+Statement Ideal(const Camera& camera, const Statement& s)
+{
+    return IdealStatement(WithGroups(s, camera.TiltLens.lens ? camera.TiltLens.lens->groups : 0.0));
+}
+
 std::string Described(const Camera& camera)
 {
     return "\"perspective\": " + std::string(Truth(camera.Type == PERSPECTIVE_CAMERA)) +
@@ -127,7 +133,7 @@ std::string Described(const Camera& camera)
            ", \"up\": " + Vector(FromPov(camera.Up)) + ", \"sky\": " + Vector(FromPov(camera.Sky)) +
            ", \"focusDistance\": " + Number(camera.Focal_Distance) + ", \"aperture\": " + Number(camera.Aperture) +
            ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
-           ", \"block\": " + (camera.TiltLens.given ? Block(IdealStatement(WithFocus(camera))) : "null") + "}";
+           ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
 
 /// How values of the picture become light.
@@ -182,7 +188,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
                                                     RecordName());
     view.Aperture = 0.0;
     view.TiltLens.aids = tilt_lens::FocusAids();
-    view.TiltLens.statement = IdealStatement(view.TiltLens.statement);
+    view.TiltLens.statement = Ideal(view, view.TiltLens.statement);
     view.TiltLens.statement.aperture = 0.0;
     view.TiltLens.statement.fStop.reset();
     if (view.TiltLens.given)

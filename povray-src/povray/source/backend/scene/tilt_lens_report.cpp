@@ -11,6 +11,7 @@
 #include "backend/scene/tilt_lens_view.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/field_aberrations.h"
+#include "tilt_lens/glass/inner_focus.h"
 
 #include "base/povdebug.h"
 
@@ -174,6 +175,25 @@ std::string FocusOf(const TiltLensCamera& block)
     return text;
 }
 
+/// Where the groups of a lens stand that focuses by them, and what the film has to add.
+std::string GroupsOf(const TiltLensCamera& block, const tilt_lens::Lens& lens)
+{
+    if (!lens.glass || block.statement.prescription->objectDistances.empty())
+        return "";
+    if (block.statement.filmDistance)
+        return "  Inner focus..........groups as for infinity, since film_distance places the film\n";
+    const tilt_lens::Prescription& prescription = *block.statement.prescription;
+    const std::size_t states = prescription.objectDistances.size(), before = std::min(std::size_t(lens.groups), states - 1);
+    const auto place = [&](std::size_t state)
+    { return state == 0 ? std::string("infinity") : Line("%.5g mm", prescription.objectDistances[state - 1]); };
+    std::string text = "  Inner focus..........groups " + Line("%.4g%% of the way from ", 100.0 * (lens.groups - double(before))) +
+                       place(before) + " to " + place(before + 1) + "\n";
+    const double moved = lens.filmDistance / lens.millimetre - FilmPlaceOf(prescription, lens.groups);
+    if (std::fabs(moved) > 1e-6)
+        text += Line("    film...............moved back by %.4g mm, for what the groups do not reach\n", moved);
+    return text;
+}
+
 /// The plane of sharp focus, by a point to check it: on the axis where the plane crosses it in front, else the nearest one.
 std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
@@ -286,9 +306,10 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
     if (lens.glass)
-        text += GlassOf(lens, camera.TiltLens.statement.filmWidth) + DispersionOf(lens, *camera.TiltLens.statement.prescription);
+        text += GlassOf(lens, camera.TiltLens.statement.filmWidth) +
+                DispersionOf(lens, InState(*camera.TiltLens.statement.prescription, lens.groups));
     text += CharacterOf(lens, camera.TiltLens.statement.character);
-    text += FocusOf(camera.TiltLens) + PlaneOf(camera, lens);
+    text += FocusOf(camera.TiltLens) + GroupsOf(camera.TiltLens, lens) + PlaneOf(camera, lens);
     text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), usual) + " from the lens\n";
     if (lens.diameter > 0.0)
     {
