@@ -1,34 +1,78 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The double Gauss of experiments/tools/glass_lens.cpp as a file for `prescription`."""
+"""The double Gauss of experiments/tools/glass_lens.cpp as a file for `prescription`, as it is, and with a first element that moves
+forward to focus."""
 
-# The stop stands where that program puts it, so that the entrance pupil lies in the front principal point.
-ROWS = ("29.475 3.76 1.67 25.2", "84.83 0.12 1 25.2", "19.275 4.025 1.67 23", "40.77 3.275 1.699 23", "12.75 {before} 1 18",
-        "0 {behind} 0 24", "-14.495 1.18 1.603 17", "40.77 6.065 1.658 20", "-20.385 0.19 1 20", "437.065 3.22 1.717 20",
-        "-39.73 0 1 20")
-GAP = 10.205            # mm, between the surfaces on both sides of the stop
+import json
+
+# Radius, thickness, index behind and clear diameter; the stop stands within the fifth thickness.
+ROWS = ((29.475, 3.76, 1.67, 25.2), (84.83, 0.12, 1, 25.2), (19.275, 4.025, 1.67, 23), (40.77, 3.275, 1.699, 23), (12.75, 10.205, 1, 18),
+        (-14.495, 1.18, 1.603, 17), (40.77, 6.065, 1.658, 20), (-20.385, 0.19, 1, 20), (437.065, 3.22, 1.717, 20), (-39.73, 0, 1, 20))
+BEFORE_STOP = 5         # surfaces
+STOP_DIAMETER = 24
+FIRST_ELEMENT = 2       # surfaces
 
 
-def stop_place():
-    """Behind the fifth surface, mm, of the stop that the scene sees in the front principal point."""
-    index, a, b, c, d = 1.0, 1.0, 0.0, 0.0, 1.0     # height' = a height + b slope', slope' (times the index) = c height + d slope'
-    at_stop = None
-    for number, row in enumerate(ROWS):
-        radius, thickness, behind, _ = (float(x) for x in row.format(before=GAP, behind=0).split())
-        if number == 5:
-            continue
+def moved_rows(moved):
+    """The rows with the first element so many mm farther forward."""
+    return [(radius, thickness + moved * (number + 1 == FIRST_ELEMENT), index, diameter)
+            for number, (radius, thickness, index, diameter) in enumerate(ROWS)]
+
+
+def matrix(rows):
+    """height' = a height + b slope', slope' (times the index) = c height + d slope', from the first surface through the last thickness."""
+    index, a, b, c, d = 1.0, 1.0, 0.0, 0.0, 1.0
+    for radius, thickness, behind, _ in rows:
         c, d = c - (behind - index) / radius * a, d - (behind - index) / radius * b
         index = behind
-        if number == 4:
-            at_stop = (a, b, c, d)
         a, b = a + thickness / index * c, b + thickness / index * d
+    return a, b, c, d
+
+
+def stop_place(moved=0.0):
+    """Behind the fifth surface, mm, of the stop that the scene sees in the front principal point. There that program puts it, so that the
+    entrance pupil lies where that of a thin lens does."""
+    rows = moved_rows(moved)
+    _, _, c, d = matrix(rows)
     principal = (d - 1) / c                         # behind the first surface
-    a, b, c, d = at_stop
+    radius, _, index, diameter = rows[BEFORE_STOP - 1]
+    a, b, c, d = matrix([*rows[:BEFORE_STOP - 1], (radius, 0.0, index, diameter)])
     return (principal * a - b) / (d - principal * c)
+
+
+def focal_length(moved=0.0):
+    return -1 / matrix(moved_rows(moved))[2]
+
+
+def with_stop(before):
+    """The rows and their numbers in the file, the stop so far behind the fifth surface."""
+    radius, thickness, index, diameter = ROWS[BEFORE_STOP - 1]
+    return [*ROWS[:BEFORE_STOP - 1], (radius, before, index, diameter), (0, thickness - before, 0, STOP_DIAMETER), *ROWS[BEFORE_STOP:]]
 
 
 def write(folder):
     """Makes gauss.dat in a folder."""
-    before, path = stop_place(), folder / "gauss.dat"
-    path.write_text("\n".join(ROWS).format(before=before, behind=GAP - before) + "\n")
+    path = folder / "gauss.dat"
+    path.write_text("".join(" ".join(map(str, row)) + "\n" for row in with_stop(stop_place())))
     return path
+
+
+def write_moving(folder, moved, film_distance):
+    """Makes moving.json in a folder: of focal length 50 with the first element moved, half-way to its near limit, when the film stands at
+    this distance from the rear principal point. Returns the focal length at infinity that makes it so."""
+    scale = 50 / focal_length(moved)
+    a, _, c, _ = matrix(ROWS)
+    at_infinity = -a / c                            # the film behind the last surface
+    a, _, c, _ = matrix(moved_rows(moved))
+    behind = film_distance / scale + (1 - a) / c    # H' lies (1 - a) / c behind the last surface
+    film = [at_infinity, at_infinity + 2 * (behind - at_infinity)]
+    a, b, c, d = matrix(moved_rows(2 * moved))
+    near = -(b + film[1] * d) / (a + film[1] * c)
+    surfaces = []
+    for radius, thickness, index, diameter in with_stop(stop_place(moved)):
+        if len(surfaces) + 1 == FIRST_ELEMENT:
+            thickness = [thickness, thickness + 2 * moved]
+        surfaces.append({"radius": radius, "thickness": thickness, "ior": index, "semi_aperture": diameter / 2})
+    surfaces[-1]["thickness"] = film
+    (folder / "moving.json").write_text(json.dumps({"object-distance": ["infinity", near], "surfaces": surfaces}))
+    return scale * focal_length()

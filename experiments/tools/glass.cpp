@@ -149,6 +149,7 @@ int main(int argc, char** argv)
     app.add_option("--focal-length", setting.focalLength, "mm")->capture_default_str();
     app.add_option("--f-stop", setting.fStop)->capture_default_str();
     app.add_option("--tilt", setting.tilt, "degrees, positive forward")->capture_default_str();
+    app.add_option("--moved", setting.moved, "mm of the file by which the first element stands farther forward");
     app.add_option("--film-distance", setting.filmDistance, "mm, from H', on the camera's axis")
         ->required();
     app.add_option("--model", model, "thin, distortion, field, pupil or glass")

@@ -51,7 +51,7 @@ std::array<double, 3> FitPlane(const std::vector<Vector>& points)
 }  // namespace
 
 GlassCamera::GlassCamera(const Setting& setting, bool thinOnly)
-    : mSetting(setting), mGlass(setting.focalLength, setting.fStop)
+    : mSetting(setting), mGlass(setting.focalLength, setting.fStop, setting.moved)
 {
     mAxis = Unit(Vector{0.0, 3.0, 0.0} - mLocation);
     mRight = Unit(Cross({0.0, 1.0, 0.0}, mAxis));

@@ -22,6 +22,7 @@ struct Setting
 {
     int width = 240, height = 160;  ///< pixels of a film 36 mm wide
     double focalLength = 50.0, fStop = 2.8, tilt = 0.0, filmDistance = 0.0, sceneUnit = 10.0;
+    double moved = 0.0;  ///< of the lens's first element, mm of its file
 };
 
 /// From the ideal lens to the glass.

@@ -24,6 +24,7 @@ const Printed kDoubleGauss[] = {
     {437.065, 3.22, 1.717, 20.0}, {-39.73, 0.0, 1.0, 20.0},
 };
 const int kStopAfter = 4;           // index in the table above
+const std::size_t kFirstElement = 2;  // its surfaces
 const double kPrintedStop = 5.705;  // mm behind that surface
 
 /// A paraxial ray: height and slope against z, in the meaning of dy/dz.
@@ -51,13 +52,13 @@ std::optional<Vector> Snell(const Vector& direction, const Vector& normal, doubl
 
 }  // namespace
 
-GlassLens::GlassLens(double focalLength, double fStop)
+GlassLens::GlassLens(double focalLength, double fStop, double moved)
 {
     double depth = 0.0, index = 1.0;
     for (const Printed& row : kDoubleGauss)
     {
         mSurfaces.push_back({-depth, row.radius, index, row.index, 0.5 * row.diameter});
-        depth += row.thickness;
+        depth += row.thickness + (mSurfaces.size() == kFirstElement ? moved : 0.0);
         index = row.index;
     }
     mStopAfter = kStopAfter;

@@ -41,7 +41,8 @@ class GlassLens
 {
   public:
     /// Scaled to a focal length (mm), stopped down to an f-number.
-    GlassLens(double focalLength, double fStop);
+    /// @param moved  mm of the file by which the first element stands farther from the others than there
+    GlassLens(double focalLength, double fStop, double moved = 0.0);
 
     double FocalLength() const { return mFocalLength; }
     double Separation() const
