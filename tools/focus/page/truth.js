@@ -5,6 +5,7 @@
 
 import { describe } from "./block.js";
 
+const READING = "Reading the scene …";
 const WIDTHS = [320, 640, 960, 1280, 1920, 2560, 3840];
 
 const time = seconds => (seconds < 90 ? `${seconds.toFixed(seconds < 9.5 ? 1 : 0)} s` : `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`);
@@ -24,6 +25,7 @@ export function buildTruth(find, stage, model, previewSize, ask) {
     find("render").onclick = () => {
         const { block, items } = describe(model, "plane"), width = Number(find("width").value), size = previewSize();
         const { location, right, up, unshifted } = model.lens;
+        said.textContent = READING;  // at once: what was said of the picture before holds no more
         ask({
             do: "render", size: [width, Math.max(2, Math.round(width * size[1] / size[0]))], quality: Number(find("quality").value),
             camera: { location, direction: unshifted, right, up }, block, items,
@@ -52,7 +54,7 @@ export function buildTruth(find, stage, model, previewSize, ask) {
             find("save").hidden = message.state !== "done";
             find("progress").value = message.share;
             const words = {
-                begun: () => "Reading the scene …",
+                begun: () => READING,
                 growing: () => `${Math.floor(100 * message.share)} % after ${time(message.seconds)}`,
                 done: () => `Done in ${time(message.seconds)}. Left of the slider the live picture, right of it the true one.`,
                 stopped: () => `Stopped at ${Math.floor(100 * message.share)} %.`,
