@@ -46,9 +46,7 @@ RULES = (
     ("near risk in full", 8, f"chanceRisk={NEVER}"),
     ("chance in the near risk", 8, f"chanceRisk={ALWAYS}"),
     ("least residual variance", 8, f"leastResidualRatio={ALWAYS}"),
-    ("samples that serve other pixels", 8, "spreadSamples=0"),
-    ("four samples of a pixel that serve others, not two", 8, "spreadSamples=2"),
-    ("small circles serve their own pixel alone", 8, f"leastSpreadRadius={ALWAYS}"),
+    ("samples that serve other pixels", 8, "spreadWeight=0"),
     ("preference of the spread estimate", 8, "spreadWeight=1"),
     ("rows without noise left alone", 8, f"leastRowVariance={ALWAYS}"),
     ("forecast of the reconstruction", 9, f"forecastCost={NEVER}"),
@@ -56,13 +54,10 @@ RULES = (
 )
 # The same, of the emitter sampling: samples change.
 EMITTER_RULES = (
-    ("emitters found by chance left out", 7, f"chanceHits={NEVER}"),
-    ("emitters of little variance left out", 7, f"leastEmitterMoment={ALWAYS}"),
     ("choice of the film point", 7, f"lensPointBlur={ALWAYS}"),
-    ("half of the samples at bright emitters", 7, f"brightEmission={NEVER}"),
-    ("a quarter of the samples at faint emitters", 7, "emitterShare=0.5"),
+    ("half of the samples at emitters, not a quarter", 7, "emitterShare=0.25"),
     ("several emitters of a pixel", 7, "emittersOfPixel=1"),
-    ("emitter sampling", 7, f"leastEmitterMoment={NEVER}"),
+    ("emitter sampling", 7, "emittersOfPixel=0"),
 )
 
 

@@ -14,7 +14,7 @@ CROP = Part(608, 336, 1280, 720)
 # variance: independent pictures, since one has too few pixels that take more samples
 PICTURES = {1e-2: 16, 1e-3: 16, 1e-4: 16, 1e-5: 4, 1e-6: 2}
 QUICK = {1e-2: 8, 1e-3: 8, 1e-4: 4}
-LEAST, MOST = 8, 262144         # samples; no pixel should need the largest number
+LEAST, MOST = 4, 262144         # samples; no pixel should need the largest number
 
 
 def claims(lab, shot, reference, first, count, variance):
@@ -38,7 +38,7 @@ def measure(lab, scene, tilted, part=None):
     lab.say(f"{scene.name}{' tilted' if tilted else ''}{', cropped' if part else ''}: is the requested variance kept")
     batches, samples = scene.reference
     kept = {"size": SIZE, "part": part}
-    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, (4 if lab.quick else scene.contract)*samples)
+    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, (max(4, scene.contract//4) if lab.quick else scene.contract)*samples)
     rows = []
     for variance, count in (QUICK if lab.quick else PICTURES).items():
         shot = scene.shot(TILT_LENS, tilted, declare=suite.limits(LEAST, MOST, variance), options=("+N",), **kept)

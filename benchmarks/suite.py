@@ -71,9 +71,9 @@ STOCK_SPARING = [(8, 37, 2e-2), (8, 100, 5e-3), (12, 64, 1e-2)]      # for the l
 STOCK_CONFIDENCE = [(32, 400, 1e-3, 0.99), (64, 1600, 3e-4, 0.99), (32, 400, 3e-3, 0.5)]
 VARIANCES = (3e-2, 1e-2, 4e-3, 1.5e-3, 6e-4, 2.5e-4, 1e-4, 4e-5, 1.5e-5, 6e-6, 2.5e-6, 1e-6, 4e-7)
 # Least number of samples, variances.
-OURS = {"quick": [(8, VARIANCES)], "full": [(8, VARIANCES), (2, VARIANCES[:5]), (4, VARIANCES[:7]), (16, VARIANCES[2:6])],
-        "part quick": [(8, VARIANCES), (2, VARIANCES[:4])],
-        "part full": [(8, VARIANCES), (1, VARIANCES[:4]), (2, VARIANCES[:6]), (4, VARIANCES[:7]), (16, VARIANCES[2:6])]}
+OURS = {"quick": [(4, VARIANCES)], "full": [(4, VARIANCES), (2, VARIANCES[:5]), (8, VARIANCES[:8]), (16, VARIANCES[2:6])],
+        "part quick": [(4, VARIANCES), (2, VARIANCES[:4])],
+        "part full": [(4, VARIANCES), (1, VARIANCES[:4]), (2, VARIANCES[:6]), (8, VARIANCES[:8]), (16, VARIANCES[2:6])]}
 
 
 def limits(least, most, variance, confidence=0.9):

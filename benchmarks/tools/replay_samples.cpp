@@ -108,6 +108,8 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
 {
     limits.variance = variance;
     limits.denoise = denoise;
+    if (limits.min == 0)
+        limits.min = std::min(limits.max, denoise ? kFirstSamples : kFirstSamplesAlone);
     const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);  // recorded circles lie in the picture already
     const Area all{0, 0, recording.width, recording.height};
     BlockCache cache(limits, recording.width, recording.height, all);
@@ -149,7 +151,7 @@ int main(int count, char** values)
     std::vector<double> variances;
     std::vector<bool> denoise;
     SamplingLimits limits;
-    limits.max = 0;
+    limits.min = limits.max = 0;  // the usual ones
     std::string picture;
     app.add_option("file", path)->required();
     app.add_option("width", width)->required();
@@ -165,7 +167,6 @@ int main(int count, char** values)
     {
         const Recording recording(path, width, height, samples);
         limits.max = limits.max == 0 ? samples / 4 : limits.max;
-        limits.min = std::min(limits.min, limits.max);
         if (limits.max > samples)
             throw std::runtime_error("--most is more than the recorded samples");
         int made = 0;

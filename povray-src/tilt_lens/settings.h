@@ -37,6 +37,13 @@ constexpr int kSpreadReach = 7;
 constexpr int kDensityCells = 64;
 /// @}
 
+/// @name First round
+/// @{
+/// Samples of a pixel's first round where a scene does not state MIN (section 1): where the picture is reconstructed and samples
+/// are sent at emitters; and elsewhere, because small lamps are missed by four too often.
+constexpr std::uint32_t kFirstSamples = 4, kFirstSamplesAlone = 8;
+/// @}
+
 /// @name Steps and limits of computing
 /// @{
 /// Steps of the iteration for the variance ratio of the mean (section 3).
@@ -51,9 +58,9 @@ constexpr std::uint32_t kProbeSamples = 8;
 
 /// @name Emitter sampling (section 7)
 /// @{
-/// Radiance (1 is white) that an object must exceed by its own finish to be an emitter: what is lit by lights is
-/// seldom brighter, and samples find it as they find all else.
-constexpr double kLeastEmitterRadiance = 1.0;
+/// Radiance (1 is white) that what is lit seldom exceeds, however bright the lights are. An emitter is brighter by its own
+/// finish; all else is found as lit surfaces are.
+constexpr double kGreatestLitRadiance = 1.0;
 /// Samples that share one decision about their lens coordinate: the sequence has one of each aligned block of four in each
 /// quarter of it.
 constexpr std::uint32_t kEmitterStratum = 4;
@@ -90,7 +97,7 @@ struct Settings
     /// @{
     /// Pixels as many as whose samples all that is pooled (variance ratio, undetected error, forecast) adds to the degrees
     /// of freedom.
-    double pooledPixels = 4.0;
+    double pooledPixels = 2.0;
     /// @}
 
     /// @name Variance target (section 6)
@@ -103,16 +110,11 @@ struct Settings
 
     /// @name Emitter sampling (section 7)
     /// @{
-    /// Expected hits a sample from which on an emitter is found by chance.
-    double chanceHits = 2.0;
-    /// Second moment of what one sample gets of an emitter (square of white) below which it is not worth a sample.
-    double leastEmitterMoment = 0.05;
     /// Blur, in pixels, from which on the lens point is chosen and not the film point.
     double lensPointBlur = 1.5;
-    /// Share of a pixel's samples that is sent at emitters, and that where their expected emission in the pixel (1 is white)
-    /// is above brightEmission. Multiples of 1 / kEmitterStratum.
-    double emitterShare = 0.25, brightEmitterShare = 0.5, brightEmission = 0.1;
-    /// Emitters that one pixel's samples are sent at, at most: the brightest.
+    /// Share of a pixel's samples that is sent at emitters: a multiple of 1 / kEmitterStratum.
+    double emitterShare = 0.5;
+    /// Emitters that one pixel's samples are sent at, at most: the brightest. With 0, no sample is.
     std::uint32_t emittersOfPixel = 16;
     /// Emitter samples that must have missed before the emitter is believed hidden: an object fills only a part of the
     /// sphere around it, and that may lie over two pixels.
@@ -130,11 +132,7 @@ struct Settings
     /// Risk over noise of the 3 by 3 pixels around one that may be chance.
     float chanceRisk = 2.0f;
     /// Share of a pixel's variance that remains whatever the filters leave of the noise: their bias.
-    float leastResidualRatio = 0.15f;
-    /// Least semi-axis of a circle of confusion, in pixels, from which on a sample serves other pixels too.
-    float leastSpreadRadius = 1.0f;
-    /// Samples of a pixel that serve other pixels: the first ones of its first round.
-    std::uint32_t spreadSamples = 4;
+    float leastResidualRatio = 0.25f;
     /// Weight of a spread estimate that is wholly made of other pixels' samples, over that of a filter with the same risk.
     float spreadWeight = 16.0f;
     /// Mean variance of a row of a block, over `variance`, below which the row is not reconstructed.

@@ -127,10 +127,12 @@ class Report(rendering.RenderTest):
         self.assertLess(refused, 0.4 * tried)
         self.assertNotIn("Refused", said(camera("f_stop 2") + WORLD))
 
-    def test_lights_are_not_sampled(self):
+    def test_lights_are_not_sampled_and_the_first_round_is_larger(self):
         lamps = "sphere { <0.3, 0.2, 8>, 0.01 pigment { rgb 1 } finish { emission 100 } }\n"
         self.assertIn("Emitter samples", said(camera("f_stop 2") + lamps))
         self.assertNotIn("Emitter samples", said(camera(GAUSS) + lamps))
+        for lens, least in (("f_stop 2", 4), (GAUSS, 8)):
+            self.assertRegex(said(camera(lens, samples="") + WORLD), rf"Ended at the minimum.*, after {least} samples")
 
 
 class Sampling(rendering.RenderTest):

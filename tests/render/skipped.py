@@ -35,6 +35,14 @@ class Skipped(rendering.RenderTest):
         self.assertEqual(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 256 variance 1/2000 "))[2], 16)
         self.assertIsNone(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 16 variance 0 ")))
 
+    def test_first_round_is_of_four_where_eight_bring_nothing(self):
+        for samples, lens, least in (("", "", 4), ("blur_samples 64 ", "", 4), ("blur_samples 2 ", "", 2), ("", "denoise off", 8),
+                                     ("normal { bumps 1e-5 } ", "", 8), ("variance 0 blur_samples 8 ", "", None),
+                                     ("blur_samples 16, 64 ", "", 16)):
+            with self.subTest(samples + lens):
+                ended = numbers("Ended at the minimum", said_of(EVEN, samples, lens="scene_unit 100 " + lens))
+                self.assertEqual(ended, least and [64 * 48, 64 * 48, least])
+
     def test_sharp_picture_takes_the_minimum_but_at_edges(self):
         """A lens that blurs nothing: pixels within a field of the board need no more."""
         board = "plane { y, 0 pigment { checker rgb 1 rgb 0.2 scale 20 } finish { ambient 1 diffuse 0 } }\n"
@@ -75,6 +83,16 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Emitter samples", said_of(EVEN)))
         large = LAMP.replace("0.01 pigment", "1 pigment")
         self.assertIsNone(numbers("Emitter samples", said_of(large)))
+
+    def test_what_is_no_brighter_than_lit_things_is_no_emitter(self):
+        """A lamp below white is one in the light of a moon, but not in that of the sun, nor where lights are unknown."""
+        lamp = LAMP.replace("emission 50", "emission 0.9").replace("0.01 pigment", "0.04 pigment")
+        moon = "light_source { <4, 6, -4>, rgb 0.02 }\n"
+        self.assertEqual(numbers("Emitter samples", said_of(lamp + moon))[1], 1)
+        self.assertIsNone(numbers("Emitter samples", said_of(lamp + moon.replace("0.02", "1"))))
+        self.assertIsNone(numbers("Emitter samples", said_of(lamp + moon + moon.replace("0.02", "0.88"))))
+        self.assertIsNone(numbers("Emitter samples", said_of(lamp)))
+        self.assertIsNone(numbers("Emitter samples", said_of("global_settings { radiosity { count 2 } }\n" + lamp + moon)))
 
     def test_objects_away_from_the_lens_are_not_asked(self):
         away = GLASS.replace("SPHERE", "<0, 0.5, 1>, 0.3") + GLASS.replace("SPHERE", "<1, 0.5, 1>, 0.3")

@@ -57,7 +57,7 @@ TEST(ConfidenceFactor, IsTheUpperLimitOfChiSquare)
     EXPECT_NEAR(ConfidenceFactor(8, 0.0, 0.9), freedom / limit, 1e-12);
     EXPECT_LT(ConfidenceFactor(8, 0.5, 0.9), ConfidenceFactor(8, 0.0, 0.9)) << "nine pixels tell more than one";
     EXPECT_GT(ConfidenceFactor(8, 0.0, 0.99), ConfidenceFactor(8, 0.0, 0.9));
-    EXPECT_NEAR(ConfidenceFactor(1u << 20, 0.0, 0.9), 1.0, 1e-3);
+    EXPECT_NEAR(ConfidenceFactor(1u << 22, 0.0, 0.9), 1.0, 1e-3);
 }
 
 TEST(UpdateConvergence, EvenLightConvergesAtOnce)

@@ -60,10 +60,11 @@ struct World
     }
 };
 
-/// Mean of a pixel's first n samples and the variance of one.
+/// Mean of a pixel's first n samples and the variance of one; and what of this is left within the two strata that emitter samples
+/// and plain ones are: their shares are fixed, so that only this makes noise.
 struct Pixel
 {
-    double mean, variance;
+    double mean, variance, withinStrata;
 };
 
 Pixel SampleOf(const EmitterSampler& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y,
@@ -71,23 +72,29 @@ Pixel SampleOf(const EmitterSampler& emitters, const Lens& lens, const World& wo
 {
     const EmitterSampler::Targets targets = emitters.TargetsOf(x, y);
     const PixelSampler sampler(x, y, seed);
-    double sum = 0.0, squares = 0.0;
+    double sums[2] = {}, counts[2] = {}, squares = 0.0;
     for (std::uint32_t i = 0; i < n; i++)
     {
         const CameraSample start = emitters.Generate(targets, {x, y, i}, sampler(i));
         const double light =
             start.weight > 0.0
                 ? start.weight * world(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) : 0.0;
-        sum += light;
+        const bool atEmitter = start.expectedEmission > 0.0;
+        sums[atEmitter] += light;
+        counts[atEmitter]++;
         squares += light * light;
     }
-    const double mean = sum / n;
-    return {mean, squares / n - mean * mean};
+    double between = 0.0;
+    for (int i = 0; i < 2; i++)
+        between += counts[i] > 0.0 ? sums[i] * sums[i] / counts[i] : 0.0;
+    const double mean = (sums[0] + sums[1]) / n;
+    return {mean, squares / n - mean * mean, (squares - between) / n};
 }
 
-SamplingLimits Limits(std::uint32_t min = 8, std::uint32_t max = 1u << 20)
+SamplingLimits Limits(std::uint32_t min = 8, std::uint32_t max = 1u << 20, double variance = SamplingLimits().variance)
 {
     SamplingLimits limits;
+    limits.variance = variance;
     limits.min = min;
     limits.max = max;
     return limits;
@@ -196,8 +203,8 @@ TEST(EmitterSampler, LowerTheVarianceOfLamps)
         double with = 0.0, without = 0.0;
         for (const auto& [x, y] : PixelsAround(lens, one))
         {
-            with += SampleOf(emitterSampled, lens, world, x, y, 1u << 14, 1).variance;
-            without += SampleOf(plain, lens, world, x, y, 1u << 14, 2).variance;
+            with += SampleOf(emitterSampled, lens, world, x, y, 1u << 14, 1).withinStrata;
+            without += SampleOf(plain, lens, world, x, y, 1u << 14, 2).withinStrata;
         }
         EXPECT_LT(with, without / 8.0) << one.name;
     }
@@ -244,6 +251,8 @@ TEST(EmitterSampler, OnlyWhatIsSmallAndBrightAndBefore)
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 3.0, 40.0})) << "large: found by chance";
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 1.0})) << "dim";
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 1e-5, 40.0})) << "too small to matter";
+    EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0, 39.0})) << "hardly brighter than what may lie around it";
+    EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}, Limits(8, 1024, 1.0))) << "within the noise that is allowed";
     EXPECT_TRUE(empty({{0.0, 0.0, -40.0}, 0.03, 40.0})) << "behind the camera";
     EXPECT_TRUE(empty({{0.0, 0.0, 0.1}, 0.03, 40.0})) << "at the lens";
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}, Limits(1, 2))) << "fewer samples than a block of four";

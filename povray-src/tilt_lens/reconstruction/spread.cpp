@@ -84,8 +84,9 @@ class CirclePixels
         const float xx = scale * (circle.xa * circle.xa + circle.xb * circle.xb);
         const float xy = scale * (circle.xa * circle.ya + circle.xb * circle.yb);
         const float yy = scale * (circle.ya * circle.ya + circle.yb * circle.yb);
-        const float least = settings.leastSpreadRadius * settings.leastSpreadRadius, determinant = xx * yy - xy * xy;
-        if (!(std::min(xx, yy) >= least && determinant >= least * least && std::isfinite(determinant + circle.x)))
+        const float determinant = xx * yy - xy * xy;
+        // smaller than a pixel: it serves its own alone
+        if (!(std::min(xx, yy) >= 1.0f && determinant >= 1.0f && std::isfinite(determinant + circle.x)))
             return;
         for (int i = 0; i < kRows; i++)
         {
@@ -142,8 +143,6 @@ SpreadSums::SpreadSums(const Area& block, double width, double height) :
 
 void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
 {
-    if (number >= settings.spreadSamples)
-        return;
     Own& itself = own[row * int(kBlockSide) + column];
     itself.samples += 1.0f;
     const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};

@@ -28,7 +28,7 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
     if (limits.FirstRound() < kEmitterStratum)
         return;
     for (const Emitter& emitter : all)
-        Keep(emitter);
+        Keep(emitter, limits.FirstRound() * limits.variance);
     Distribute();
 }
 
@@ -65,7 +65,8 @@ EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) c
 }
 
 /// Takes an emitter into the list if it is worth samples of its own.
-bool EmitterSampler::Keep(const Emitter& emitter)
+/// @param leastVariance  that it causes in one plain sample, from which on it is
+bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
 {
     const double ahead = Dot(emitter.centre, lens.axis);
     const double distance = Length(emitter.centre);
@@ -82,8 +83,9 @@ bool EmitterSampler::Keep(const Emitter& emitter)
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
     const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected, a sample
     const double emission = hits * emitter.radiance;
-    const bool foundByChance = hits > settings.chanceHits;
-    if (foundByChance || hits * emitter.radiance * emitter.radiance < settings.leastEmitterMoment)
+    const double contrast = emitter.radiance - emitter.around;
+    const bool foundByChance = hits > 1.0, negligible = hits * contrast * contrast < leastVariance;
+    if (foundByChance || negligible)
         return false;
     covers = {covers.left - imageRadius, covers.right + imageRadius, covers.top - imageRadius, covers.bottom + imageRadius};
     const bool chooseLensPoint = std::min(across, along) > settings.lensPointBlur;
@@ -140,17 +142,16 @@ EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t
     double& emission = result.emission;
     for (const std::uint32_t i : bins[std::size_t(y / binSide) * columns + x / binSide])
     {
+        if (result.targets.size() == settings.emittersOfPixel)
+            break;
         if (!Reaches(kept[i], x, y))
             continue;
         result.targets.push_back({i, kept[i].emission});
         emission += kept[i].emission;
-        if (result.targets.size() == settings.emittersOfPixel)
-            break;
     }
     if (result.targets.empty())
         return result;
-    // the more of the pixel's light they bring, the less the rest matters
-    result.share = emission > settings.brightEmission ? settings.brightEmitterShare : settings.emitterShare;
+    result.share = settings.emitterShare;
     for (Targets::Target& target : result.targets)
         target.share *= result.share / emission;
     return result;

@@ -44,6 +44,7 @@ struct Emitter
     Vec3 centre;      ///< relative to the lens centre, world axes, scene units
     double radius;    ///< scene units
     double radiance;  ///< of the brightest channel, 1 is white
+    double around = 0.0;  ///< radiance that what lies around it may have
 };
 
 /// Where the ray of a sample begins.
@@ -73,7 +74,7 @@ class EmitterSampler
     /// The emitters that one pixel's samples are sent at.
     struct Targets
     {
-        double share = 0.0;     ///< of the pixel's samples: 0, 1/4 or 1/2
+        double share = 0.0;     ///< of the pixel's samples
         double emission = 0.0;  ///< that all of them bring to the pixel, if nothing hides them
         struct Target
         {
@@ -132,7 +133,7 @@ class EmitterSampler
     static std::uint32_t SeedOf(const SampleId& id) { return PixelHash(id.x, id.y, 0x52696d, id.index); }
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;
-    bool Keep(const Emitter& emitter);
+    bool Keep(const Emitter& emitter, double leastVariance);
     Box BlurBoxOf(const Vec3& centre, bool& whole) const;
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;

@@ -191,11 +191,8 @@ void TiltLensParser::RequireFocus(Camera& camera)
 /// Stock shows no blur where blur_samples is missing; tilt_lens has a default. One number is the most.
 void TiltLensParser::TakeBlurSamples(Camera& camera)
 {
-    const tilt_lens::SamplingLimits usual;
     if (camera.Blur_Samples == 0)
-        camera.Blur_Samples = usual.max;
-    if (camera.Blur_Samples_Min == 0)
-        camera.Blur_Samples_Min = std::min(int(usual.min), camera.Blur_Samples);
+        camera.Blur_Samples = tilt_lens::SamplingLimits().max;
 }
 
 void TiltLensParser::Check(Camera& camera)

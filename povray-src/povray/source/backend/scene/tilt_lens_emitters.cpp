@@ -7,6 +7,7 @@
 
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
+#include "backend/lighting/point.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/scene.h"
 #include "backend/shape/csg.h"
@@ -45,32 +46,47 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
 }
 
 /// A sphere around an object.
-tilt_lens::Emitter Around(ObjectPtr object, const Camera& camera, double light)
+/// @param light, around  radiance of the object, and that of what lies around it at most
+tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double light, double around)
 {
     const Vec3 location = FromPov(camera.Location);
     const Sphere* sphere = dynamic_cast<const Sphere*>(object);
     if (sphere != NULL && sphere->Trans == NULL)
-        return {FromPov(sphere->Center) - location, sphere->Radius, light};
+        return {FromPov(sphere->Center) - location, sphere->Radius, light, around};
     const BBOX& box = object->BBox;
     const Vec3 half{0.5 * box.Lengths[X], 0.5 * box.Lengths[Y], 0.5 * box.Lengths[Z]};
     const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
-    return {low + half - location, Length(half), light};
+    return {low + half - location, Length(half), light, around};
 }
 
-void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, std::vector<tilt_lens::Emitter>& emitters)
+/// Radiance that an object must exceed by its own finish to stand out from what lights light: all light sources together seldom
+/// make a surface brighter than this. White where they are bright, and where other things light the scene.
+double LeastRadiance(const SceneData& scene)
+{
+    double lights = 0.0;
+    for (const auto& list : {scene.lightSources, scene.lightGroupLightSources})
+        for (const LightSource* light : list)
+            lights += std::max({0.0, double(light->colour[pRED]), double(light->colour[pGREEN]), double(light->colour[pBLUE])});
+    const bool known = lights > 0.0 && !scene.radiositySettings.radiosityEnabled;
+    return known ? std::min(lights, tilt_lens::kGreatestLitRadiance) : tilt_lens::kGreatestLitRadiance;
+}
+
+/// @param leastRadiance  1 is white
+void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, double leastRadiance,
+             std::vector<tilt_lens::Emitter>& emitters)
 {
     const CompoundObject* compound = dynamic_cast<const CompoundObject*>(object);
     if (compound != NULL && dynamic_cast<const CSGIntersection*>(object) == NULL)
     {
         for (ObjectPtr part : compound->children)
-            Collect(part, scene, camera, emitters);
+            Collect(part, scene, camera, leastRadiance, emitters);
         return;
     }
     if (object->BBox.Lengths[X] > CRITICAL_LENGTH)
         return;  // infinite: nobody can miss it
     const double light = LightOf(object->Texture, scene.ambientLight);
-    if (light > tilt_lens::kLeastEmitterRadiance)
-        emitters.push_back(Around(object, camera, light));
+    if (light > leastRadiance)
+        emitters.push_back(EmitterOf(object, camera, light, leastRadiance));
 }
 
 } // namespace
@@ -78,8 +94,9 @@ void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, std
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera)
 {
     std::vector<tilt_lens::Emitter> emitters;
+    const double leastRadiance = LeastRadiance(scene);
     for (ObjectPtr object : scene.objects)
-        Collect(object, scene, camera, emitters);
+        Collect(object, scene, camera, leastRadiance, emitters);
     return emitters;
 }
 

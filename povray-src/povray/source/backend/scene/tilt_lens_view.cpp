@@ -56,14 +56,21 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return s.squeeze == 1.0 ? aperture : tilt_lens::Aperture::Squeezed(aperture, s.squeeze);
 }
 
+/// Whether rays can be aimed: not where their way through the lens is known only when they have taken it.
+bool EmittersAreSampled(const Camera& camera)
+{
+    return camera.Tnormal == NULL && !camera.TiltLens.lens->glass;
+}
+
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 {
     tilt_lens::SamplingLimits limits;
     limits.max = camera.Blur_Samples;
-    limits.min = camera.Blur_Samples_Min;
     limits.variance = camera.Variance;
     limits.confidence = camera.Confidence;
     limits.denoise = camera.TiltLens.statement.denoise;
+    const std::uint32_t usual = EmittersAreSampled(camera) && limits.Denoises() ? tilt_lens::kFirstSamples : limits.min;
+    limits.min = camera.Blur_Samples_Min > 0 ? camera.Blur_Samples_Min : std::min(limits.max, usual);
     return limits;
 }
 
@@ -76,7 +83,7 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
 /// A camera normal and a lens of glass bend rays, so that none can be sent at an emitter.
 std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const SceneData& scene)
 {
-    return camera.Tnormal == NULL && !camera.TiltLens.lens->glass ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
+    return EmittersAreSampled(camera) ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
 }
 
 std::unique_ptr<const tilt_lens::GlassCamera> GlassOf(const Camera& camera, const tilt_lens::Aperture& aperture)
