@@ -10,9 +10,9 @@ from tools.focus.scene_text import with_items
 
 LARGEST = 16384  # pixels of a side
 QUALITIES = (
-    "blur_samples 8, 32",
-    "blur_samples 16, 256 variance 1/8000",
-    "blur_samples 16, 1024 variance 1/20000",
+    "blur_samples 32",
+    "blur_samples 256 variance 1/8000",
+    "blur_samples 1024 variance 1/20000",
 )
 VECTORS = ("location", "direction", "right", "up")
 WORDS = {
