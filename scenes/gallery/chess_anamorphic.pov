@@ -23,7 +23,7 @@ camera {
   location <0, 10.5, -Night_Away>
   look_at <0, 8.2, 0>
   focal_point <0, 6, 0>
-  blur_samples min(32, Samples), Samples  confidence 0.9  variance 1/2000
+  blur_samples Samples  confidence 0.9  variance 1/4000
   tilt_lens {
     scene_unit 10
     focal_length 50

@@ -27,7 +27,7 @@ camera {
   location <0, 10.5, -Night_Away>
   look_at <0, 7.6, 0>
   focal_point <0, 6, 0>
-  blur_samples min(32, Samples), Samples  confidence 0.9  variance 1/2000
+  blur_samples Samples  confidence 0.9  variance 1/3000
   tilt_lens {
     scene_unit 10
     #if (Glass) prescription concat("lenses/", Files[File-1]), 50  dispersion on #else focal_length 50  f_stop 1.4 #end

@@ -33,7 +33,7 @@ camera {
   location Eye
   look_at Subject+<-0.5, -0.4, 0>
   focal_point Subject
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/1500
+  blur_samples Samples  confidence 0.95  variance 1/4000
   tilt_lens {
     scene_unit 10
     focal_length 90

@@ -29,7 +29,7 @@ camera {
   location Eye
   look_at Subject
   focal_point Subject
-  blur_samples min(16, Samples), Samples  confidence 0.9  variance 1/600
+  blur_samples Samples  confidence 0.9  variance 1/1500
   tilt_lens {
     scene_unit 10
     focal_length 50

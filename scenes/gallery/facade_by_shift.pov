@@ -28,7 +28,7 @@ camera {
   location Eye
   look_at (Look_Up ? <-0.2, 12.6, 0> : Eye+z)
   focal_point <0, 8, 0>
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/1500
+  blur_samples Samples  confidence 0.95  variance 1/4000
   tilt_lens {
     film_width Tilt_Lens_Film_4x5[0]
     focal_length 105

@@ -26,7 +26,7 @@ camera {
   location <-6, 27, -92>
   look_at <6, 28, 0>
   focal_point Subject
-  blur_samples min(10, Samples), Samples  confidence 0.95  variance 1/800
+  blur_samples Samples  confidence 0.95  variance 1/2000
   tilt_lens {
     scene_unit 10
     focal_length 35

@@ -26,7 +26,7 @@ camera {
   location Eye
   look_at Subject+<2, 0, 6>
   angle 37
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/2500
+  blur_samples Samples  confidence 0.95  variance 1/4000
   Tilt_Lens_Miniature(Eye, Subject, Strength)
 }
 

@@ -26,7 +26,7 @@ camera {
   location <-48, 40, 62>
   look_at Rail_At(Main, -3.5)+<0, 0, -3>
   angle 36
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/2500
+  blur_samples Samples  confidence 0.95  variance 1/5000
   tilt_lens {
     scene_unit 1000/87
     f_stop Stop

@@ -26,7 +26,7 @@ camera {
   location <-34, 46, -82>
   look_at <34, 8, 16>
   angle 39
-  blur_samples min(12, Samples), Samples  confidence 0.95  variance 1/1500
+  blur_samples Samples  confidence 0.95  variance 1/4000
   tilt_lens {
     scene_unit 1000/87
     focal_plane { z, 0.5 }

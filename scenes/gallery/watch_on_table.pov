@@ -27,7 +27,7 @@ camera {
   location Subject+255*<-0.22, 0.62, -0.75>
   look_at Subject+<11, 0, 3>
   #if (!Turned_Lens) focal_point Subject #end
-  blur_samples min(8, Samples), Samples  confidence 0.9  variance 1/2000
+  blur_samples Samples  confidence 0.9  variance 1/4000
   tilt_lens {
     film_width 23.6
     focal_length 46
