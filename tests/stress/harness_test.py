@@ -3,6 +3,7 @@
 """Tests of the stress run itself: results of other programs, findings that must be reported, CPU time against waiting."""
 
 import pathlib
+import random
 import sys
 import tempfile
 import time
@@ -139,6 +140,14 @@ class Soak(unittest.TestCase):
         for at in range(60):
             self.assertEqual(self.faults(course=self.course(lambda i, at=at: 20000 + 9000*(i >= at))), [])
         self.assertEqual(self.faults(course=self.course(lambda i: 20000*min(i, 29))), [])
+
+    def test_what_is_taken_and_given_back(self):
+        """Memory that goes up and down by some hundreds of KiB, without and with something left behind each time."""
+        for seed in range(100):
+            noise = random.Random(seed)
+            up_and_down = [noise.gauss(0, 200) for _ in range(60)]
+            self.assertEqual(self.faults(course=self.course(lambda i, noise=up_and_down: 20000 + round(noise[i]))), [], seed)
+            self.assertEqual(len(self.faults(course=self.course(lambda i, noise=up_and_down: 20000 + round(noise[i]) + 100*i))), 1, seed)
 
     def test_a_run_of_few_measurings(self):
         self.assertEqual(len(self.faults(course=self.course(lambda i: 20000)[:23])), 1)

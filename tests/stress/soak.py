@@ -3,6 +3,7 @@
 """Memory over time: an animation of many tiny frames, and one large picture, each in one process. For the
 large picture, CPU time counts, because a waiting program allocates nothing."""
 
+import itertools
 import re
 import statistics
 import subprocess
@@ -37,12 +38,24 @@ def command(setup, *options):
 
 
 def growth(course):
-    """KiB of resident memory that the second half of a run gained step by step: by the medians of its six parts, five times
-    the usual step. What is left behind is left again and again; an allocator takes much at once, now and then."""
-    second = [point["kib"] for point in course[len(course) // 2:]]
-    size = len(second) // 6
-    parts = [statistics.median_low(second[i * size:(i + 1) * size]) for i in range(6)]
+    """KiB of resident memory that the second half of a run gained: the lesser of two estimates, because each errs in its own way.
+    What is left behind is left again and again; an allocator takes much at once, now and then, which the first does not see, and
+    gives it back soon, which the second does not see."""
+    second = course[len(course) // 2:]
+    return min(by_steps([point["kib"] for point in second]), by_slopes([(point["seconds"], point["kib"]) for point in second]))
+
+
+def by_steps(sizes):
+    """By the medians of six parts, five times the usual step."""
+    size = len(sizes) // 6
+    parts = [statistics.median_low(sizes[i * size:(i + 1) * size]) for i in range(6)]
     return 5 * statistics.median_low([after - before for before, after in zip(parts, parts[1:])])
+
+
+def by_slopes(points):
+    """By the median slope of all pairs of points (Theil and Sen's estimator)."""
+    slopes = [(kib - before) / (t - start) for (start, before), (t, kib) in itertools.combinations(points, 2) if t > start]
+    return round(statistics.median(slopes) * (points[-1][0] - points[0][0])) if slopes else 0
 
 
 def summary(watched, **more):
