@@ -32,7 +32,8 @@ class Tutorial(PageTest):
             self.click_at(*place)
             if self.run("return focusPage.model.picks.length === 3 && !focusPage.model.error"):
                 return self.run(PICKED)
-        return self.fail("no three places")
+        state = "const { picks, error, mode, third } = focusPage.model; return JSON.stringify({ picks, error, mode, third });"
+        return self.fail(f"no three places: {self.run(state)}")
 
     def test_three_clicks_are_sharp_in_each_scene(self):
         self.assertGreater(len(SCENES), 6)
