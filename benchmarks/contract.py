@@ -38,7 +38,8 @@ def measure(lab, scene, tilted, part=None):
     lab.say(f"{scene.name}{' tilted' if tilted else ''}{', cropped' if part else ''}: is the requested variance kept")
     batches, samples = scene.reference
     kept = {"size": SIZE, "part": part}
-    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, (max(4, scene.contract//4) if lab.quick else scene.contract)*samples)
+    times = max(4, scene.contract//4) if lab.quick else scene.contract     # the smallest V of QUICK is a hundred times that of PICTURES
+    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, times*samples)
     rows = []
     for variance, count in (QUICK if lab.quick else PICTURES).items():
         shot = scene.shot(TILT_LENS, tilted, declare=suite.limits(LEAST, MOST, variance), options=("+N",), **kept)

@@ -42,7 +42,8 @@ void RequireUnfolded(const Lens& lens, const Character& character, double unit, 
     const double fold = FoldOf(atAxis, lens.distortion4, -std::fabs(lens.distortionNear) * Length(across));
     if (!(farthest < fold))
         throw OpticsError("distortion " + Number(character.distortion1) + ", " + Number(character.distortion2) +
-                          (character.distortionNear != 0.0 ? ", " + Number(character.distortionNear) : "") + " folds the picture: beyond " + Number(std::sqrt(fold) / unit) + " half widths of the film from the "
+                          (character.distortionNear != 0.0 ? ", " + Number(character.distortionNear) : "") +
+                          " folds the picture: beyond " + Number(std::sqrt(fold) / unit) + " half widths of the film from the "
                           "lens's axis it would show the same again, and the frame reaches to " +
                           Number(std::sqrt(farthest) / unit) + ". Give numbers nearer to 0, or shift or turn less.");
 }

@@ -5,7 +5,7 @@
 /// Samples sent at small bright objects: docs/sampling.md, section 7. An emitter twenty times as bright as white that one
 /// ray in a thousand hits is not seen by a pixel's first samples, nor by its neighbours', so that no stop rule can miss it
 /// less; and where it is seen, nearly all rays of its disc of confusion are in vain. So pixels that such an object may reach
-/// send a quarter or half of their samples at it:
+/// send half of their samples at it:
 ///
 /// - through the part of the lens that sees it from the film point, where its blur is wide;
 /// - from the part of the pixel that it covers, seen from the lens point, where its blur is narrow.

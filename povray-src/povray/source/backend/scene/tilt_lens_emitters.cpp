@@ -64,8 +64,8 @@ tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double ligh
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;
-    for (const auto& list : {scene.lightSources, scene.lightGroupLightSources})
-        for (const LightSource* light : list)
+    for (const auto* list : {&scene.lightSources, &scene.lightGroupLightSources})
+        for (const LightSource* light : *list)
             lights += std::max({0.0, double(light->colour[pRED]), double(light->colour[pGREEN]), double(light->colour[pBLUE])});
     const bool known = lights > 0.0 && !scene.radiositySettings.radiosityEnabled;
     return known ? std::min(lights, tilt_lens::kGreatestLitRadiance) : tilt_lens::kGreatestLitRadiance;

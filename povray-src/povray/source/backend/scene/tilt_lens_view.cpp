@@ -56,7 +56,7 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return s.squeeze == 1.0 ? aperture : tilt_lens::Aperture::Squeezed(aperture, s.squeeze);
 }
 
-/// Whether rays can be aimed: not where their way through the lens is known only when they have taken it.
+/// Whether rays can be sent at emitters: not where a camera normal or a lens of glass bends them.
 bool EmittersAreSampled(const Camera& camera)
 {
     return camera.Tnormal == NULL && !camera.TiltLens.lens->glass;
@@ -80,7 +80,6 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
                          [](ObjectPtr object) { return object->interior != NULL; });
 }
 
-/// A camera normal and a lens of glass bend rays, so that none can be sent at an emitter.
 std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const SceneData& scene)
 {
     return EmittersAreSampled(camera) ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
