@@ -34,7 +34,6 @@ const std::map<std::string, Field> fields = {
     FIELD(emitterShare),
     FIELD(emittersOfPixel),
     FIELD(hiddenEmitterSamples),
-    FIELD(leastRisk),
     FIELD(greatestRisk),
     FIELD(riskLimit),
     FIELD(chanceRisk),

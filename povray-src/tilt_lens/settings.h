@@ -3,8 +3,8 @@
 
 /// @file settings.h
 /// Every number that steers the sampler, the emitter sampling and the reconstruction, with its unit and its meaning.
-/// Sections are those of docs/sampling.md, whose last one has the evidence: of the numbers of Settings, what the error costs
-/// without each of them; of the constants before it, which the compiler must know or which no picture depends on, the reason.
+/// Sections are those of docs/sampling.md, whose last one has the evidence: what the error costs without each number, or the
+/// reason for its value.
 
 #ifndef TILT_LENS_SETTINGS_H
 #define TILT_LENS_SETTINGS_H
@@ -15,65 +15,51 @@
 namespace tilt_lens
 {
 
-/// @name Windows and blocks, in pixels unless said otherwise
-/// @{
-/// Side of the blocks that are sampled and reconstructed together, on a grid fixed to the whole picture.
-constexpr std::uint32_t kBlockSide = 16;
-/// Blocks from a pixel's own to the farthest that it depends on (section 10): filtering needs converged neighbours, whose
-/// stop rule needs their neighbours' first rounds.
-constexpr std::int64_t kDependencyRadius = 2;
-/// To the farthest pixels whose sample variance counts for one: 3 by 3 (sections 3 and 4).
-constexpr int kNeighbourRadius = 1;
-constexpr int kNeighbourhoodPixels = (2 * kNeighbourRadius + 1) * (2 * kNeighbourRadius + 1);
-/// To the farthest pixels that local variance ratios and residual variance ratios are pooled over: 5 by 5 (sections 3 and 8).
-constexpr int kRatioRadius = 2;
-/// From the middle of a filter to its end (section 8).
-constexpr int kFilterRadius = 4;
-/// From a pixel to the farthest whose risk counts for it: 7 by 7; and to those whose risk counts in full: 3 by 3 (section 8).
-constexpr int kRiskRadius = 3, kNearRiskRadius = 1;
-/// From a sample's pixel to the farthest pixel that it serves, along rows and columns (section 8).
-constexpr int kSpreadReach = 7;
-/// Cells, in a row, of the table of an opening that is no disc.
-constexpr int kDensityCells = 64;
-/// @}
-
-/// @name First round
-/// @{
-/// Samples of a pixel's first round where a scene does not state MIN (section 1): where the picture is reconstructed and samples
-/// are sent at emitters; and elsewhere, because small lamps are missed by four too often.
-constexpr std::uint32_t kFirstSamples = 4, kFirstSamplesAlone = 8;
-/// @}
-
-/// @name Steps and limits of computing
-/// @{
-/// Steps of the iteration for the variance ratio of the mean (section 3).
-constexpr int kRatioIterations = 4;
-/// What greater risks, and those that are no number, are taken for (section 8): sums of 49 of them are still floats.
-constexpr float kGreatestFiniteRisk = 1e12f;
-/// Camera rays that are made at a time; no picture depends on it.
-constexpr std::uint32_t kCameraRaysOfBatch = 8;
-/// Samples of the pixel of each block that the progress display tries; no picture depends on it.
-constexpr std::uint32_t kProbeSamples = 8;
-/// @}
-
-/// @name Emitter sampling (section 7)
-/// @{
-/// Radiance (1 is white) that what is lit seldom exceeds, however bright the lights are. An emitter is brighter by its own
-/// finish; all else is found as lit surfaces are.
-constexpr double kGreatestLitRadiance = 1.0;
-/// Samples that share one decision about their lens coordinate: the sequence has one of each aligned block of four in each
-/// quarter of it.
-constexpr std::uint32_t kEmitterStratum = 4;
-/// Points around the opening of the lens from which an emitter's disc of confusion is bounded.
-constexpr int kBlurBoxPoints = 16;
-/// Bins of pixels in a row or column of the picture, at most; their least side in pixels; and the emitters that a bin lists,
-/// the brightest.
-constexpr std::uint32_t kEmitterBins = 64, kLeastEmitterBinSide = 8;
-constexpr std::size_t kEmittersOfBin = 1024;
-/// @}
-
+/// What the compiler must know, since it sets the size of arrays, or what no picture depends on is constant; the ablation varies
+/// the rest.
 struct Settings
 {
+    /// @name Windows and blocks, in pixels unless said otherwise
+    /// @{
+    /// Side of the blocks that are sampled and reconstructed together, on a grid fixed to the whole picture.
+    static constexpr std::uint32_t blockSide = 16;
+    /// Blocks from a pixel's own to the farthest that it depends on (section 10): filtering needs converged neighbours, whose
+    /// stop rule needs their neighbours' first rounds.
+    static constexpr std::int64_t dependencyRadius = 2;
+    /// To the farthest pixels whose sample variance counts for one: 3 by 3 (sections 3 and 4).
+    static constexpr int neighbourRadius = 1;
+    static constexpr int neighbourhoodPixels = (2 * neighbourRadius + 1) * (2 * neighbourRadius + 1);
+    /// To the farthest pixels that local variance ratios and residual variance ratios are pooled over: 5 by 5 (sections 3 and 8).
+    static constexpr int ratioRadius = 2;
+    /// From the middle of a filter to its end (section 8).
+    static constexpr int filterRadius = 4;
+    /// From a pixel to the farthest whose risk counts for it: 7 by 7; and to those whose risk counts in full: 3 by 3 (section 8).
+    static constexpr int riskRadius = 3, nearRiskRadius = 1;
+    /// From a sample's pixel to the farthest pixel that it serves, along rows and columns (section 8).
+    static constexpr int spreadReach = 7;
+    /// Cells, in a row, of the table of an opening that is no disc.
+    static constexpr int densityCells = 64;
+    /// @}
+
+    /// @name First round
+    /// @{
+    /// Samples of a pixel's first round where a scene does not state MIN (section 1): where the picture is reconstructed and samples
+    /// are sent at emitters; and elsewhere, because small lamps are missed by four too often.
+    static constexpr std::uint32_t firstSamples = 4, firstSamplesAlone = 8;
+    /// @}
+
+    /// @name Steps and limits of computing
+    /// @{
+    /// Steps of the iteration for the variance ratio of the mean (section 3).
+    static constexpr int ratioIterations = 4;
+    /// What greater risks, and those that are no number, are taken for (section 8): sums of 49 of them are still floats.
+    static constexpr float greatestFiniteRisk = 1e12f;
+    /// Camera rays that are made at a time; no picture depends on it.
+    static constexpr std::uint32_t cameraRaysOfBatch = 8;
+    /// Samples of the pixel of each block that the progress display tries; no picture depends on it.
+    static constexpr std::uint32_t probeSamples = 8;
+    /// @}
+
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
     /// Samples after which a pixel's sample variance counts as much as that of the 3 by 3 pixels around.
@@ -110,9 +96,21 @@ struct Settings
 
     /// @name Emitter sampling (section 7)
     /// @{
+    /// Radiance (1 is white) that what is lit seldom exceeds, however bright the lights are. An emitter is brighter by its own
+    /// finish; all else is found as lit surfaces are.
+    static constexpr double greatestLitRadiance = 1.0;
+    /// Samples that share one decision about their lens coordinate: the sequence has one of each aligned block of four in each
+    /// quarter of it.
+    static constexpr std::uint32_t emitterStratum = 4;
+    /// Points around the opening of the lens from which an emitter's disc of confusion is bounded.
+    static constexpr int blurBoxPoints = 16;
+    /// Bins of pixels in a row or column of the picture, at most; their least side in pixels; and the emitters that a bin lists,
+    /// the brightest.
+    static constexpr std::uint32_t emitterBins = 64, leastEmitterBinSide = 8;
+    static constexpr std::size_t emittersOfBin = 1024;
     /// Blur, in pixels, from which on the lens point is chosen and not the film point.
     double lensPointBlur = 1.5;
-    /// Share of a pixel's samples that is sent at emitters: a multiple of 1 / kEmitterStratum.
+    /// Share of a pixel's samples that is sent at emitters: a multiple of 1 / emitterStratum.
     double emitterShare = 0.5;
     /// Emitters that one pixel's samples are sent at, at most: the brightest. With 0, no sample is.
     std::uint32_t emittersOfPixel = 16;
@@ -123,9 +121,7 @@ struct Settings
 
     /// @name Reconstruction (section 8)
     /// @{
-    /// Least risk of a filter over that of the unfiltered pixels: less is chance.
-    float leastRisk = 0.05f;
-    /// Risk over that of the unfiltered pixels from which on a filter has no weight.
+    /// Risk of a filter over that of the unfiltered pixels from which on it has no weight; below the inverse, less is chance.
     float greatestRisk = 20.0f;
     /// Limit of a pixel's risk over its noise, for pixels not beside it.
     float riskLimit = 8.0f;

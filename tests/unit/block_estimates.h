@@ -51,7 +51,7 @@ inline FirstRounds Alone(const FirstRound& round)
     return rounds;
 }
 
-constexpr Area kMiddle{kBlockSide, kBlockSide, kBlockSide, kBlockSide};
+constexpr Area kMiddle{settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide};
 
 } // namespace tilt_lens
 

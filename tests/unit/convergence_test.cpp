@@ -111,13 +111,13 @@ TEST(Reactivate, FollowsWhatAllMissedAtFirst)
     { result = Grey(id.x == kMiddle.left + 5 && id.index >= 8 && id.index % 2 == 0 ? 1.0 : 0.0); };
     Prepared block(Limits(8, 1024, 1e-4), late);
     ASSERT_FALSE(block.Update(8));
-    for (std::uint32_t y = 0; y < kBlockSide; y++)
-        block.estimate.pixels[y * kBlockSide + 5].active = true;
+    for (std::uint32_t y = 0; y < settings.blockSide; y++)
+        block.estimate.pixels[y * settings.blockSide + 5].active = true;
     TakeRound(block.estimate, 16, late);
     Reactivate(block.estimate, block.around);
     for (std::size_t i = 0; i < block.estimate.pixels.size(); i++)
     {
-        const std::size_t column = i % kBlockSide;
+        const std::size_t column = i % settings.blockSide;
         EXPECT_EQ(block.estimate.pixels[i].active, column >= 4 && column <= 6) << i;
     }
 }
@@ -131,28 +131,28 @@ TEST(Neighbourhood, BlurCoversPixelsUpToTwiceItsRadius)
         result.blurRadius = there ? 1.5 : 0.0;
     };
     Prepared block(Limits(8, 1024, 1e-4), blurred);
-    for (int y = 0; y < int(kBlockSide); y++)
-        for (int x = 0; x < int(kBlockSide); x++)
+    for (int y = 0; y < int(settings.blockSide); y++)
+        for (int x = 0; x < int(settings.blockSide); x++)
         {
             const bool covered = std::abs(x - 8) <= 3 && std::abs(y - 8) <= 3;
-            EXPECT_EQ(IsNonZero(block.around.Blurred(y * kBlockSide + x).variance), covered) << x << ", " << y;
+            EXPECT_EQ(IsNonZero(block.around.Blurred(y * settings.blockSide + x).variance), covered) << x << ", " << y;
         }
 }
 
 TEST(Neighbourhood, LooksAtFirstSamplesBesideTheBlock)
 {
     const BlockEstimate own = FirstEstimate(kMiddle, 8, Constant);
-    const BlockEstimate left = FirstEstimate({0, kBlockSide, kBlockSide, kBlockSide}, 8, WhiteNoise);
+    const BlockEstimate left = FirstEstimate({0, settings.blockSide, settings.blockSide, settings.blockSide}, 8, WhiteNoise);
     const FirstRound ownRound(own), leftRound(left);
     FirstRounds rounds = Alone(ownRound);
     rounds[3] = &leftRound;
     const Neighbourhood around(rounds, Limits(8, 1024, 1e-4));
     EXPECT_FALSE(around.IsUniformAround());
     EXPECT_NEAR(around.MeanDeviation(), 0.5 * std::sqrt(1.0 / 12.0), 0.02);
-    EXPECT_TRUE(IsNonZero(around.Around(own, 3 * kBlockSide).variance));
-    EXPECT_FALSE(IsNonZero(around.Around(own, 3 * kBlockSide + 1).variance));
+    EXPECT_TRUE(IsNonZero(around.Around(own, 3 * settings.blockSide).variance));
+    EXPECT_FALSE(IsNonZero(around.Around(own, 3 * settings.blockSide + 1).variance));
     // two rows of three outside, of variance 1/12 each, and six pixels inside
-    EXPECT_NEAR(around.Around(own, 3 * kBlockSide).variance[0], 1.0 / 12.0 / 3.0, 0.02);
+    EXPECT_NEAR(around.Around(own, 3 * settings.blockSide).variance[0], 1.0 / 12.0 / 3.0, 0.02);
 }
 
 TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
@@ -168,14 +168,14 @@ TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
     {
         const PixelEstimate& pixel = block.estimate.pixels[i];
         const double own = pixel.varianceRatio * pixel.statistics.Variation().variance[0] / 8.0;
-        const double variance = own + (i < kBlockSide ? undetected : 0.0);
+        const double variance = own + (i < settings.blockSide ? undetected : 0.0);
         candidates.push_back({i, {variance, variance, variance, 0.0, 0.0}, 0.9 * own});
     }
     ApplyDenoiserForecast(candidates, block.estimate, block.around, limits, 8);
     std::size_t converged = 0;
     for (const Candidate& one : candidates)
     {
-        if (one.pixel < kBlockSide)
+        if (one.pixel < settings.blockSide)
         {
             EXPECT_GE(LargestChannel(one.variance), undetected - 1e-9) << one.pixel;
         }

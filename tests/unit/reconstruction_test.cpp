@@ -18,7 +18,7 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(kBlockSide);
+constexpr int kSide = int(settings.blockSide);
 
 struct Pixel
 {
@@ -272,7 +272,7 @@ TEST(Reconstruction, NothingIsTooBrightForIt)
             return e;
         });
         const ReconstructedBlock rebuilt = Reconstruct(around);
-        for (int i = 0; i < int(kBlockSide * kBlockSide); i++)
+        for (int i = 0; i < int(settings.blockSide * settings.blockSide); i++)
         {
             EXPECT_GT(rebuilt.residualVarianceRatio[i], 0.0f) << bright << ", pixel " << i;
             EXPECT_LE(rebuilt.residualVarianceRatio[i], 1.0f) << bright << ", pixel " << i;

@@ -24,9 +24,9 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(kBlockSide), kReach = SpreadSums::kReach;
+constexpr int kSide = int(settings.blockSide), kReach = SpreadSums::kReach;
 /// Far from the edges of the picture.
-constexpr Area kBlock{10 * kBlockSide, 10 * kBlockSide, kBlockSide, kBlockSide};
+constexpr Area kBlock{10 * settings.blockSide, 10 * settings.blockSide, settings.blockSide, settings.blockSide};
 constexpr double kWidth = 640.0, kHeight = 480.0;
 
 Vec3 ChiefThrough(const Lens& lens, const Vec3& point)
@@ -136,7 +136,8 @@ double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
     for (int i = 0; i < 9; i++)
     {
         const int left = i % 3 * kSide, top = i / 3 * kSide;
-        SpreadSums sums({std::uint32_t(left), std::uint32_t(top), kBlockSide, kBlockSide}, 3.0 * kSide, 3.0 * kSide);
+        SpreadSums sums({std::uint32_t(left), std::uint32_t(top), settings.blockSide, settings.blockSide}, 3.0 * kSide,
+                        3.0 * kSide);
         for (int pixel = 0; pixel < kSide * kSide; pixel++)
             for (std::uint32_t sample = 0; sample < 64; sample++)
             {

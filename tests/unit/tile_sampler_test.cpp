@@ -27,7 +27,7 @@ namespace
 TEST(TileSamplerLimits, AConstantEndsAtTheMinimum)
 {
     for (const std::uint32_t min : {2u, 8u, 64u})
-        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * kBlockSide, kBlockSide, Constant))
+        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * settings.blockSide, settings.blockSide, Constant))
         {
             EXPECT_EQ(r.samples, min);
             EXPECT_NEAR(r.mean[0], 0.7, 1e-15);
@@ -50,19 +50,19 @@ TEST(TileSamplerLimits, MinimumAndMaximumAreKept)
         for (const Tracer& trace : {Tracer(Constant),
                  Tracer(WhiteNoise), Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
-                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), kBlockSide, kBlockSide, trace))
+                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), settings.blockSide, settings.blockSide, trace))
                 {
                     ASSERT_GE(r.samples, c[0]) << "of " << c[0] << ", " << c[1];
                     ASSERT_LE(r.samples, c[1]) << "of " << c[0] << ", " << c[1];
                     ASSERT_TRUE(std::isfinite(r.mean[0]) && r.variance >= 0.0);
                 }
-    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), kBlockSide, kBlockSide, WhiteNoise))
+    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), settings.blockSide, settings.blockSide, WhiteNoise))
         EXPECT_EQ(r.samples, 1000u);
 }
 
 TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
 {
-    const Area tile{2 * kBlockSide, kBlockSide, 2 * kBlockSide, kBlockSide};
+    const Area tile{2 * settings.blockSide, settings.blockSide, 2 * settings.blockSide, settings.blockSide};
     std::set<std::vector<std::uint32_t>> seen;
     std::uint64_t calls = 0, inside = 0;
     const auto trace = [&](const SampleId& id, SampleResult& light)
@@ -76,7 +76,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
                     same.pixelY == s.pixelY);
         Edge(id, light);
     };
-    BlockCache store(Limits(6, 300, 1e-4), 8 * kBlockSide, 8 * kBlockSide, tile);
+    BlockCache store(Limits(6, 300, 1e-4), 8 * settings.blockSide, 8 * settings.blockSide, tile);
     TileSampler sampler(store);
     std::uint64_t counted = 0;
     double variance = 0.0;
@@ -87,9 +87,9 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     }
     EXPECT_EQ(inside, counted);
     EXPECT_EQ(seen.size(), calls) << "a sample was traced twice";
-    EXPECT_EQ(calls - inside, 8u * (10 * kBlockSide * kBlockSide)) << "first samples of the cells around the tile";
+    EXPECT_EQ(calls - inside, 8u * (10 * settings.blockSide * settings.blockSide)) << "first samples of the blocks around the tile";
     EXPECT_EQ(sampler.Statistics().Samples(), counted);
-    EXPECT_EQ(sampler.Statistics().Pixels(), 2u * kBlockSide * kBlockSide);
+    EXPECT_EQ(sampler.Statistics().Pixels(), 2u * settings.blockSide * settings.blockSide);
     EXPECT_EQ(sampler.Statistics().notFinite, 0u);
     EXPECT_DOUBLE_EQ(sampler.Statistics().variance, variance);
 }
@@ -237,10 +237,10 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
     int stopped = 0;
     for (std::uint32_t cell = 0; cell < 25; cell++)
     {
-        const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * kBlockSide, 0, trace);
-        for (std::uint32_t y = 0; y < kBlockSide; y++)
+        const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * settings.blockSide, 0, trace);
+        for (std::uint32_t y = 0; y < settings.blockSide; y++)
             for (const std::uint32_t x : {3u, 5u})
-                stopped += results[y * kBlockSide + x].samples <= 8;
+                stopped += results[y * settings.blockSide + x].samples <= 8;
     }
     EXPECT_EQ(stopped, 0);
 }
@@ -255,9 +255,9 @@ TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
     const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
     for (std::uint32_t i = 0; i < rebuilt.size(); i++)
     {
-        if (i / kBlockSide == 4)  // there what is beside may have been missed
+        if (i / settings.blockSide == 4)  // there what is beside may have been missed
             continue;
-        EXPECT_EQ(rebuilt[i] == plain[i], i / kBlockSide < 4) << i;
+        EXPECT_EQ(rebuilt[i] == plain[i], i / settings.blockSide < 4) << i;
     }
 }
 
@@ -292,7 +292,7 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
              std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
     {
         const auto spoiled = [](const SampleId& id)
-        { return id.x == 2 * kBlockSide + 2 && id.y == kBlockSide + 3 && id.index % 8 == 5; };
+        { return id.x == 2 * settings.blockSide + 2 && id.y == settings.blockSide + 3 && id.index % 8 == 5; };
         const auto broken = [&](const SampleId& id, SampleResult& light)
         {
             Edge(id, light);
@@ -305,13 +305,14 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
             if (spoiled(id))
                 light = Radiance{};
         };
-        const Area tile{2 * kBlockSide, kBlockSide, kBlockSide, kBlockSide};
+        const Area tile{2 * settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide};
         const SamplingLimits limits = Limits(8, 1024, 1e-4);
-        BlockCache brokenStore(limits, 8 * kBlockSide, 8 * kBlockSide, tile), blackStore(limits, 8 * kBlockSide, 8 * kBlockSide, tile);
+        BlockCache brokenStore(limits, 8 * settings.blockSide, 8 * settings.blockSide, tile);
+        BlockCache blackStore(limits, 8 * settings.blockSide, 8 * settings.blockSide, tile);
         TileSampler brokenTile(brokenStore), blackTile(blackStore);
         const auto results = ResultsOf(brokenTile, tile, broken);
         EXPECT_TRUE(results == ResultsOf(blackTile, tile, black)) << bad;
-        EXPECT_EQ(brokenTile.Statistics().notFinite, results[3 * kBlockSide + 2].samples / 8) << bad;
+        EXPECT_EQ(brokenTile.Statistics().notFinite, results[3 * settings.blockSide + 2].samples / 8) << bad;
         EXPECT_EQ(blackTile.Statistics().notFinite, 0u);
     }
 }

@@ -27,7 +27,7 @@ void NoisyColumns(const SampleId& id, SampleResult& light)
 std::uint32_t SamplesBesideNoise(double variance)
 {
     std::uint32_t most = 0;
-    const std::vector<Result> results = ResultsOf(Limits(8, 65536, variance), 2 * kBlockSide, kBlockSide, NoisyColumns);
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, variance), 2 * settings.blockSide, settings.blockSide, NoisyColumns);
     for (std::uint32_t i = 0; i < results.size(); i++)
         if (i % 4 == 1 || i % 4 == 3)
             most = std::max(most, results[i].samples);
@@ -58,13 +58,14 @@ std::uint32_t MissedBy(bool denoise)
     SamplingLimits limits = Limits(8, 65536, 3e-4);
     limits.denoise = denoise;
     std::uint32_t missed = 0;
-    for (std::uint32_t left = 0; left < 5 * kBlockSide; left += kBlockSide)
+    for (std::uint32_t left = 0; left < 5 * settings.blockSide; left += settings.blockSide)
     {
-        const std::vector<Result> results = ResultsOf(limits, left, kBlockSide, Seldom);
+        const std::vector<Result> results = ResultsOf(limits, left, settings.blockSide, Seldom);
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
             bool met = false;
-            for (SampleId id{left + i % kBlockSide, kBlockSide + i / kBlockSide, 0}; id.index < results[i].samples; id.index++)
+            for (SampleId id{left + i % settings.blockSide, settings.blockSide + i / settings.blockSide, 0};
+                 id.index < results[i].samples; id.index++)
                 met = met || Noise(id, 1) < 1.0 / 12.0;
             missed += !met;
         }
@@ -81,16 +82,17 @@ TEST(TileSamplerUndetectedError, IsNotLeftToTheReconstruction)
 /// A black line along a row of pixels that fills a sixteenth of each.
 void LineAlongRow(const SampleId& id, SampleResult& light)
 {
-    light = Grey(id.y == kBlockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
+    light = Grey(id.y == settings.blockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
 }
 
 // Of three pixels side by side all may have missed it with eight samples; what is seen around them is then all alike.
 TEST(TileSamplerUndetectedError, WhatAllBesideAPixelHaveMissedIsLookedForWhereLittleNoiseIsAllowed)
 {
-    const std::uint32_t width = 32 * kBlockSide;
-    const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, kBlockSide}, width, kBlockSide, LineAlongRow);
+    const std::uint32_t width = 32 * settings.blockSide;
+    const std::vector<Result> results =
+        ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, settings.blockSide}, width, settings.blockSide, LineAlongRow);
     for (std::uint32_t x = 0; x < width; x++)
-        EXPECT_NEAR(results[kBlockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
+        EXPECT_NEAR(results[settings.blockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
     EXPECT_LE(results[0].samples, 64u);  // and not without end, far from the line
 }
 
@@ -108,7 +110,7 @@ Tracer HiddenLamp(double light)
 std::uint32_t SamplesForHiddenLamp(double light, double variance)
 {
     std::uint32_t most = 0;
-    for (const Result& result : ResultsOf(Limits(8, 65536, variance), kBlockSide, kBlockSide, HiddenLamp(light)))
+    for (const Result& result : ResultsOf(Limits(8, 65536, variance), settings.blockSide, settings.blockSide, HiddenLamp(light)))
         most = std::max(most, result.samples);
     return most;
 }

@@ -106,13 +106,13 @@ Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_
     Score score;
     for (std::uint32_t cell = 0; cell < cells; cell++)
     {
-        const std::uint32_t left = cell % 8 * kBlockSide, top = cell / 8 * kBlockSide;
+        const std::uint32_t left = cell % 8 * settings.blockSide, top = cell / 8 * settings.blockSide;
         const std::vector<Result> results = ResultsOf(limits, left, top, picture.trace);
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
             const Result& r = results[i];
             const double error =
-                std::pow(r.mean[0] - picture.mean(left + i % kBlockSide, top + i / kBlockSide), 2);
+                std::pow(r.mean[0] - picture.mean(left + i % settings.blockSide, top + i / settings.blockSide), 2);
             score.error += error;
             score.claimed += r.variance;
             score.beyond += error > 4.0 * limits.variance;

@@ -31,8 +31,8 @@ Quadrants RatiosOf(const Tracer& trace, std::uint32_t rounds)
             TakeRound(estimate, samples, trace);
         UpdateVarianceRatios(estimate, samples);
     }
-    return {estimate.pixels[0].varianceRatio, estimate.pixels[kBlockSide - 1].varianceRatio,
-            estimate.pixels[kBlockSide * (kBlockSide - 1)].varianceRatio, estimate.pixels.back().varianceRatio};
+    return {estimate.pixels[0].varianceRatio, estimate.pixels[settings.blockSide - 1].varianceRatio,
+            estimate.pixels[settings.blockSide * (settings.blockSide - 1)].varianceRatio, estimate.pixels.back().varianceRatio};
 }
 
 TEST(VarianceRatio, OfIndependentSamplesIsAboutOne)
@@ -69,7 +69,7 @@ TEST(VarianceRatio, OfStratifiedSamplesFallsWithTheirNumber)
 TEST(VarianceRatio, IsOfEachQuadrantAlone)
 {
     const Quadrants ratios = RatiosOf([](const SampleId& id, SampleResult& result)
-        { (id.x < kMiddle.left + kBlockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
+        { (id.x < kMiddle.left + settings.blockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
     EXPECT_LT(ratios[0], 0.2);
     EXPECT_GT(ratios[1], 0.6);
     EXPECT_LT(ratios[2], 0.2);
@@ -112,17 +112,17 @@ TEST(VarianceRatio, OfTheMeanSolvesBothEquations)
 TEST(LocalVarianceRatios, TellSmoothPixelsFromNoisyOnesBesideThem)
 {
     const auto half = [](const SampleId& id, SampleResult& result)
-    { (id.y < kMiddle.top + kBlockSide / 2 ? Ramp : WhiteNoise)(id, result); };
+    { (id.y < kMiddle.top + settings.blockSide / 2 ? Ramp : WhiteNoise)(id, result); };
     BlockEstimate estimate = FirstEstimate(kMiddle, 8, half);
     UpdateVarianceRatios(estimate, 8);
     TakeRound(estimate, 16, half);
     UpdateVarianceRatios(estimate, 16);
     const std::vector<double> ratios = LocalVarianceRatios(estimate);
     double smooth = 0.0, noisy = 0.0;
-    for (std::size_t x = 0; x < kBlockSide; x++)
+    for (std::size_t x = 0; x < settings.blockSide; x++)
     {
-        smooth += ratios[2 * kBlockSide + x] / kBlockSide;
-        noisy += ratios[(kBlockSide - 3) * kBlockSide + x] / kBlockSide;
+        smooth += ratios[2 * settings.blockSide + x] / settings.blockSide;
+        noisy += ratios[(settings.blockSide - 3) * settings.blockSide + x] / settings.blockSide;
     }
     EXPECT_LT(smooth, 0.25);
     EXPECT_GT(noisy, 0.5);

@@ -11,7 +11,7 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(kBlockSide);
+constexpr int kSide = int(settings.blockSide);
 
 /// Copies what of a block's row lies around another block; `place` is -1 left of it, 0, or 1 right of it. Instead of the
 /// neighbour's own row that of a block in the middle may be mirrored.
@@ -34,7 +34,7 @@ void CopyRow(const float* from, int place, bool mirror, float* row)
 void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference,
                           double noise, std::uint32_t samples)
 {
-    const std::size_t i = y * kBlockSide + x;
+    const std::size_t i = y * settings.blockSide + x;
     for (std::size_t c = 0; c < mean.size(); c++)
     {
         planes[kMean + c][i] = mean[c];
@@ -47,12 +47,12 @@ void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean
 
 void BlockStatistics::RepeatEdges(std::uint32_t width, std::uint32_t height)
 {
-    if (width == kBlockSide && height == kBlockSide)
+    if (width == settings.blockSide && height == settings.blockSide)
         return;
     for (BlockPlane& plane : planes)
-        for (std::uint32_t y = 0; y < kBlockSide; y++)
-            for (std::uint32_t x = 0; x < kBlockSide; x++)
-                plane[y * kBlockSide + x] = plane[std::min(y, height - 1) * kBlockSide + std::min(x, width - 1)];
+        for (std::uint32_t y = 0; y < settings.blockSide; y++)
+            for (std::uint32_t x = 0; x < settings.blockSide; x++)
+                plane[y * settings.blockSide + x] = plane[std::min(y, height - 1) * settings.blockSide + std::min(x, width - 1)];
 }
 
 PaddedBlock::PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks)

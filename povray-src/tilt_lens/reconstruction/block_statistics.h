@@ -20,7 +20,7 @@ namespace tilt_lens
 {
 
 /// A value of each pixel of a block, row by row.
-using BlockPlane = std::array<float, kBlockSide * kBlockSide>;
+using BlockPlane = std::array<float, settings.blockSide * settings.blockSide>;
 
 /// What is known of a block's pixels. Beyond the picture's edge pixels are repeated.
 class BlockStatistics
@@ -57,13 +57,13 @@ class BlockStatistics
 class PaddedBlock
 {
   public:
-    static constexpr int kBorder = kFilterRadius + kRiskRadius;
-    static constexpr int kRows = int(kBlockSide) + 2 * kBorder;
+    static constexpr int kBorder = settings.filterRadius + settings.riskRadius;
+    static constexpr int kRows = int(settings.blockSide) + 2 * kBorder;
     static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< as many, rounded up to whole vector registers
 
     using Plane = std::array<float, kRows * kColumns>;
 
-    /// Where in a Plane pixel (x, y) is, relative to the block's first one, -kBorder <= x, y < kBlockSide + kBorder.
+    /// Where in a Plane pixel (x, y) is, relative to the block's first one, -kBorder <= x, y < blockSide + kBorder.
     static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
     /// @param blocks  the block, which is in the middle, and its eight neighbours, row by row. Those that are null are

@@ -21,7 +21,7 @@ namespace tilt_lens
 enum Filter { kNone, kFit5, kFit9, kMean9, kAhead5, kBehind5, kFilters };
 
 /// Taps from the middle one to one end, or to both.
-constexpr float kTaps[kFilters][kFilterRadius + 1] = {
+constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {1.0f},
     {17.0f / 35, 12.0f / 35, -3.0f / 35},
     {59.0f / 231, 54.0f / 231, 39.0f / 231, 14.0f / 231, -21.0f / 231},
@@ -43,7 +43,7 @@ constexpr Filter kBank[][2] = {
 template<Filter kFilter>
 Float4 Filtered(const float* at, int step)
 {
-    constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : kFilterRadius;
+    constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : settings.filterRadius;
     Float4 sum = kTaps[kFilter][0] * Load<Float4>(at);
     for (int i = 1; i <= reach; i++)
     {

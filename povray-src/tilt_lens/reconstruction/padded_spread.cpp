@@ -17,7 +17,7 @@ std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent)
 
 PaddedSpread::PaddedSpread(const Sent& sent)
 {
-    constexpr int side = int(kBlockSide), border = PaddedBlock::kBorder, reach = SpreadSums::kReach;
+    constexpr int side = int(settings.blockSide), border = PaddedBlock::kBorder, reach = SpreadSums::kReach;
     static_assert(border + reach <= side, "samples of the neighbours must be all that reaches the border");
     std::vector<SpreadSum> received(PaddedBlock::kRows * PaddedBlock::kColumns);
     ownShare.fill(1.0f);

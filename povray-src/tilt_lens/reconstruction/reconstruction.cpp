@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr int kColumns = PaddedBlock::kColumns;
-constexpr int kSide = int(kBlockSide);
+constexpr int kSide = int(settings.blockSide);
 constexpr int kPixels = kSide * kSide;
 
 using Plane = PaddedBlock::Plane;
@@ -105,8 +105,8 @@ class FilteredRows
         const auto filter = [](const Part& part, const Plane& from, Plane& to)
         {
             Part higher = part;
-            higher.top -= kFilterRadius;
-            higher.bottom += kFilterRadius;
+            higher.top -= settings.filterRadius;
+            higher.bottom += settings.filterRadius;
             higher.ForEachFour([&](int i) { Store(&to[i], Filtered<kFilter>(&from[i], 1)); });
         };
         for (int c = 0; c < kChannels; c++)
@@ -140,7 +140,7 @@ class RiskWeightedMean
 {
   public:
     RiskWeightedMean(const PaddedBlock& around, const Rows& rows) :
-        around(around), rows(rows), risky(rows, kRiskRadius), wanted(rows, 0)
+        around(around), rows(rows), risky(rows, settings.riskRadius), wanted(rows, 0)
     {
         const Float4 least = Float4() + 1e-30f, most = Float4() + 1e30f;
         risky.ForEachFour([&](int i)
@@ -150,8 +150,8 @@ class RiskWeightedMean
             Store(&units[i], unit);
             Store(&noises[i], unit * variance);
         });
-        MeanAround<kRiskRadius>(noises, rows, noiseAround);
-        MeanAround<kNearRiskRadius>(noises, rows, noiseNear);
+        MeanAround<settings.riskRadius>(noises, rows, noiseAround);
+        MeanAround<settings.nearRiskRadius>(noises, rows, noiseNear);
     }
 
     /// @param candidate  linear in the pixels: its Mean(channel, i) of the four pixels at place i, the same filter's
@@ -161,8 +161,8 @@ class RiskWeightedMean
     void Add(const Candidate& candidate)
     {
         FindRisk(candidate);
-        MeanAround<kRiskRadius>(limited, rows, riskAround);
-        MeanAround<kNearRiskRadius>(risk, rows, riskNear);
+        MeanAround<settings.riskRadius>(limited, rows, riskAround);
+        MeanAround<settings.nearRiskRadius>(risk, rows, riskNear);
         wanted.ForEachFour([&](int i)
         {
             const Float4 weight = candidate.Preference(i) * WeightOf(i);
@@ -214,7 +214,7 @@ class RiskWeightedMean
                 squares += difference * difference;
             }
             const Float4 noise = Load<Float4>(&noises[i]), all = squares * Load<Float4>(&units[i]) - noiseTaken * noise;
-            const Float4 whole = Min(all, Float4() + kGreatestFiniteRisk);
+            const Float4 whole = Min(all, Float4() + settings.greatestFiniteRisk);
             Store(&risk[i], whole);
             Store(&limited[i], Min(whole, settings.riskLimit * noise));
         });
@@ -224,7 +224,7 @@ class RiskWeightedMean
     {
         const Float4 before = Load<Float4>(&noiseAround[i]);
         const Float4 near = Load<Float4>(&riskNear[i]) - settings.chanceRisk * Load<Float4>(&noiseNear[i]);
-        const Float4 after = Max(Max(Load<Float4>(&riskAround[i]), near), settings.leastRisk * before + 1e-30f);
+        const Float4 after = Max(Max(Load<Float4>(&riskAround[i]), near), 1.0f / settings.greatestRisk * before + 1e-30f);
         const Float4 root = Max(before / after - 1.0f / settings.greatestRisk, Float4());
         return root * root;
     }
@@ -251,7 +251,7 @@ void DivideBy(SquaredDifference& sum, float divisor)
 /// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around; 1 where none is noisy.
 BlockPlane ResidualVarianceRatio(const std::vector<SquaredDifference>& differences)
 {
-    const std::vector<SquaredDifference> around = WindowMeans<kRatioRadius>(differences, kSide);
+    const std::vector<SquaredDifference> around = WindowMeans<settings.ratioRadius>(differences, kSide);
     BlockPlane ratio;
     std::transform(around.begin(), around.end(), ratio.begin(), [](const SquaredDifference& mean)
         { return mean.before > 0.0f ? std::min(1.0f, mean.after / mean.before + settings.leastResidualRatio) : 1.0f; });
@@ -306,8 +306,8 @@ class SpreadCandidate
         if (!kCorrected)
             return;
         Part higher = part;
-        higher.top -= kFilterRadius;
-        higher.bottom += kFilterRadius;
+        higher.top -= settings.filterRadius;
+        higher.bottom += settings.filterRadius;
         higher.ForEachFour([&](int i) { Store(&rows[i], Filtered<kMean9>(&missing[i], 1)); });
         part.ForEachFour([&](int i)
             { Store(&estimate[i], Load<Float4>(&estimate[i]) + Filtered<kMean9>(&rows[i], kColumns)); });

@@ -41,7 +41,7 @@ namespace tilt_lens
 /// Rows of a block, from the first to before the end.
 struct Rows
 {
-    int begin = 0, end = int(kBlockSide);
+    int begin = 0, end = int(settings.blockSide);
 
     bool IsEmpty() const { return begin >= end; }
     bool Has(int row) const { return row >= begin && row < end; }

@@ -25,18 +25,18 @@ LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double 
     axisB = axis(lens.lensY);
     if (aperture.IsDisc())
         return;
-    for (int row = 0; row < kDensityCells; row++)
-        for (int column = 0; column < kDensityCells; column++)
-            density.push_back(float(aperture.Density({boundingRadius * ((2.0 * column + 1.0) / kDensityCells - 1.0),
-                                                      boundingRadius * ((2.0 * row + 1.0) / kDensityCells - 1.0)})));
+    for (int row = 0; row < settings.densityCells; row++)
+        for (int column = 0; column < settings.densityCells; column++)
+            density.push_back(float(aperture.Density({boundingRadius * ((2.0 * column + 1.0) / settings.densityCells - 1.0),
+                                                      boundingRadius * ((2.0 * row + 1.0) / settings.densityCells - 1.0)})));
 }
 
 float LensFootprint::DensityAt(float a, float b) const
 {
-    const float scale = 0.5f * kDensityCells / boundingRadius;
-    const int column = std::clamp(int((a + boundingRadius) * scale), 0, kDensityCells - 1);
-    const int row = std::clamp(int((b + boundingRadius) * scale), 0, kDensityCells - 1);
-    return density[row * kDensityCells + column];
+    const float scale = 0.5f * settings.densityCells / boundingRadius;
+    const int column = std::clamp(int((a + boundingRadius) * scale), 0, settings.densityCells - 1);
+    const int row = std::clamp(int((b + boundingRadius) * scale), 0, settings.densityCells - 1);
+    return density[row * settings.densityCells + column];
 }
 
 /// The hit lies along the chief ray's direction plus `vergence` times the lens point; M is the derivative by the lens point.
@@ -143,7 +143,7 @@ SpreadSums::SpreadSums(const Area& block, double width, double height) :
 
 void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
 {
-    Own& itself = own[row * int(kBlockSide) + column];
+    Own& itself = own[row * int(settings.blockSide) + column];
     itself.samples += 1.0f;
     const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};
     const bool finite = std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]);

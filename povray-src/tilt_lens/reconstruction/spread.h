@@ -95,8 +95,8 @@ class SpreadSums
 {
   public:
     /// Pixels, along rows and columns, from a sample's own pixel to the farthest that it serves.
-    static constexpr int kReach = kSpreadReach;
-    static constexpr int kSide = int(kBlockSide) + 2 * kReach;
+    static constexpr int kReach = settings.spreadReach;
+    static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
 
     /// @param block  whose pixels send, in the whole picture
     /// @param width, height  of the whole picture, pixels
@@ -107,11 +107,11 @@ class SpreadSums
     /// @param circle  with a centre relative to the block's upper left corner
     void Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
 
-    /// Of pixel (x, y), -kReach <= x, y < kBlockSide + kReach; nothing that it sent to itself.
+    /// Of pixel (x, y), -kReach <= x, y < blockSide + kReach; nothing that it sent to itself.
     const SpreadSum& At(int x, int y) const { return sums[(y + kReach) * kSide + x + kReach]; }
     /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
-    float OwnShare(int x, int y) const { return own[y * int(kBlockSide) + x].share; }
-    float OwnSamples(int x, int y) const { return own[y * int(kBlockSide) + x].samples; }
+    float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
+    float OwnSamples(int x, int y) const { return own[y * int(settings.blockSide) + x].samples; }
     /// Whether any sample has served another pixel.
     bool IsSpread() const { return spread; }
 
@@ -123,7 +123,7 @@ class SpreadSums
 
     PictureSpan columns, rows;
     std::array<SpreadSum, kSide * kSide> sums{};
-    std::array<Own, kBlockSide * kBlockSide> own{};
+    std::array<Own, settings.blockSide * settings.blockSide> own{};
     bool spread = false;
 };
 

@@ -26,9 +26,9 @@ std::uint32_t Overlap(const Area& a, const Area& b)
 
 Area BlocksOf(const Area& pixels)
 {
-    const std::uint32_t left = pixels.left / kBlockSide, top = pixels.top / kBlockSide;
-    const std::uint32_t right = (pixels.Right() + kBlockSide - 1) / kBlockSide;
-    const std::uint32_t bottom = (pixels.Bottom() + kBlockSide - 1) / kBlockSide;
+    const std::uint32_t left = pixels.left / settings.blockSide, top = pixels.top / settings.blockSide;
+    const std::uint32_t right = (pixels.Right() + settings.blockSide - 1) / settings.blockSide;
+    const std::uint32_t bottom = (pixels.Bottom() + settings.blockSide - 1) / settings.blockSide;
     return {left, top, right - left, bottom - top};
 }
 
@@ -44,13 +44,14 @@ BlockCache::BlockCache(const SamplingLimits& limits, std::uint32_t width, std::u
 
 bool BlockCache::IsInside(const Place& place) const
 {
-    return place.first >= 0 && place.second >= 0 && place.first * kBlockSide < height && place.second * kBlockSide < width;
+    return place.first >= 0 && place.second >= 0 && place.first * settings.blockSide < height &&
+           place.second * settings.blockSide < width;
 }
 
 Area BlockCache::PixelsOf(const Place& place) const
 {
-    const std::uint32_t left = place.second * kBlockSide, top = place.first * kBlockSide;
-    return {left, top, std::min(kBlockSide, width - left), std::min(kBlockSide, height - top)};
+    const std::uint32_t left = place.second * settings.blockSide, top = place.first * settings.blockSide;
+    return {left, top, std::min(settings.blockSide, width - left), std::min(settings.blockSide, height - top)};
 }
 
 std::uint16_t& BlockCache::ToCome(const Place& place)
@@ -73,8 +74,8 @@ std::shared_ptr<Block> BlockCache::Get(const Place& place)
     if (!entry.block)
     {
         entry.block = std::make_shared<Block>(PixelsOf(place), width, height);
-        for (std::int64_t dy = -kDependencyRadius; dy <= kDependencyRadius; dy++)
-            for (std::int64_t dx = -kDependencyRadius; dx <= kDependencyRadius; dx++)
+        for (std::int64_t dy = -settings.dependencyRadius; dy <= settings.dependencyRadius; dy++)
+            for (std::int64_t dx = -settings.dependencyRadius; dx <= settings.dependencyRadius; dx++)
                 entry.users += HasToCome({place.first + dy, place.second + dx});
     }
     return entry.block;
@@ -103,13 +104,13 @@ std::shared_ptr<Block> BlockCache::ConvergedBlock(const Place& place, const Trac
 
 std::shared_ptr<const Block> BlockCache::Converged(std::uint32_t x, std::uint32_t y, const Tracer& trace)
 {
-    return ConvergedBlock({y / kBlockSide, x / kBlockSide}, trace);
+    return ConvergedBlock({y / settings.blockSide, x / settings.blockSide}, trace);
 }
 
 BlockCache::BlockAndNeighbours BlockCache::ConvergedAround(std::uint32_t x, std::uint32_t y, const Tracer& trace)
 {
     BlockAndNeighbours around;
-    const Place place(y / kBlockSide, x / kBlockSide);
+    const Place place(y / settings.blockSide, x / settings.blockSide);
     for (int i = 0; i < 9; i++)
         around[i] = ConvergedBlock({place.first + i / 3 - 1, place.second + i % 3 - 1}, trace);
     return around;
@@ -126,8 +127,8 @@ void BlockCache::Release(const Area& tile)
             left -= Overlap(PixelsOf({row, column}), tile);
             if (left > 0)
                 continue;
-            for (std::int64_t dy = -kDependencyRadius; dy <= kDependencyRadius; dy++)
-                for (std::int64_t dx = -kDependencyRadius; dx <= kDependencyRadius; dx++)
+            for (std::int64_t dy = -settings.dependencyRadius; dy <= settings.dependencyRadius; dy++)
+                for (std::int64_t dx = -settings.dependencyRadius; dx <= settings.dependencyRadius; dx++)
                 {
                     const auto user = entries.find({row + dy, column + dx});
                     if (user != entries.end() && --user->second.users == 0)

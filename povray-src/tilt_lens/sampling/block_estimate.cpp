@@ -39,8 +39,8 @@ SampleVariation VariationAround(const BlockEstimate& estimate, std::size_t pixel
     const std::int64_t left = pixel % area.width, top = pixel / area.width;
     SampleVariation around;
     int count = 0;
-    for (std::int64_t y = top - kNeighbourRadius; y <= top + kNeighbourRadius; y++)
-        for (std::int64_t x = left - kNeighbourRadius; x <= left + kNeighbourRadius; x++)
+    for (std::int64_t y = top - settings.neighbourRadius; y <= top + settings.neighbourRadius; y++)
+        for (std::int64_t x = left - settings.neighbourRadius; x <= left + settings.neighbourRadius; x++)
         {
             const FirstRound* round = nullptr;
             if (x >= 0 && x < area.width && y >= 0 && y < area.height)

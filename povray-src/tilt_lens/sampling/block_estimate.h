@@ -48,7 +48,7 @@ struct BlockEstimate
 
     std::size_t QuadrantOf(std::size_t pixel) const
     {
-        return 2 * (pixel / area.width / (kBlockSide / 2)) + pixel % area.width / (kBlockSide / 2);
+        return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
     }
     /// Whether no sample of any pixel differs from its others.
     bool IsUniform() const;

@@ -84,7 +84,7 @@ class CameraRayBatch
     /// @param first  samples that each pixel gets in its first round
     /// @param seed   of the pattern of samples (Statement::sampleSeed)
     CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t first, std::uint32_t seed) :
-        lens(lens), emitters(emitters), glass(glass), ahead(std::min(kCameraRaysOfBatch, first)), seed(seed)
+        lens(lens), emitters(emitters), glass(glass), ahead(std::min(settings.cameraRaysOfBatch, first)), seed(seed)
     {
     }
 
@@ -114,13 +114,13 @@ class CameraRayBatch
     EmitterSampler::Targets targets;
     SampleId first{};
     std::uint32_t count = 0;
-    std::array<CameraRay, kCameraRaysOfBatch> rays;
+    std::array<CameraRay, settings.cameraRaysOfBatch> rays;
 
     void Make(const SampleId& from)
     {
         first = from;
         count = ahead;
-        std::array<SequencePoint, kCameraRaysOfBatch> points;
+        std::array<SequencePoint, settings.cameraRaysOfBatch> points;
         for (std::uint32_t i = 0; i < count; i++)
             points[i] = sampler(from.index + i);
         if (glass != nullptr)

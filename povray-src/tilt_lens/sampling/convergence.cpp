@@ -56,7 +56,7 @@ double Shrinkage(std::uint32_t samples)
 double ConfidenceFactor(std::uint32_t samples, double shrinkage, double confidence)
 {
     // weights of the pixel's own variance and of those around it
-    constexpr double pixels = kNeighbourhoodPixels;
+    constexpr double pixels = settings.neighbourhoodPixels;
     const double own = 1.0 - shrinkage + shrinkage / pixels, others = (pixels - 1.0) * Square(shrinkage / pixels);
     const double freedom = settings.pooledPixels * (samples - 1) / (Square(own) + others);
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);

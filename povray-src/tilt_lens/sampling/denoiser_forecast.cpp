@@ -17,7 +17,7 @@ namespace
 /// Where in a BlockPlane a pixel of the block is.
 std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 {
-    return pixel / estimate.area.width * kBlockSide + pixel % estimate.area.width;
+    return pixel / estimate.area.width * settings.blockSide + pixel % estimate.area.width;
 }
 
 /// A candidate's variance after the reconstruction.
@@ -85,7 +85,7 @@ void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& es
         const Candidate denoised{one.pixel, ForecastVariance(one, estimate, samples), one.target};
         return !one.HasConverged() && denoised.HasConverged();
     });
-    if (saved * samples < settings.forecastCost * kBlockSide * kBlockSide)
+    if (saved * samples < settings.forecastCost * settings.blockSide * settings.blockSide)
         return;
     const BlockPlane ratios = ForecastRatios(estimate, around, samples == limits.FirstRound());
     for (Candidate& one : candidates)

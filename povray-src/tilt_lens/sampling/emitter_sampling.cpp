@@ -23,9 +23,9 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
                                std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all,
                                const Vignetting& itsVignetting) :
     lens(itsLens), aperture(itsAperture), vignetting(itsVignetting), width(itsWidth), height(itsHeight),
-    usable(limits.max / kEmitterStratum * kEmitterStratum)
+    usable(limits.max / settings.emitterStratum * settings.emitterStratum)
 {
-    if (limits.FirstRound() < kEmitterStratum)
+    if (limits.FirstRound() < settings.emitterStratum)
         return;
     for (const Emitter& emitter : all)
         Keep(emitter, limits.FirstRound() * limits.variance);
@@ -49,13 +49,13 @@ bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& p
 /// The box around a point's disc of confusion, from points of a circle around the opening; a little more, since they are few.
 EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
-    const double radius = aperture.BoundingRadius() / std::cos(pi / kBlurBoxPoints);
+    const double radius = aperture.BoundingRadius() / std::cos(pi / settings.blurBoxPoints);
     Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
     whole = true;
-    for (int i = 0; i < kBlurBoxPoints; i++)
+    for (int i = 0; i < settings.blurBoxPoints; i++)
     {
         double x, y;
-        const double turn = 2.0 * pi * i / kBlurBoxPoints;
+        const double turn = 2.0 * pi * i / settings.blurBoxPoints;
         whole = whole && PixelPositionOf(centre, {radius * std::cos(turn), radius * std::sin(turn)}, x, y);
         if (!whole)
             break;
@@ -96,7 +96,7 @@ bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
 /// Notes for bins of pixels which emitters may be seen there, so that a pixel asks few.
 void EmitterSampler::Distribute()
 {
-    binSide = std::max(kLeastEmitterBinSide, std::uint32_t(std::ceil(std::max(width, height) / kEmitterBins)));
+    binSide = std::max(settings.leastEmitterBinSide, std::uint32_t(std::ceil(std::max(width, height) / settings.emitterBins)));
     columns = std::uint32_t(std::ceil(width / binSide));
     const std::uint32_t rows = std::uint32_t(std::ceil(height / binSide));
     bins.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
@@ -113,7 +113,7 @@ void EmitterSampler::Distribute()
         const std::uint32_t bottom = std::uint32_t(std::min(height - 1.0, box.bottom)) / binSide;
         for (std::uint32_t row = top; row <= bottom; row++)
             for (std::uint32_t column = left; column <= right; column++)
-                if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < kEmittersOfBin)
+                if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < settings.emittersOfBin)
                     list.push_back(i);
     }
 }

@@ -42,7 +42,7 @@ void Neighbourhood::FindBlurred()
             count++;
             const FirstRoundPixel& other = round->At(x, y);
             const double reach = settings.blurReach * other.blurRadius;
-            if (reach >= kBlockSide)
+            if (reach >= settings.blockSide)
                 everywhere.Merge(other.variation);
             else
                 AddBlurred(x, y, reach, other.variation);

@@ -34,15 +34,15 @@ void ProgressEstimator::Plan(const Area& rendered, bool probing)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     area = rendered;
-    columns = (area.width + kBlockSide - 1) / kBlockSide;
-    const std::size_t blocks = std::size_t(columns) * ((area.height + kBlockSide - 1) / kBlockSide);
+    columns = (area.width + settings.blockSide - 1) / settings.blockSide;
+    const std::size_t blocks = std::size_t(columns) * ((area.height + settings.blockSide - 1) / settings.blockSide);
     weights.assign(blocks, 1.0);
     pixels.assign(blocks, 0);
     finished.assign(blocks, 0);
-    for (std::uint32_t y = 0; y < area.height; y += kBlockSide)
-        for (std::uint32_t x = 0; x < area.width; x += kBlockSide)
-            pixels[y / kBlockSide * columns + x / kBlockSide] =
-                std::min(kBlockSide, area.width - x) * std::min(kBlockSide, area.height - y);
+    for (std::uint32_t y = 0; y < area.height; y += settings.blockSide)
+        for (std::uint32_t x = 0; x < area.width; x += settings.blockSide)
+            pixels[y / settings.blockSide * columns + x / settings.blockSide] =
+                std::min(settings.blockSide, area.width - x) * std::min(settings.blockSide, area.height - y);
     given = tried = probing ? 0 : blocks;
     all = double(area.width) * area.height;
     done = 0.0;
@@ -54,8 +54,8 @@ std::optional<ProgressEstimator::Probe> ProgressEstimator::NextProbe()
     if (given == weights.size())
         return {};
     const std::size_t block = given++;
-    const auto middle = [](std::uint32_t from, std::uint32_t end) { return from + std::min(kBlockSide, end - from) / 2; };
-    const std::uint32_t x = block % columns * kBlockSide, y = block / columns * kBlockSide;
+    const auto middle = [](std::uint32_t from, std::uint32_t end) { return from + std::min(settings.blockSide, end - from) / 2; };
+    const std::uint32_t x = block % columns * settings.blockSide, y = block / columns * settings.blockSide;
     return Probe{block, area.left + middle(x, area.width), area.top + middle(y, area.height)};
 }
 
@@ -75,7 +75,7 @@ void ProgressEstimator::Finish(const Area& tile)
         for (std::uint32_t x = tile.left; x < tile.Right(); x++)
             if (area.Has(x, y))
             {
-                const std::size_t block = (y - area.top) / kBlockSide * columns + (x - area.left) / kBlockSide;
+                const std::size_t block = (y - area.top) / settings.blockSide * columns + (x - area.left) / settings.blockSide;
                 finished[block]++;
                 done += weights[block];
             }

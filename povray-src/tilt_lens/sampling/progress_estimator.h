@@ -5,8 +5,8 @@
 /// What share of a picture's work is done, where a pixel may cost a few rays or a thousand.
 ///
 /// The tiles that are done say nothing of those to come: sky often comes first, and half of the pixels
-/// may be a tenth of the work. So before the first tile one pixel in each block of kBlockSide by kBlockSide
-/// is tried with kProbeSamples samples (some 0.03 a pixel of the picture), and the block is expected to cost what that pixel
+/// may be a tenth of the work. So before the first tile one pixel in each block of blockSide by blockSide
+/// is tried with probeSamples samples (some 0.03 a pixel of the picture), and the block is expected to cost what that pixel
 /// would: the samples until its variance is reached, times the rays of one sample. The blocks' shares are then fixed,
 /// so what is shown never falls, and ends at 1.
 ///

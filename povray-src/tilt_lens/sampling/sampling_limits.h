@@ -19,7 +19,7 @@ namespace tilt_lens
 /// says nothing.
 struct SamplingLimits
 {
-    std::uint32_t min = kFirstSamplesAlone, max = 1024;  ///< samples per pixel, 1 <= min <= max
+    std::uint32_t min = settings.firstSamplesAlone, max = 1024;  ///< samples per pixel, 1 <= min <= max
     double variance = 1e-4;             ///< of a pixel's value, where its brightness is at most 1
     double confidence = 0.9;            ///< that the variance is below, (0, 1)
     bool denoise = false;               ///< filter the noise (reconstruction.h)

@@ -13,8 +13,8 @@ void TileSampler::Run(const Area& wanted, const Tracer& trace)
 {
     tile = wanted;
     pixels.assign(tile.Size(), PixelResult());
-    for (std::uint32_t y = tile.top - tile.top % kBlockSide; y < tile.Bottom(); y += kBlockSide)
-        for (std::uint32_t x = tile.left - tile.left % kBlockSide; x < tile.Right(); x += kBlockSide)
+    for (std::uint32_t y = tile.top - tile.top % settings.blockSide; y < tile.Bottom(); y += settings.blockSide)
+        for (std::uint32_t x = tile.left - tile.left % settings.blockSide; x < tile.Right(); x += settings.blockSide)
             RunBlock(x, y, trace);
     cache.Release(tile);
 }
@@ -42,7 +42,7 @@ void TileSampler::RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& 
     ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel)
     {
         const int row = y - block->area.top;
-        const std::size_t i = row * kBlockSide + x - block->area.left;
+        const std::size_t i = row * settings.blockSide + x - block->area.left;
         const Radiance mean = reconstructed.MeanOf(i);
         if (!rows.Has(row) || !IsFinite(mean))  // beside what a float cannot hold
             return;

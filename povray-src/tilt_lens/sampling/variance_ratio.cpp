@@ -52,7 +52,7 @@ double VarianceRatioTerms::Ratio(double before, double pixels) const
 double RatioOfMean(double dualBufferRatio, double samples)
 {
     double ratio = std::min(1.0, dualBufferRatio);
-    for (int i = 0; i < kRatioIterations && ratio > 0.0; i++)
+    for (int i = 0; i < settings.ratioIterations && ratio > 0.0; i++)
         ratio = std::min(1.0, dualBufferRatio / (std::exp2(1.0 - std::log(ratio) / std::log(samples)) - 1.0));
     return ratio;
 }
@@ -80,12 +80,12 @@ std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate)
     std::vector<VarianceRatioTerms> terms(estimate.pixels.size());
     for (std::size_t i = 0; i < terms.size(); i++)
         terms[i].Add(estimate.pixels[i].statistics);
-    terms = WindowMeans<kRatioRadius>(terms, estimate.area.width);
+    terms = WindowMeans<settings.ratioRadius>(terms, estimate.area.width);
     std::vector<double> ratios;
     for (std::size_t i = 0; i < terms.size(); i++)
     {
         const double ofQuadrant = estimate.dualBufferRatio[estimate.QuadrantOf(i)];
-        const double around = terms[i].Ratio(ofQuadrant, Square(2 * kRatioRadius + 1));
+        const double around = terms[i].Ratio(ofQuadrant, Square(2 * settings.ratioRadius + 1));
         // the dual buffers overstate all ratios of a quadrant alike
         ratios.push_back(ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, around) / ofQuadrant : 0.0);
     }

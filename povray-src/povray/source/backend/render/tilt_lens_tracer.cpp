@@ -247,7 +247,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
 void TiltLensTracer::EstimateWork(unsigned int width)
 {
     const tilt_lens::SamplingLimits& limits = view->limits;
-    const unsigned int samples = std::min(tilt_lens::kProbeSamples, limits.max);
+    const unsigned int samples = std::min(tilt_lens::settings.probeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
     tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), limits.FirstRound(), view->seed);
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };

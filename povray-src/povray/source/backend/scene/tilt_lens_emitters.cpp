@@ -68,7 +68,7 @@ double LeastRadiance(const SceneData& scene)
         for (const LightSource* light : *list)
             lights += std::max({0.0, double(light->colour[pRED]), double(light->colour[pGREEN]), double(light->colour[pBLUE])});
     const bool known = lights > 0.0 && !scene.radiositySettings.radiosityEnabled;
-    return known ? std::min(lights, tilt_lens::kGreatestLitRadiance) : tilt_lens::kGreatestLitRadiance;
+    return known ? std::min(lights, tilt_lens::settings.greatestLitRadiance) : tilt_lens::settings.greatestLitRadiance;
 }
 
 /// @param leastRadiance  1 is white

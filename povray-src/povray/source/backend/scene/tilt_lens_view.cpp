@@ -69,7 +69,7 @@ tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
     limits.variance = camera.Variance;
     limits.confidence = camera.Confidence;
     limits.denoise = camera.TiltLens.statement.denoise;
-    const std::uint32_t usual = EmittersAreSampled(camera) && limits.Denoises() ? tilt_lens::kFirstSamples : limits.min;
+    const std::uint32_t usual = EmittersAreSampled(camera) && limits.Denoises() ? tilt_lens::settings.firstSamples : limits.min;
     limits.min = camera.Blur_Samples_Min > 0 ? camera.Blur_Samples_Min : std::min(limits.max, usual);
     return limits;
 }
