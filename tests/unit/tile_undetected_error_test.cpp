@@ -34,6 +34,27 @@ std::uint32_t SamplesBesideNoise(double variance)
     return most;
 }
 
+// What the samples have not shown, no filter takes off: it stays in the variance of the pixels beside the noise.
+TEST(TileSamplerUndetectedError, StaysAfterTheReconstruction)
+{
+    SamplingLimits limits = Limits(8, 8, 1e-4);
+    limits.denoise = true;
+    const Area block{0, 0, settings.blockSide, settings.blockSide};
+    BlockCache cache(limits, block.width, block.height, block);
+    const std::shared_ptr<const Block> sampled = cache.Converged(0, 0, NoisyColumns);
+    const std::vector<Result> results = ResultsOf(limits, block, block.width, block.height, NoisyColumns);
+    double undetected = 0.0, all = 0.0;
+    for (std::uint32_t i = 0; i < results.size(); i++)
+    {
+        const PixelResult& before = sampled->ResultOf(i % block.width, i / block.width);
+        EXPECT_GE(results[i].variance, before.undetected) << i;
+        EXPECT_LE(results[i].variance, before.variance) << i;
+        undetected += i % 2 ? before.undetected : 0.0;
+        all += i % 2 ? results[i].variance : 0.0;
+    }
+    EXPECT_GT(undetected, 0.5 * all);
+}
+
 // What leaves the mean by 1/2 and fills a share p is missed by n samples with an expected square error of at most
 // (2 / n / e)^2 / 4, so that n = 0.37 / sqrt(V) suffice: the round after that is the last, and the first is not.
 TEST(TileSamplerUndetectedError, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)

@@ -113,7 +113,7 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
     for (const PixelEstimate& pixel : estimate.pixels)
     {
         const PixelStatistics& own = pixel.statistics;
-        results.push_back({pixel.variance, own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
+        results.push_back({pixel.variance, pixel.undetected, own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
     }
     statistics = estimate.statistics;
     afterFirstRound.reset();

@@ -19,19 +19,24 @@ namespace tilt_lens
 namespace
 {
 
-/// Variance of a pixel's mean, undetected error included; each channel relative to its SquaredScale.
-Radiance EstimatedVariance(const PixelEstimate& pixel, const SampleVariation& around, const SampleVariation& blurred,
-                           double shrinkage)
+/// Variance of a pixel's mean, and its part that is undetected error; each channel relative to its SquaredScale.
+struct MeanVariance
+{
+    Radiance whole{}, undetected{};
+};
+
+MeanVariance EstimatedVariance(const PixelEstimate& pixel, const SampleVariation& around, const SampleVariation& blurred,
+                               double shrinkage)
 {
     const PixelStatistics& own = pixel.statistics;
-    const Radiance undetected = UndetectedError(own, around, blurred);
-    Radiance variance;
-    for (std::size_t c = 0; c < variance.size(); c++)
+    Radiance undetected = UndetectedError(own, around, blurred), whole;
+    for (std::size_t c = 0; c < whole.size(); c++)
     {
         const double ofSample = (1.0 - shrinkage) * own.Variation().variance[c] + shrinkage * around.variance[c];
-        variance[c] = pixel.varianceRatio * (ofSample / own.Samples() + undetected[c]);
+        undetected[c] *= pixel.varianceRatio;
+        whole[c] = pixel.varianceRatio * ofSample / own.Samples() + undetected[c];
     }
-    return RelativeTo(own.Mean(), variance);
+    return {RelativeTo(own.Mean(), whole), RelativeTo(own.Mean(), undetected)};
 }
 
 /// Whether any of the 3 by 3 pixels around one, as far as they are in the block, is active.
@@ -76,11 +81,13 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         PixelEstimate& pixel = estimate.pixels[i];
         if (!pixel.active || pixel.statistics.Samples() < samples)
             continue;
-        const Radiance variance =
-            uniform ? Radiance{} : EstimatedVariance(pixel, around.Around(estimate, i), around.Blurred(i), shrinkage);
-        pixel.variance = LargestChannel(variance);
+        MeanVariance variance;
+        if (!uniform)
+            variance = EstimatedVariance(pixel, around.Around(estimate, i), around.Blurred(i), shrinkage);
+        pixel.variance = LargestChannel(variance.whole);
+        pixel.undetected = LargestChannel(variance.undetected);
         const double deviation = std::sqrt(pixel.variance / pixel.varianceRatio * samples);
-        candidates.push_back({i, variance, target(deviation / around.MeanDeviation()) / confidence});
+        candidates.push_back({i, variance.whole, target(deviation / around.MeanDeviation()) / confidence});
     }
     if (limits.Denoises())
         ApplyDenoiserForecast(candidates, estimate, around, limits, samples);

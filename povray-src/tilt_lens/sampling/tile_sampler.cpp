@@ -47,7 +47,7 @@ void TileSampler::RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& 
         if (!rows.Has(row) || !IsFinite(mean))  // beside what a float cannot hold
             return;
         pixel.mean = mean;
-        pixel.variance *= reconstructed.residualVarianceRatio[i];
+        pixel.variance = pixel.undetected + reconstructed.residualVarianceRatio[i] * (pixel.variance - pixel.undetected);
         pixel.reconstructed = true;
     });
 }
