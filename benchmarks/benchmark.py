@@ -40,7 +40,7 @@ PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "denoise", 
          "loops", "growth", "contract", "crops", "builds", "ablation")
 NAMES = [*[scene.name for scene in suite.SCENES], *suite.DISPLAY]
 # Parts whose short form is shown in the pages, too: the page then says so by the size of its pictures.
-SHORT = {"contract", "display", "lamps", "cycles", "preview", "crops", "ablation"}
+SHORT = {"stock", "tilted", "contract", "display", "lamps", "cycles", "preview", "crops", "ablation"}
 
 
 def chosen(text, names, what, parser):

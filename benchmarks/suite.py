@@ -60,7 +60,7 @@ QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")     # sce
 def of_gallery(name, folder, quick):
     size = QUICK_STRIP if quick else STRIP
     part = Part((DISPLAY_SIZE[0] - size[0])//2, (DISPLAY_SIZE[1] - size[1])//2, *DISPLAY_SIZE)
-    return Scene(name, DISPLAY[name], (2, 512), frames=256, size=size, quick_frames=32, targets=(16, 37, 100, 400), part=part,
+    return Scene(name, DISPLAY[name], (2, 512), frames=256, size=size, quick_frames=64, targets=(16, 37, 100, 400), part=part,
                  folder=folder)
 
 

@@ -33,7 +33,7 @@ background { rgb <0.3, 0.5, 0.8> }
 
 
 def command(setup, *options):
-    """Two threads, which share the sampler's cells."""
+    """Two threads, which share the sampler's blocks."""
     return [str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "+WT2", *options]
 
 
@@ -80,7 +80,7 @@ def large_picture(setup, seconds):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(HEAD + LARGE)
-        # so narrow that what the cells along a row of tiles need is taken in a small part of the time
+        # so narrow that what the blocks along a row of tiles need is taken in a small part of the time
         size = ("+W8000", "+H6000") if seconds > 300 else ("+W160", "+H6000")
         watched = watch.watch(command(setup, *size), folder / "said.txt", max(0.2, seconds / 720), seconds, cwd=folder)
     return summary(watched, width=int(size[0][2:]), height=int(size[1][2:]), asked_seconds=seconds)

@@ -41,10 +41,10 @@ Pixel Noisy(double truth, double variance, std::mt19937& random)
     return pixel;
 }
 
-/// A cell's surroundings, all in the picture.
+/// A block's surroundings, all in the picture.
 PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
 {
-    std::array<BlockStatistics, 9> cells;
+    std::array<BlockStatistics, 9> blocks;
     std::array<const BlockStatistics*, 9> places;
     for (int i = 0; i < 9; i++)
     {
@@ -52,9 +52,9 @@ PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
             for (int x = 0; x < kSide; x++)
             {
                 const Pixel p = pixel(x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide);
-                cells[i].Set(x, y, p.mean, p.difference, p.noise, 2);
+                blocks[i].Set(x, y, p.mean, p.difference, p.noise, 2);
             }
-        places[i] = &cells[i];
+        places[i] = &blocks[i];
     }
     return PaddedBlock(places);
 }
@@ -64,7 +64,7 @@ struct Errors
     double before = 0.0, after = 0.0, claimed = 0.0;
 };
 
-/// Mean square errors over the cells of many pictures of noise over `truth`.
+/// Mean square errors over the blocks of many pictures of noise over `truth`.
 Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
 {
     std::mt19937 random(7);
@@ -127,36 +127,36 @@ TEST(Reconstruction, DoesNoHarmToDetailThatItCannotTellFromNoise)
 
 TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
 {
-    // each cell but the middle one known or not; a pixel is 1000 times its cell's number and its place there
+    // each block but the middle one known or not; a pixel is 1000 times its block's number and its place there
     for (int known = 0; known < 256; known++)
     {
-        std::array<BlockStatistics, 9> cells;
+        std::array<BlockStatistics, 9> blocks;
         std::array<const BlockStatistics*, 9> places{};
         for (int i = 0; i < 9; i++)
         {
             for (int y = 0; y < kSide; y++)
                 for (int x = 0; x < kSide; x++)
-                    cells[i].Set(x, y, {1000.0 * i + 10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, Radiance{}, 0.0, 2);
+                    blocks[i].Set(x, y, {1000.0 * i + 10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, Radiance{}, 0.0, 2);
             if (i == 4 || known >> (i < 4 ? i : i - 1) & 1)
-                places[i] = &cells[i];
+                places[i] = &blocks[i];
         }
         const PaddedBlock around(places);
         for (int y = -PaddedBlock::kBorder; y < kSide + PaddedBlock::kBorder; y++)
             for (int x = -PaddedBlock::kBorder; x < kSide + PaddedBlock::kBorder; x++)
             {
-                const auto cellOf = [](int at) { return at < 0 ? 0 : at < kSide ? 1 : 2; };
+                const auto blockOf = [](int at) { return at < 0 ? 0 : at < kSide ? 1 : 2; };
                 const auto mirror = [](int& at) { at = at < 0 ? -1 - at : at < kSide ? at : 2 * kSide - 1 - at; };
                 int u = x, v = y;
-                if (!places[3 * cellOf(v) + cellOf(u)])  // the nearest in this row, or else in this column, or in the cell
+                if (!places[3 * blockOf(v) + blockOf(u)])  // the nearest in this row, or else in this column, or in the block
                 {
-                    const bool sameRow = places[3 * cellOf(v) + 1], sameColumn = places[3 + cellOf(u)];
+                    const bool sameRow = places[3 * blockOf(v) + 1], sameColumn = places[3 + blockOf(u)];
                     if (sameRow || !sameColumn)
                         mirror(u);
                     if (!sameRow)
                         mirror(v);
                 }
-                const int cell = 3 * cellOf(v) + cellOf(u);
-                const double expected = 1000.0 * cell + 10.0 * ((v + kSide) % kSide) + (u + kSide) % kSide;
+                const int block = 3 * blockOf(v) + blockOf(u);
+                const double expected = 1000.0 * block + 10.0 * ((v + kSide) % kSide) + (u + kSide) % kSide;
                 ASSERT_EQ(around.Mean(0)[PaddedBlock::At(x, y)], expected) << known << ": " << x << ", " << y;
             }
     }
@@ -164,14 +164,14 @@ TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
 
 TEST(Reconstruction, ACellAtTheEdgeRepeatsItsOwnPixels)
 {
-    BlockStatistics cell;
+    BlockStatistics block;
     for (int y = 0; y < 3; y++)
         for (int x = 0; x < 5; x++)
-            cell.Set(x, y, {10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, {0.0, 10.0 * y + x, 0.0, 0.0, 0.0}, 10.0 * y + x, 2);
-    cell.RepeatEdges(5, 3);
+            block.Set(x, y, {10.0 * y + x, 0.0, 0.0, 0.0, 0.0}, {0.0, 10.0 * y + x, 0.0, 0.0, 0.0}, 10.0 * y + x, 2);
+    block.RepeatEdges(5, 3);
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)
-            for (const BlockPlane* plane : {&cell.Mean(0), &cell.DualBufferDifference(1), &cell.Noise()})
+            for (const BlockPlane* plane : {&block.Mean(0), &block.DualBufferDifference(1), &block.Noise()})
                 EXPECT_EQ((*plane)[y * kSide + x], 10.0f * std::min(y, 2) + std::min(x, 4));
 }
 

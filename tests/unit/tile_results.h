@@ -83,7 +83,7 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
     return ResultsOf(sampler, tile, trace);
 }
 
-/// Of the cell at (left, top), anywhere in a large picture.
+/// Of the block at (left, top), anywhere in a large picture.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
     std::uint32_t top, const Tracer& trace)
 {

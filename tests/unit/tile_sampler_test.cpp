@@ -94,7 +94,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     EXPECT_DOUBLE_EQ(sampler.Statistics().variance, variance);
 }
 
-// a picture of 45 by 37 pixels: no multiple of a cell
+// a picture of 45 by 37 pixels: no multiple of a block
 constexpr std::uint32_t kWidth = 45, kHeight = 37;
 
 /// Minima, kinds of light, with and without the reconstruction.
@@ -162,7 +162,7 @@ TEST(TileSamplerOrder, AnyTilesInAnyOrderGiveTheSamePixelsAndLeaveNothingBehind)
                 TileSampler sampler(store);
                 ExpectPartOf(whole, ResultsOf(sampler, tile, way.trace), tile);
             }
-            EXPECT_EQ(store.Size(), 0u) << "cells that nobody needs any more";
+            EXPECT_EQ(store.Size(), 0u) << "blocks that nobody needs any more";
         }
     }
 }
@@ -235,9 +235,9 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
         light = Grey(s.lensU < (crossed ? 0.5 : 0.03) ? 1.0 : 0.0);
     };
     int stopped = 0;
-    for (std::uint32_t cell = 0; cell < 25; cell++)
+    for (std::uint32_t block = 0; block < 25; block++)
     {
-        const auto results = ResultsOf(Limits(8, 4096, 1e-4), cell * settings.blockSide, 0, trace);
+        const auto results = ResultsOf(Limits(8, 4096, 1e-4), block * settings.blockSide, 0, trace);
         for (std::uint32_t y = 0; y < settings.blockSide; y++)
             for (const std::uint32_t x : {3u, 5u})
                 stopped += results[y * settings.blockSide + x].samples <= 8;

@@ -84,7 +84,7 @@ const Picture kPictures[] = {{"white noise", WhiteNoise, Half}, {"linear", Linea
     {"blurred edge", BlurredEdge, BlurredEdgeMean}, {"checker", Checker, Half}};
 const Picture kLamp = {"lamp", Lamp, LampMean};
 
-/// Errors of many cells against the truth.
+/// Errors of many blocks against the truth.
 struct Score
 {
     double error = 0.0, claimed = 0.0, beyond = 0.0, errorAboveMin = 0.0;
@@ -101,12 +101,12 @@ struct Score
     } ///< share of pixels off by more than 2 sqrt(V)
 };
 
-Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_t cells)
+Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_t blocks)
 {
     Score score;
-    for (std::uint32_t cell = 0; cell < cells; cell++)
+    for (std::uint32_t block = 0; block < blocks; block++)
     {
-        const std::uint32_t left = cell % 8 * settings.blockSide, top = cell / 8 * settings.blockSide;
+        const std::uint32_t left = block % 8 * settings.blockSide, top = block / 8 * settings.blockSide;
         const std::vector<Result> results = ResultsOf(limits, left, top, picture.trace);
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
