@@ -32,6 +32,27 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
     Distribute();
 }
 
+void EmitterSampler::Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
+{
+    const std::uint32_t place = run.Place();
+    if (!targets.targets.empty() || !vignetting.None())
+    {
+        for (std::uint32_t i = 0; i < run.count; i++)
+            samples.Put(place + i, Generate(targets, run[i], points[place + i]));
+        return;
+    }
+    for (std::uint32_t i = 0; i < kCameraRaysOfBatch; i++)
+    {
+        const FilmPoint film = FilmPointOf(run.first.x + points.pixelX[i], run.first.y + points.pixelY[i]);
+        samples.x[i] = film.x;
+        samples.y[i] = film.y;
+        samples.weight[i] = 1.0;
+        samples.expectedEmission[i] = 0.0;
+    }
+    const Quads quads(run);
+    aperture.Map(points.lensU + quads.begin, points.lensV + quads.begin, samples.a + quads.begin, samples.b + quads.begin, quads.Count());
+}
+
 /// Where on the film, in pixels, the ray through a point of the lens and `through` begins; false where there is none
 /// in front.
 bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const

@@ -56,6 +56,20 @@ struct CameraSample
     double expectedEmission;  ///< as SampleResult has it
 };
 
+/// The same of a group of samples, side by side.
+struct CameraSamples
+{
+    double x[kCameraRaysOfBatch], y[kCameraRaysOfBatch], a[kCameraRaysOfBatch], b[kCameraRaysOfBatch];
+    double weight[kCameraRaysOfBatch], expectedEmission[kCameraRaysOfBatch];
+
+    CameraSample operator[](std::uint32_t i) const { return {x[i], y[i], {a[i], b[i]}, weight[i], expectedEmission[i]}; }
+    void Put(std::uint32_t i, const CameraSample& sample)
+    {
+        x[i] = sample.x, y[i] = sample.y, a[i] = sample.point.a, b[i] = sample.point.b;
+        weight[i] = sample.weight, expectedEmission[i] = sample.expectedEmission;
+    }
+};
+
 /// The emitters of a picture. Immutable: threads share it.
 class EmitterSampler
 {
@@ -99,6 +113,11 @@ class EmitterSampler
             sample.weight = vignetting.DrawPoint(aperture, film, point.lensU, point.lensV, SeedOf(id), sample.point);
         return sample;
     }
+
+    /// The same for some samples of a group.
+    /// @param points   of the group
+    /// @param samples  takes them at their places in the group
+    void Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
   private:
     struct Box

@@ -18,7 +18,6 @@
 #include <cstdint>
 
 #include "tilt_lens/math/radiance.h"
-#include "tilt_lens/math/simd.h"
 #include "tilt_lens/sampling/sample.h"
 
 namespace tilt_lens
@@ -39,8 +38,9 @@ class PixelStatistics
   public:
     /// The samples up to number `until` (not included) are to come.
     void BeginRound(std::uint32_t until);
-    /// The next sample. One that is not finite counts as black, and is counted.
-    void Add(const SampleResult& result);
+    /// The next samples. One that is not finite counts as black, and is counted.
+    void Add(const SampleResult* results, std::uint32_t count);
+    void Add(const SampleResult& result) { Add(&result, 1); }
     /// After the last sample of a round: what is known below is of all samples so far.
     void EndRound();
 
@@ -68,41 +68,10 @@ class PixelStatistics
     std::uint32_t emitterSamples = 0, notFinite = 0;
     double blurRadius = 0.0, expectedEmission = 0.0;
 
-    template<class Channels>
-    void AddChannels(const Radiance& value, Radiance& bufferSum, std::size_t first);
+    bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& bufferSum, bool checked);
+    void AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum);
+    void AddOne(const SampleResult& result, Radiance& bufferSum);
 };
-
-/// Some channels of a sample, from the one numbered `first` on.
-template<class Channels>
-void PixelStatistics::AddChannels(const Radiance& value, Radiance& bufferSum, std::size_t first)
-{
-    const Channels x = Load<Channels>(&value[first]), a = Load<Channels>(&least[first]), b = Load<Channels>(&most[first]);
-    Store(&bufferSum[first], Load<Channels>(&bufferSum[first]) + x);
-    Store(&squares[first], Load<Channels>(&squares[first]) + x * x);
-    Store(&least[first], x < a ? x : a);
-    Store(&most[first], x > b ? x : b);
-}
-
-inline void PixelStatistics::Add(const SampleResult& result)
-{
-    static constexpr Radiance black{};
-    const bool finite = IsFinite(result.radiance);
-    notFinite += !finite;
-    if (roundBegin == 0)
-        blurRadius = std::max(blurRadius, result.blurRadius);
-    const Radiance& value = finite ? result.radiance : black;
-    Radiance& bufferSum = sum[samples < firstBuffer ? 0 : 1];
-    AddChannels<Double2>(value, bufferSum, 0);
-    AddChannels<Double2>(value, bufferSum, 2);
-    AddChannels<double>(value, bufferSum, 4);
-    if (result.expectedEmission > 0.0)
-    {
-        AddTo(emitterSum, value);
-        emitterSamples++;
-        expectedEmission = result.expectedEmission;
-    }
-    samples++;
-}
 
 } // namespace tilt_lens
 

@@ -65,36 +65,77 @@ TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
     return owner.tiltLens.get();
 }
 
-void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
-                                 DBL width, tilt_lens::SampleResult& result)
+void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, DBL width,
+                              tilt_lens::SampleResult* results)
+{
+    rays.Make(run);
+    refusedRays += rays.Refused();
+    pixel = &rays.Sampler();
+    Ray ray = CameraRayOfPov();
+    const bool colours = HasColours(view->lens);
+    for (unsigned int i = 0; i < run.count; i++)
+    {
+        const unsigned int place = run.Place() + i;
+        index = run.first.index + i;
+        DBL distance;
+        if (colours)
+        {
+            TraceSample(rays.One(place), width, results[i]);
+            continue;
+        }
+        TraceRayOf(rays.Rays(), place, ray, results[i], distance);
+        if (run.ofFirstRound)
+            FindBlur(rays.Rays(), place, distance, width, results[i]);
+    }
+}
+
+void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
 {
     if (HasColours(view->lens) && camera.sample.weight != 0.0)
-        TraceColours(itsPixel, itsIndex, camera, width, result);
+        TraceColours(camera, width, result);
     else
-        TraceCameraRay(itsPixel, itsIndex, camera, width, result);
+        TraceCameraRay(camera, width, result);
+}
+
+void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
+{
+    tilt_lens::CameraRays rays;
+    rays.Put(0, camera);
+    Ray ray = CameraRayOfPov();
+    DBL distance;
+    TraceRayOf(rays, 0, ray, result, distance);
+    FindBlur(rays, 0, distance, width, result);
+}
+
+Ray TiltLensTracer::CameraRayOfPov() const
+{
+    return Ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
 }
 
 /// Camera ray in, light out.
-void TiltLensTracer::TraceCameraRay(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
-                                 DBL width, tilt_lens::SampleResult& result)
+/// @param ray       as CameraRayOfPov() makes it; may be used again
+/// @param distance  is set to that of what is met
+inline void TiltLensTracer::TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray,
+                                       tilt_lens::SampleResult& result, DBL& distance)
 {
-    const tilt_lens::CameraSample& sample = camera.sample;
-    if (sample.weight == 0.0)
+    const double weight = rays.samples.weight[place];
+    result.expectedEmission = rays.samples.expectedEmission[place];
+    distance = HUGE_VAL;
+    if (weight == 0.0)
     {
-        result = Radiance{};
-        result.expectedEmission = sample.expectedEmission;
-        result.circle = tilt_lens::CircleOfConfusion();
+        result.radiance = Radiance{};
         return;
     }
     // from a point of the lens through the focus of that film point
-    Ray ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
-    const tilt_lens::Vec3& origin = camera.ray.origin;
     const VECTOR& location = trace.camera.Location;
-    Make_Vector(ray.Origin, location[X] + origin.x, location[Y] + origin.y, location[Z] + origin.z);
-    Make_Vector(ray.Direction, camera.direction.x, camera.direction.y, camera.direction.z);
+    for (int axis = X; axis <= Z; axis++)
+    {
+        ray.Origin[axis] = location[axis] + rays.origin[axis][place];
+        ray.Direction[axis] = rays.direction[axis][place];
+    }
     if (trace.camera.Tnormal != NULL)
     {
-        VECTOR film = {sample.x, sample.y, 0.0};
+        VECTOR film = {rays.samples.x[place], rays.samples.y[place], 0.0};
         Perturb_Normal(ray.Direction, trace.camera.Tnormal, film, NULL, NULL, trace.threadData);
         VNormalizeEq(ray.Direction);
     }
@@ -103,22 +144,30 @@ void TiltLensTracer::TraceCameraRay(const PixelSampler& itsPixel, unsigned int i
 
     trace.ForgetRays();
     // whatever draws random numbers on the way draws this sample's own
-    SeedRandomNumbers(itsPixel.Hash(itsIndex));
-    pixel = &itsPixel;
-    index = itsIndex;
+    SeedRandomNumbers(pixel->Hash(index));
     areaLightsMet = 0;
     trace.areaLightSampler = this;
     Colour colour;
     Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
-    const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
+    distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
     trace.areaLightSampler = NULL;
-    result.radiance = {sample.weight * colour[pRED], sample.weight * colour[pGREEN], sample.weight * colour[pBLUE],
-                       sample.weight * colour[pFILTER], sample.weight * colour[pTRANSM]};
-    result.expectedEmission = sample.expectedEmission;
-    result.circle = view->samplesSpread ? view->footprint.CircleOf({sample.x, sample.y}, sample.point,
-                                                                   camera.length / distance - camera.ray.w)
-                                        : tilt_lens::CircleOfConfusion();
-    result.blurRadius = view->BlurRadius(camera.ray.w, distance / camera.length, width);
+    result.radiance = {weight * colour[pRED], weight * colour[pGREEN], weight * colour[pBLUE], weight * colour[pFILTER],
+                       weight * colour[pTRANSM]};
+}
+
+/// Of what such a ray has met.
+inline void TiltLensTracer::FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, DBL distance, DBL width,
+                                     tilt_lens::SampleResult& result) const
+{
+    const tilt_lens::CameraSamples& samples = rays.samples;
+    result.blurRadius = 0.0;
+    result.circle = tilt_lens::CircleOfConfusion();
+    if (samples.weight[place] == 0.0)
+        return;
+    if (view->samplesSpread)
+        result.circle = view->footprint.CircleOf({samples.x[place], samples.y[place]}, {samples.a[place], samples.b[place]},
+                                                 rays.length[place] / distance - rays.w[place]);
+    result.blurRadius = view->BlurRadius(rays.w[place], distance / rays.length[place], width);
 }
 
 /// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
@@ -140,6 +189,13 @@ bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosit
 /// The lens points of one picture lie in few objects or none: the view has found out which to ask.
 void TiltLensTracer::EnterInteriors(Ray& ray)
 {
+    if (!ray.GetInteriors().empty() || !ray.IsHollowRay())
+    {
+        Ray other = CameraRayOfPov();  // the ray was one before
+        Assign_Vector(other.Origin, ray.Origin);
+        Assign_Vector(other.Direction, ray.Direction);
+        ray = other;
+    }
     for (const ObjectAroundLens& around : view->aroundLens)
     {
         const ObjectPtr object = around.object;
@@ -196,11 +252,10 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
             camera.Draw(*view->glass, id, point, tilt_lens::FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height));
         }
         else
-        {
-            camera.sample = view->emitters.Generate({}, id, sequence(id.index));
-            camera.FindRay(view->lens);
-        }
-        TraceSample(sequence, id.index, camera, width, result);
+            camera = tilt_lens::CameraRay(view->lens, view->emitters.Generate({}, id, sequence(id.index)));
+        pixel = &sequence;
+        index = id.index;
+        TraceSample(camera, width, result);
         colour += ToColour(result.radiance);
     }
     colour /= samples;
@@ -217,15 +272,11 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::BlockCache own(view->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->limits.FirstRound(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
     areaLightPoints = areaLightPointsSkipped = 0;
     refusedRays = 0;
-    sampler.Run(tile, [&](const SampleId& id, tilt_lens::SampleResult& result)
-    {
-        const tilt_lens::CameraRay& camera = rays.Of(id);
-        refusedRays += camera.refused;
-        TraceSample(rays.Sampler(), id.index, camera, width, result);
-    });
+    sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
+        { TraceRun(rays, run, width, results); });
 
     pixels.clear();
     effort.clear();
@@ -249,19 +300,16 @@ void TiltLensTracer::EstimateWork(unsigned int width)
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::kProbeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), limits.FirstRound(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->progress.NextProbe())
     {
         const auto before = raysTraced();
+        tilt_lens::SampleResult results[tilt_lens::kProbeSamples];
+        TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, width, results);
         std::vector<Radiance> tried;
-        tilt_lens::SampleResult result;
         for (unsigned int sample = 0; sample < samples; sample++)
-        {
-            const tilt_lens::CameraRay& camera = rays.Of({probe->x, probe->y, sample});
-            TraceSample(rays.Sampler(), sample, camera, width, result);
-            tried.push_back(result.radiance);
-        }
+            tried.push_back(results[sample].radiance);
         view->progress.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
     }
 }

@@ -85,12 +85,16 @@ class TiltLensTracer : public AreaLightSampler
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    void TraceSample(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
-                     DBL width, tilt_lens::SampleResult& result);
-    void TraceColours(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
-                      DBL width, tilt_lens::SampleResult& result);
-    void TraceCameraRay(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
-                        DBL width, tilt_lens::SampleResult& result);
+    void TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, DBL width, tilt_lens::SampleResult* results);
+    /// @name Of the sample that `pixel` and `index` name.
+    /// @{
+    void TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
+    void TraceColours(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
+    void TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
+    void TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray, tilt_lens::SampleResult& result, DBL& distance);
+    void FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, DBL distance, DBL width, tilt_lens::SampleResult& result) const;
+    /// @}
+    Ray CameraRayOfPov() const;
     void EnterInteriors(Ray& ray);
     void SeedRandomNumbers(unsigned int seed);
     void SeedSubsurface(unsigned int seed);
