@@ -13,14 +13,26 @@ namespace tilt_lens
 namespace
 {
 
-/// The numbers of a lens that are the same for each axis of the world.
-struct LensAxis
-{
-    double direction, right, up, lensX, lensY;
-};
-
 /// Squared lengths between these need no scaling (Length()), and are not that of a ray that is none.
 constexpr double kLeastSquared = 1e-200, kGreatestSquared = 1e200;
+
+/// Points of film and lens, and w, of samples side by side.
+template<class Vector>
+struct RayStarts
+{
+    Vector x, y, a, b, w;
+
+    /// RayFromIdeal() along one axis of the world.
+    /// @param direction, right, up, lensX, lensY  of the lens
+    TILT_LENS_INLINED void FindAlong(double direction, double right, double up, double lensX, double lensY, double* origin,
+                                     Vector& along) const
+    {
+        const Vector chief = direction + x * right + y * up;
+        const Vector point = a * lensX + b * lensY;
+        along = chief - w * point;
+        Store(origin, point);
+    }
+};
 
 /// RayFromIdeal() and the length of its direction, for samples side by side and a lens that maps planes onto planes: the same
 /// operations in the same order.
@@ -29,33 +41,25 @@ template<class Vector>
 TILT_LENS_INLINED bool FindPlainRays(const Lens& lens, const Quads& quads, CameraRays& rays)
 {
     constexpr std::uint32_t lanes = sizeof(Vector) / sizeof(double);
-    const LensAxis axes[3] = {{lens.direction.x, lens.right.x, lens.up.x, lens.lensX.x, lens.lensY.x},
-                              {lens.direction.y, lens.right.y, lens.up.y, lens.lensX.y, lens.lensY.y},
-                              {lens.direction.z, lens.right.z, lens.up.z, lens.lensX.z, lens.lensY.z}};
     auto usual = Vector() == Vector();
     for (std::uint32_t i = quads.begin; i < quads.end; i += lanes)
     {
-        const Vector x = Load<Vector>(rays.samples.x + i), y = Load<Vector>(rays.samples.y + i);
-        const Vector a = Load<Vector>(rays.samples.a + i), b = Load<Vector>(rays.samples.b + i);
-        const Vector w = lens.focusMiddle + x * lens.focusRight + y * lens.focusUp;
-        Vector along[3];
-        for (int k = 0; k < 3; k++)
-        {
-            const LensAxis& axis = axes[k];
-            const Vector chief = axis.direction + x * axis.right + y * axis.up;
-            const Vector point = a * axis.lensX + b * axis.lensY;
-            along[k] = chief - w * point;
-            Store(rays.origin[k] + i, point);
-        }
-        const Vector squared = along[0] * along[0] + along[1] * along[1] + along[2] * along[2];
-        usual &= (squared > kLeastSquared) & (squared < kGreatestSquared);
-        Vector length = squared;
+        RayStarts<Vector> starts{Load<Vector>(rays.samples.x + i), Load<Vector>(rays.samples.y + i),
+                                 Load<Vector>(rays.samples.a + i), Load<Vector>(rays.samples.b + i), Vector()};
+        starts.w = lens.focusMiddle + starts.x * lens.focusRight + starts.y * lens.focusUp;
+        Vector x, y, z;
+        starts.FindAlong(lens.direction.x, lens.right.x, lens.up.x, lens.lensX.x, lens.lensY.x, rays.origin[0] + i, x);
+        starts.FindAlong(lens.direction.y, lens.right.y, lens.up.y, lens.lensX.y, lens.lensY.y, rays.origin[1] + i, y);
+        starts.FindAlong(lens.direction.z, lens.right.z, lens.up.z, lens.lensX.z, lens.lensY.z, rays.origin[2] + i, z);
+        Vector length = x * x + y * y + z * z;
+        usual &= (length > kLeastSquared) & (length < kGreatestSquared);
         for (std::uint32_t lane = 0; lane < lanes; lane++)
             length[lane] = std::sqrt(length[lane]);
-        for (int k = 0; k < 3; k++)
-            Store(rays.direction[k] + i, along[k] / length);
+        Store(rays.direction[0] + i, x / length);
+        Store(rays.direction[1] + i, y / length);
+        Store(rays.direction[2] + i, z / length);
         Store(rays.length + i, length);
-        Store(rays.w + i, w);
+        Store(rays.w + i, starts.w);
     }
     bool all = true;
     for (std::uint32_t lane = 0; lane < lanes; lane++)

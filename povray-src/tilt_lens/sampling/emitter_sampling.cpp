@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/math/simd.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
@@ -16,6 +17,37 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
+
+/// A pixel, and the size of its picture.
+struct PixelOfPicture
+{
+    double column, row, width, height;
+};
+
+/// What plain samples have before their lens points: FilmPointAt(), and weights of 1.
+template<class Vector>
+TILT_LENS_INLINED void BeginPlain(const PixelOfPicture& pixel, const Quads& quads, const SequencePoints& points, CameraSamples& samples)
+{
+    for (std::uint32_t i = quads.begin; i < quads.end; i += sizeof(Vector) / sizeof(double))
+    {
+        Store(samples.x + i, (pixel.column + Load<Vector>(points.pixelX + i)) / pixel.width - 0.5);
+        Store(samples.y + i, 0.5 - (pixel.row + Load<Vector>(points.pixelY + i)) / pixel.height);
+        Store(samples.weight + i, Vector() + 1.0);
+        Store(samples.expectedEmission + i, Vector());
+    }
+}
+
+void BeginPlainly(const PixelOfPicture& pixel, const Quads& quads, const SequencePoints& points, CameraSamples& samples)
+{
+    BeginPlain<Double2>(pixel, quads, points, samples);
+}
+
+TILT_LENS_FOR_AVX2 void BeginByAvx2(const PixelOfPicture& pixel, const Quads& quads, const SequencePoints& points, CameraSamples& samples)
+{
+    BeginPlain<Double4>(pixel, quads, points, samples);
+}
+
+const auto beginPlain = HasAvx2() ? BeginByAvx2 : BeginPlainly;
 
 } // namespace
 
@@ -41,15 +73,8 @@ void EmitterSampler::Generate(const Targets& targets, const SampleRun& run, cons
             samples.Put(place + i, Generate(targets, run[i], points[place + i]));
         return;
     }
-    for (std::uint32_t i = 0; i < kCameraRaysOfBatch; i++)
-    {
-        const FilmPoint film = FilmPointOf(run.first.x + points.pixelX[i], run.first.y + points.pixelY[i]);
-        samples.x[i] = film.x;
-        samples.y[i] = film.y;
-        samples.weight[i] = 1.0;
-        samples.expectedEmission[i] = 0.0;
-    }
     const Quads quads(run);
+    beginPlain({double(run.first.x), double(run.first.y), width, height}, quads, points, samples);
     aperture.Map(points.lensU + quads.begin, points.lensV + quads.begin, samples.a + quads.begin, samples.b + quads.begin, quads.Count());
 }
 

@@ -14,21 +14,94 @@ namespace tilt_lens
 namespace
 {
 
-/// What is summed of some channels, from the one numbered `first` on; it stays in registers while samples are added.
+/// Sums and extremes of some channels, from the one numbered `first` on; they stay in registers while samples are added.
 template<class Channels>
 struct ChannelSums
 {
     Channels sum, squares, least, most;
 
-    void Add(const Radiance& value, std::size_t first)
+    TILT_LENS_INLINED void Get(const Radiance& allSum, const RadianceTotals& all, std::size_t first)
     {
-        const Channels x = Load<Channels>(&value[first]);
+        sum = Load<Channels>(&allSum[first]), squares = Load<Channels>(&all.squares[first]);
+        least = Load<Channels>(&all.least[first]), most = Load<Channels>(&all.most[first]);
+    }
+    TILT_LENS_INLINED void Put(Radiance& allSum, RadianceTotals& all, std::size_t first) const
+    {
+        Store(&allSum[first], sum), Store(&all.squares[first], squares);
+        Store(&all.least[first], least), Store(&all.most[first], most);
+    }
+    TILT_LENS_INLINED void Add(const Channels& x)
+    {
         sum += x;
         squares += x * x;
         least = x < least ? x : least;
         most = x > most ? x : most;
     }
 };
+
+/// What a run of samples has besides its radiances.
+struct RunMaxima
+{
+    double blurRadius = 0.0, expectedEmission = 0.0;
+};
+
+/// Adds the radiances of a run to a sum and to totals. False, with nothing added, where one of them may be infinite or no number.
+template<class Vector>
+TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
+                                    RunMaxima& maxima)
+{
+    constexpr std::size_t lanes = sizeof(Vector) / sizeof(double), vectors = 4 / lanes;
+    ChannelSums<Vector> four[vectors];
+    ChannelSums<double> last;
+    for (std::size_t k = 0; k < vectors; k++)
+        four[k].Get(sum, totals, k * lanes);
+    last.Get(sum, totals, 4);
+    double blurRadius = 0.0, expectedEmission = 0.0;
+    for (const SampleResult* result = results; result < results + count; result++)
+    {
+        for (std::size_t k = 0; k < vectors; k++)
+            four[k].Add(Load<Vector>(&result->radiance[k * lanes]));
+        last.Add(result->radiance[4]);
+        blurRadius = result->blurRadius > blurRadius ? result->blurRadius : blurRadius;
+        expectedEmission = result->expectedEmission > expectedEmission ? result->expectedEmission : expectedEmission;
+    }
+    // a sum of squares that is finite has got finite ones only
+    double squares = last.squares;
+    for (std::size_t k = 0; k < 4; k++)
+        squares += four[k / lanes].squares[k % lanes];
+    if (!std::isfinite(squares))
+        return false;
+    for (std::size_t k = 0; k < vectors; k++)
+        four[k].Put(sum, totals, k * lanes);
+    last.Put(sum, totals, 4);
+    maxima = {blurRadius, expectedEmission};
+    return true;
+}
+
+bool AddPlain(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals, RunMaxima& maxima)
+{
+    return AddRadiances<Double2>(results, count, sum, totals, maxima);
+}
+
+TILT_LENS_FOR_AVX2 bool AddByAvx2(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
+                                  RunMaxima& maxima)
+{
+    return AddRadiances<Double4>(results, count, sum, totals, maxima);
+}
+
+const auto addRadiances = HasAvx2() ? AddByAvx2 : AddPlain;
+
+/// The same for a sample that is finite, however large.
+void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
+{
+    for (std::size_t c = 0; c < value.size(); c++)
+    {
+        sum[c] += value[c];
+        totals.squares[c] += value[c] * value[c];
+        totals.least[c] = std::min(totals.least[c], value[c]);
+        totals.most[c] = std::max(totals.most[c], value[c]);
+    }
+}
 
 } // namespace
 
@@ -49,85 +122,49 @@ void PixelStatistics::BeginRound(std::uint32_t until)
     firstBuffer = samples == 0 ? until / 2 : samples;
     if (samples == 0)
     {
-        least.fill(HUGE_VAL);
-        most.fill(-HUGE_VAL);
+        totals.least.fill(HUGE_VAL);
+        totals.most.fill(-HUGE_VAL);
     }
 }
 
-/// Adds to sums, squares and extremes, three channels after two.
-/// @param checked  whether all samples are finite; if not and one may be none, changes nothing and returns false
-bool PixelStatistics::AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& bufferSum, bool checked)
+void PixelStatistics::AddEmitterSample(const SampleResult& result)
 {
-    const auto load = [&](auto& sums, std::size_t first)
-    {
-        using Channels = decltype(sums.sum);
-        sums = {Load<Channels>(&bufferSum[first]), Load<Channels>(&squares[first]), Load<Channels>(&least[first]),
-                Load<Channels>(&most[first])};
-    };
-    const auto store = [&](const auto& sums, std::size_t first)
-    {
-        Store(&bufferSum[first], sums.sum);
-        Store(&squares[first], sums.squares);
-        Store(&least[first], sums.least);
-        Store(&most[first], sums.most);
-    };
-    ChannelSums<Double2> redGreen, blueFilter;
-    ChannelSums<double> transmit;
-    load(redGreen, 0);
-    load(blueFilter, 2);
-    load(transmit, 4);
-    for (std::uint32_t i = 0; i < count; i++)
-    {
-        redGreen.Add(results[i].radiance, 0);
-        blueFilter.Add(results[i].radiance, 2);
-        transmit.Add(results[i].radiance, 4);
-    }
-    // a sum of squares that was and stays finite has got finite ones only
-    const Double2 four = redGreen.squares + blueFilter.squares;
-    if (!checked && !std::isfinite(four[0] + four[1] + transmit.squares))
-        return false;
-    store(redGreen, 0);
-    store(blueFilter, 2);
-    store(transmit, 4);
-    samples += count;
-    return true;
-}
-
-/// A sample that may be infinite or no number.
-void PixelStatistics::AddOne(const SampleResult& result, Radiance& bufferSum)
-{
-    SampleResult finite = result;
-    if (!IsFinite(result.radiance))
-    {
-        finite.radiance = Radiance{};
-        notFinite++;
-    }
-    AddRadiances(&finite, 1, bufferSum, true);
-    if (result.expectedEmission > 0.0)
-        AddTo(emitterSum, finite.radiance);
+    if (!(result.expectedEmission > 0.0))
+        return;
+    AddTo(emitterSum, result.radiance);
+    emitterSamples++;
+    expectedEmission = result.expectedEmission;
 }
 
 void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum)
 {
-    const bool finite = AddRadiances(results, count, bufferSum, false);
+    samples += count;
+    RunMaxima maxima;
+    if (addRadiances(results, count, bufferSum, totals, maxima))
+    {
+        if (roundBegin == 0)
+            blurRadius = std::max(blurRadius, maxima.blurRadius);
+        for (std::uint32_t i = 0; maxima.expectedEmission > 0.0 && i < count; i++)
+            AddEmitterSample(results[i]);
+        return;
+    }
     for (std::uint32_t i = 0; i < count; i++)
     {
-        if (!finite)
-            AddOne(results[i], bufferSum);
-        if (!(results[i].expectedEmission > 0.0))
-            continue;
-        if (finite)
-            AddTo(emitterSum, results[i].radiance);
-        emitterSamples++;
-        expectedEmission = results[i].expectedEmission;
+        SampleResult result = results[i];
+        if (!IsFinite(result.radiance))
+        {
+            result.radiance = Radiance{};
+            notFinite++;
+        }
+        AddOne(result.radiance, bufferSum, totals);
+        if (roundBegin == 0)
+            blurRadius = std::max(blurRadius, result.blurRadius);
+        AddEmitterSample(result);
     }
 }
 
 void PixelStatistics::Add(const SampleResult* results, std::uint32_t count)
 {
-    if (roundBegin == 0)
-        for (std::uint32_t i = 0; i < count; i++)
-            blurRadius = std::max(blurRadius, results[i].blurRadius);
     const std::uint32_t toFirst = samples < firstBuffer ? std::min(count, firstBuffer - samples) : 0;
     if (toFirst > 0)
         AddToBuffer(results, toFirst, sum[0]);
@@ -141,14 +178,14 @@ void PixelStatistics::EndRound()
 {
     variation = SampleVariation();
     const double n = samples, atEmitters = emitterSamples;
-    for (std::size_t c = 0; c < squares.size() && n > 1.0; c++)
+    for (std::size_t c = 0; c < emitterSum.size() && n > 1.0; c++)
     {
         const double all = sum[0][c] + sum[1][c], mean = all / n;
         double ofMeans = Square(all - emitterSum[c]) / (n - atEmitters);
         if (atEmitters > 0.0)
             ofMeans += Square(emitterSum[c]) / atEmitters;
-        variation.variance[c] = std::max(0.0, squares[c] - ofMeans) / (n - 1.0);
-        variation.maxSquaredDeviation[c] = Square(std::max(most[c] - mean, mean - least[c]));
+        variation.variance[c] = std::max(0.0, totals.squares[c] - ofMeans) / (n - 1.0);
+        variation.maxSquaredDeviation[c] = Square(std::max(totals.most[c] - mean, mean - totals.least[c]));
     }
 }
 

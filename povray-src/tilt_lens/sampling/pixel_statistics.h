@@ -33,6 +33,13 @@ struct SampleVariation
     void Merge(const SampleVariation& other);
 };
 
+/// Of the radiances of several samples.
+struct RadianceTotals
+{
+    Radiance squares{};  ///< their sum
+    Radiance least, most;
+};
+
 class PixelStatistics
 {
   public:
@@ -58,8 +65,7 @@ class PixelStatistics
 
   private:
     std::array<Radiance, 2> sum{};  ///< of the samples in either buffer
-    Radiance squares{};             ///< sum over both
-    Radiance least, most;           ///< of a sample
+    RadianceTotals totals;          ///< of both
     Radiance emitterSum{};          ///< of the emitter samples
     SampleVariation variation;
     std::uint32_t samples = 0;
@@ -68,9 +74,8 @@ class PixelStatistics
     std::uint32_t emitterSamples = 0, notFinite = 0;
     double blurRadius = 0.0, expectedEmission = 0.0;
 
-    bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& bufferSum, bool checked);
     void AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum);
-    void AddOne(const SampleResult& result, Radiance& bufferSum);
+    void AddEmitterSample(const SampleResult& result);
 };
 
 } // namespace tilt_lens

@@ -71,22 +71,15 @@ void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::
     rays.Make(run);
     refusedRays += rays.Refused();
     pixel = &rays.Sampler();
-    Ray ray = CameraRayOfPov();
-    const bool colours = HasColours(view->lens);
-    for (unsigned int i = 0; i < run.count; i++)
-    {
-        const unsigned int place = run.Place() + i;
-        index = run.first.index + i;
-        DBL distance;
-        if (colours)
+    const unsigned int place = run.Place();
+    if (HasColours(view->lens))
+        for (unsigned int i = 0; i < run.count; i++)
         {
-            TraceSample(rays.One(place), width, results[i]);
-            continue;
+            index = run.first.index + i;
+            TraceSample(rays.One(place + i), width, results[i]);
         }
-        TraceRayOf(rays.Rays(), place, ray, results[i], distance);
-        if (run.ofFirstRound)
-            FindBlur(rays.Rays(), place, distance, width, results[i]);
-    }
+    else
+        TraceRays(rays.Rays(), place, run, width, results);
 }
 
 void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
@@ -101,10 +94,7 @@ void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, DBL widt
 {
     tilt_lens::CameraRays rays;
     rays.Put(0, camera);
-    Ray ray = CameraRayOfPov();
-    DBL distance;
-    TraceRayOf(rays, 0, ray, result, distance);
-    FindBlur(rays, 0, distance, width, result);
+    TraceRays(rays, 0, {{0, 0, index}, 1, true}, width, &result);
 }
 
 Ray TiltLensTracer::CameraRayOfPov() const
@@ -112,20 +102,36 @@ Ray TiltLensTracer::CameraRayOfPov() const
     return Ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
 }
 
-/// Camera ray in, light out.
-/// @param ray       as CameraRayOfPov() makes it; may be used again
-/// @param distance  is set to that of what is met
-inline void TiltLensTracer::TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray,
-                                       tilt_lens::SampleResult& result, DBL& distance)
+/// Camera rays in, light out.
+/// @param place  of the run's first ray
+void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, DBL width,
+                               tilt_lens::SampleResult* results)
 {
-    const double weight = rays.samples.weight[place];
-    result.expectedEmission = rays.samples.expectedEmission[place];
-    distance = HUGE_VAL;
-    if (weight == 0.0)
+    DBL distances[tilt_lens::kCameraRaysOfBatch];
+    Ray ray = CameraRayOfPov();
+    const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
+    trace.areaLightSampler = this;
+    for (unsigned int i = 0; i < run.count; i++)
     {
-        result.radiance = Radiance{};
-        return;
+        index = run.first.index + i;
+        results[i].expectedEmission = rays.samples.expectedEmission[place + i];
+        distances[i] = HUGE_VAL;
+        if (rays.samples.weight[place + i] == 0.0)
+            results[i].radiance = Radiance{};
+        else
+            distances[i] = TraceRayOf(rays, place + i, ray, ticket, results[i].radiance);
     }
+    trace.areaLightSampler = NULL;
+    for (unsigned int i = 0; run.ofFirstRound && i < run.count; i++)
+        FindBlur(rays, place + i, distances[i], width, results[i]);
+}
+
+/// @param ray     as CameraRayOfPov() makes it; may be used again
+/// @param ticket  a new one
+/// @return  distance of what is met
+inline DBL TiltLensTracer::TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray, Trace::TraceTicket ticket,
+                                      Radiance& radiance)
+{
     // from a point of the lens through the focus of that film point
     const VECTOR& location = trace.camera.Location;
     for (int axis = X; axis <= Z; axis++)
@@ -146,13 +152,12 @@ inline void TiltLensTracer::TraceRayOf(const tilt_lens::CameraRays& rays, unsign
     // whatever draws random numbers on the way draws this sample's own
     SeedRandomNumbers(pixel->Hash(index));
     areaLightsMet = 0;
-    trace.areaLightSampler = this;
     Colour colour;
-    Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
-    distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
-    trace.areaLightSampler = NULL;
-    result.radiance = {weight * colour[pRED], weight * colour[pGREEN], weight * colour[pBLUE], weight * colour[pFILTER],
-                       weight * colour[pTRANSM]};
+    const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
+    const double weight = rays.samples.weight[place];
+    radiance = {weight * colour[pRED], weight * colour[pGREEN], weight * colour[pBLUE], weight * colour[pFILTER],
+                weight * colour[pTRANSM]};
+    return distance;
 }
 
 /// Of what such a ray has met.
@@ -160,14 +165,14 @@ inline void TiltLensTracer::FindBlur(const tilt_lens::CameraRays& rays, unsigned
                                      tilt_lens::SampleResult& result) const
 {
     const tilt_lens::CameraSamples& samples = rays.samples;
-    result.blurRadius = 0.0;
-    result.circle = tilt_lens::CircleOfConfusion();
-    if (samples.weight[place] == 0.0)
+    const bool traced = samples.weight[place] != 0.0;
+    const double length = rays.length[place], w = rays.w[place];
+    result.blurRadius = traced ? view->BlurRadius(w, distance / length, width) : 0.0;
+    if (!view->limits.Denoises())
         return;
-    if (view->samplesSpread)
-        result.circle = view->footprint.CircleOf({samples.x[place], samples.y[place]}, {samples.a[place], samples.b[place]},
-                                                 rays.length[place] / distance - rays.w[place]);
-    result.blurRadius = view->BlurRadius(rays.w[place], distance / rays.length[place], width);
+    result.circle = traced && view->samplesSpread ? view->footprint.CircleOf({samples.x[place], samples.y[place]},
+                                                                             {samples.a[place], samples.b[place]}, length / distance - w)
+                                                  : tilt_lens::CircleOfConfusion();
 }
 
 /// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
@@ -208,7 +213,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray)
 void TiltLensTracer::SeedRandomNumbers(unsigned int seed)
 {
     trace.crandRandomNumberGenerator = seed;
-    trace.randomNumberGenerator.SetSeed(seed);
+    trace.randomNumberGenerator.SetSeedQuickly(seed);
     trace.media.SeedRandomNumbers(seed);
     if (trace.sceneData->useSubsurface)
         SeedSubsurface(seed);

@@ -14,6 +14,7 @@
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
 #include "backend/lighting/area_light_sampler.h"
+#include "backend/render/trace.h"
 #include "backend/scene/tilt_lens_view.h"
 #include "tilt_lens/math/vec3.h"
 #include "tilt_lens/sampling/camera_rays.h"
@@ -91,9 +92,12 @@ class TiltLensTracer : public AreaLightSampler
     void TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
     void TraceColours(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
     void TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
-    void TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray, tilt_lens::SampleResult& result, DBL& distance);
-    void FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, DBL distance, DBL width, tilt_lens::SampleResult& result) const;
+    DBL TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray, Trace::TraceTicket ticket,
+                   tilt_lens::Radiance& radiance);
     /// @}
+    void TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, DBL width,
+                   tilt_lens::SampleResult* results);
+    void FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, DBL distance, DBL width, tilt_lens::SampleResult& result) const;
     Ray CameraRayOfPov() const;
     void EnterInteriors(Ray& ray);
     void SeedRandomNumbers(unsigned int seed);
