@@ -76,6 +76,42 @@ TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Numbe
     b = c.sideways ? across : along;
 }
 
+/// On a polygon: the number of edges from the first corner on, turning about the middle, and the part of the way to the rim.
+template<class Number>
+TILT_LENS_INLINED void FindPosition(const Number& u, const Number& v, double edges, Number& position, Number& radius)
+{
+    const Concentric<Number> c = ToConcentric(u, v);
+    Number turns = c.sideways ? c.slope / 8.0 : 0.25 - c.slope / 8.0;
+    turns = c.radius < 0.0 ? turns + 0.5 : turns;
+    turns = turns < 0.0 ? turns + 1.0 : turns;
+    position = turns * edges;
+    radius = c.radius < 0.0 ? -c.radius : c.radius;
+}
+
+template<class Vector>
+TILT_LENS_INLINED void FindFourPositions(const double* u, const double* v, double edges, double* positions, double* radii)
+{
+    for (int i = 0; i < 4; i += sizeof(Vector) / sizeof(double))
+    {
+        Vector position, radius;
+        FindPosition(Load<Vector>(u + i), Load<Vector>(v + i), edges, position, radius);
+        Store(positions + i, position);
+        Store(radii + i, radius);
+    }
+}
+
+void FindFourPlainly(const double* u, const double* v, double edges, double* positions, double* radii)
+{
+    FindFourPositions<Double2>(u, v, edges, positions, radii);
+}
+
+TILT_LENS_FOR_AVX2 void FindFourByAvx2(const double* u, const double* v, double edges, double* positions, double* radii)
+{
+    FindFourPositions<Double4>(u, v, edges, positions, radii);
+}
+
+const auto findFourPositions = HasAvx2() ? FindFourByAvx2 : FindFourPlainly;
+
 template<class Vector>
 TILT_LENS_INLINED void MapToDisc(const double* u, const double* v, double* a, double* b, int count)
 {
@@ -110,19 +146,32 @@ struct Aperture::Outline
 
     AperturePoint Map(double u, double v) const
     {
-        const Concentric<double> c = ToConcentric(u, v);
-        double turns = c.sideways ? c.slope / 8 : 0.25 - c.slope / 8;
-        if (c.radius < 0)
-            turns += 0.5;
-        if (turns < 0)
-            turns += 1;
+        double position, radius;
+        FindPosition(u, v, edges, position, radius);
+        return PointAt(position, radius);
+    }
 
+    /// @param position, radius  as FindPosition() gives them
+    AperturePoint PointAt(double position, double radius) const
+    {
         // Rounding may reach a whole turn: that is the end of the last edge.
-        const double position = turns * edges;
         const int edge = std::min(static_cast<int>(position), edges - 1);
-        const double t = position - edge, radius = std::fabs(c.radius);
+        const double t = position - edge;
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
         return {radius * (p.a + t * (q.a - p.a)), radius * (p.b + t * (q.b - p.b))};
+    }
+
+    void Map(const double* u, const double* v, double* a, double* b, int count) const
+    {
+        double positions[4], radii[4];
+        for (int i = 0; i < count; ++i)
+        {
+            if (i % 4 == 0)
+                findFourPositions(u + i, v + i, edges, positions, radii);
+            const AperturePoint point = PointAt(positions[i % 4], radii[i % 4]);
+            a[i] = point.a;
+            b[i] = point.b;
+        }
     }
 
     /// The edge that the direction of a point crosses.
@@ -304,7 +353,15 @@ AperturePoint Aperture::operator()(double u, double v) const
 void Aperture::Map(const double* u, const double* v, double* a, double* b, int count) const
 {
     if (shape == Shape::Disc)
-        return mapToDisc(u, v, a, b, count);
+        mapToDisc(u, v, a, b, count);
+    else if (shape == Shape::Polygon)
+        outline->Map(u, v, a, b, count);
+    else
+        MapOneByOne(u, v, a, b, count);
+}
+
+void Aperture::MapOneByOne(const double* u, const double* v, double* a, double* b, int count) const
+{
     for (int i = 0; i < count; ++i)
     {
         const AperturePoint point = (*this)(u[i], v[i]);

@@ -120,6 +120,7 @@ class Aperture
     std::shared_ptr<const Grade> grade;      ///< of a graded shape only
 
     double Size(const AperturePoint& point) const;
+    void MapOneByOne(const double* u, const double* v, double* a, double* b, int count) const;
 };
 
 }  // namespace tilt_lens

@@ -9,24 +9,6 @@ namespace tilt_lens
 namespace
 {
 
-unsigned int SignBits(const Mask4& mask)
-{
-#ifdef __SSE2__
-    return __builtin_ia32_movmskps(reinterpret_cast<const Float4&>(mask));
-#else
-    unsigned int bits = 0;
-    for (int i = 0; i < 4; i++)
-        bits |= (mask[i] < 0 ? 1u : 0u) << i;
-    return bits;
-#endif
-}
-
-unsigned int SignBits(const Mask8& mask)
-{
-    const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
-    return SignBits(halves[0]) | SignBits(halves[1]) << 4;
-}
-
 /// As many of the boxes as a Vector has lanes, from `first`.
 template<class Vector>
 TILT_LENS_INLINED unsigned int EnterSome(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin, int first)

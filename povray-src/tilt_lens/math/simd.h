@@ -12,6 +12,7 @@
 #define TILT_LENS_SIMD_H
 
 #include <cstring>
+#include <type_traits>
 
 namespace tilt_lens
 {
@@ -32,6 +33,8 @@ typedef int Mask8 __attribute__((vector_size(32)));
 template<class Vector, class Number>
 TILT_LENS_INLINED Vector Load(const Number* from)
 {
+    if constexpr (std::is_same_v<Vector, Number>)
+        return *from;
     Vector vector;
     std::memcpy(&vector, from, sizeof(vector));
     return vector;
@@ -40,12 +43,44 @@ TILT_LENS_INLINED Vector Load(const Number* from)
 template<class Vector, class Number>
 TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
 {
-    std::memcpy(to, &vector, sizeof(vector));
+    if constexpr (std::is_same_v<Vector, Number>)
+        *to = vector;
+    else
+        std::memcpy(to, &vector, sizeof(vector));
 }
 
 /// Lane by lane; b where either is no number.
 inline Float4 Min(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 Max(Float4 a, Float4 b) { return a > b ? a : b; }
+
+/// One bit for each lane.
+TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)
+{
+#ifdef __SSE2__
+    return __builtin_ia32_movmskps(reinterpret_cast<const Float4&>(mask));
+#else
+    unsigned int bits = 0;
+    for (int i = 0; i < 4; i++)
+        bits |= (mask[i] < 0 ? 1u : 0u) << i;
+    return bits;
+#endif
+}
+
+TILT_LENS_INLINED unsigned int SignBits(const Mask8& mask)
+{
+    const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
+    return SignBits(halves[0]) | SignBits(halves[1]) << 4;
+}
+
+/// Whether a comparison of 16 or 32 bytes holds in all lanes.
+template<class Mask>
+TILT_LENS_INLINED bool All(const Mask& mask)
+{
+    if constexpr (sizeof(Mask) == sizeof(Mask8))
+        return SignBits((Mask8)mask) == 0xff;  // the same bits
+    else
+        return SignBits((Mask4)mask) == 0xf;
+}
 
 #if defined(__x86_64__) || defined(__i386__)
 #define TILT_LENS_FOR_AVX2 __attribute__((target("avx2")))

@@ -61,10 +61,7 @@ TILT_LENS_INLINED bool FindPlainRays(const Lens& lens, const Quads& quads, Camer
         Store(rays.length + i, length);
         Store(rays.w + i, starts.w);
     }
-    bool all = true;
-    for (std::uint32_t lane = 0; lane < lanes; lane++)
-        all &= usual[lane] != 0;
-    return all;
+    return All(usual);
 }
 
 bool FindRaysPlain(const Lens& lens, const Quads& quads, CameraRays& rays)
@@ -79,15 +76,19 @@ TILT_LENS_FOR_AVX2 bool FindRaysByAvx2(const Lens& lens, const Quads& quads, Cam
 
 const auto findPlainRays = HasAvx2() ? FindRaysByAvx2 : FindRaysPlain;
 
+void FindRaysOneByOne(const Lens& lens, const SampleRun& run, CameraRays& rays)
+{
+    for (std::uint32_t i = run.Place(); i < run.Place() + run.count; i++)
+        rays.Put(i, CameraRay(lens, rays.samples[i]));
+}
+
 } // namespace
 
 void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays)
 {
     const bool plain = !lens.distorts && lens.fieldCurvature == 0.0;
-    if (plain && findPlainRays(lens, Quads(run), rays))
-        return;
-    for (std::uint32_t i = run.Place(); i < run.Place() + run.count; i++)
-        rays.Put(i, CameraRay(lens, rays.samples[i]));
+    if (!plain || !findPlainRays(lens, Quads(run), rays))
+        FindRaysOneByOne(lens, run, rays);
 }
 
 void CameraRayBatch::Make(const SampleRun& run)

@@ -18,33 +18,30 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A pixel, and the size of its picture.
-struct PixelOfPicture
-{
-    double column, row, width, height;
-};
-
-/// What plain samples have before their lens points: FilmPointAt(), and weights of 1.
+/// What plain samples of a pixel have before their lens points: FilmPointAt(), and weights of 1.
 template<class Vector>
-TILT_LENS_INLINED void BeginPlain(const PixelOfPicture& pixel, const Quads& quads, const SequencePoints& points, CameraSamples& samples)
+TILT_LENS_INLINED void BeginPlain(double column, double row, double width, double height, const Quads& quads,
+                                  const SequencePoints& points, CameraSamples& samples)
 {
     for (std::uint32_t i = quads.begin; i < quads.end; i += sizeof(Vector) / sizeof(double))
     {
-        Store(samples.x + i, (pixel.column + Load<Vector>(points.pixelX + i)) / pixel.width - 0.5);
-        Store(samples.y + i, 0.5 - (pixel.row + Load<Vector>(points.pixelY + i)) / pixel.height);
+        Store(samples.x + i, (column + Load<Vector>(points.pixelX + i)) / width - 0.5);
+        Store(samples.y + i, 0.5 - (row + Load<Vector>(points.pixelY + i)) / height);
         Store(samples.weight + i, Vector() + 1.0);
         Store(samples.expectedEmission + i, Vector());
     }
 }
 
-void BeginPlainly(const PixelOfPicture& pixel, const Quads& quads, const SequencePoints& points, CameraSamples& samples)
+void BeginPlainly(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
+                  CameraSamples& samples)
 {
-    BeginPlain<Double2>(pixel, quads, points, samples);
+    BeginPlain<Double2>(column, row, width, height, quads, points, samples);
 }
 
-TILT_LENS_FOR_AVX2 void BeginByAvx2(const PixelOfPicture& pixel, const Quads& quads, const SequencePoints& points, CameraSamples& samples)
+TILT_LENS_FOR_AVX2 void BeginByAvx2(double column, double row, double width, double height, const Quads& quads,
+                                    const SequencePoints& points, CameraSamples& samples)
 {
-    BeginPlain<Double4>(pixel, quads, points, samples);
+    BeginPlain<Double4>(column, row, width, height, quads, points, samples);
 }
 
 const auto beginPlain = HasAvx2() ? BeginByAvx2 : BeginPlainly;
@@ -66,16 +63,18 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
 
 void EmitterSampler::Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
 {
-    const std::uint32_t place = run.Place();
     if (!targets.targets.empty() || !vignetting.None())
-    {
-        for (std::uint32_t i = 0; i < run.count; i++)
-            samples.Put(place + i, Generate(targets, run[i], points[place + i]));
-        return;
-    }
+        return GenerateOneByOne(targets, run, points, samples);
     const Quads quads(run);
-    beginPlain({double(run.first.x), double(run.first.y), width, height}, quads, points, samples);
+    beginPlain(run.first.x, run.first.y, width, height, quads, points, samples);
     aperture.Map(points.lensU + quads.begin, points.lensV + quads.begin, samples.a + quads.begin, samples.b + quads.begin, quads.Count());
+}
+
+void EmitterSampler::GenerateOneByOne(const Targets& targets, const SampleRun& run, const SequencePoints& points,
+                                      CameraSamples& samples) const
+{
+    for (std::uint32_t i = 0; i < run.count; i++)
+        samples.Put(run.Place() + i, Generate(targets, run[i], points[run.Place() + i]));
 }
 
 /// Where on the film, in pixels, the ray through a point of the lens and `through` begins; false where there is none

@@ -157,6 +157,7 @@ class EmitterSampler
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
     bool Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const;
+    void GenerateOneByOne(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
     void SampleEmitters(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
     bool SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const SequencePoint& point,
                    CameraSample& sample) const;

@@ -166,10 +166,13 @@ void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t cou
 void PixelStatistics::Add(const SampleResult* results, std::uint32_t count)
 {
     const std::uint32_t toFirst = samples < firstBuffer ? std::min(count, firstBuffer - samples) : 0;
-    if (toFirst > 0)
+    if (toFirst > 0 && toFirst < count)
+    {
         AddToBuffer(results, toFirst, sum[0]);
-    if (count > toFirst)
         AddToBuffer(results + toFirst, count - toFirst, sum[1]);
+    }
+    else
+        AddToBuffer(results, count, sum[toFirst > 0 ? 0 : 1]);
 }
 
 /// The variance of one sample, where a fixed share of them is sent at emitters: only differences among these and among the

@@ -110,8 +110,10 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
     DBL distances[tilt_lens::kCameraRaysOfBatch];
     Ray ray = CameraRayOfPov();
     const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
+    const unsigned int count = run.count;
+    const bool plain = trace.camera.Tnormal == NULL && view->aroundLens.empty();
     trace.areaLightSampler = this;
-    for (unsigned int i = 0; i < run.count; i++)
+    for (unsigned int i = 0; i < count; i++)
     {
         index = run.first.index + i;
         results[i].expectedEmission = rays.samples.expectedEmission[place + i];
@@ -119,60 +121,76 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
         if (rays.samples.weight[place + i] == 0.0)
             results[i].radiance = Radiance{};
         else
-            distances[i] = TraceRayOf(rays, place + i, ray, ticket, results[i].radiance);
+        {
+            Begin(ray, rays, place + i);
+            if (!plain)
+                BeginSpecially(ray, rays, place + i);
+            distances[i] = TraceRay(ray, ticket, rays.samples.weight[place + i], results[i].radiance);
+        }
     }
     trace.areaLightSampler = NULL;
-    for (unsigned int i = 0; run.ofFirstRound && i < run.count; i++)
-        FindBlur(rays, place + i, distances[i], width, results[i]);
+    if (run.ofFirstRound)
+        FindBlur(rays, place, count, distances, width, results);
 }
 
-/// @param ray     as CameraRayOfPov() makes it; may be used again
-/// @param ticket  a new one
-/// @return  distance of what is met
-inline DBL TiltLensTracer::TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray, Trace::TraceTicket ticket,
-                                      Radiance& radiance)
+/// From a point of the lens through the focus of that film point.
+inline void TiltLensTracer::Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const
 {
-    // from a point of the lens through the focus of that film point
     const VECTOR& location = trace.camera.Location;
     for (int axis = X; axis <= Z; axis++)
     {
         ray.Origin[axis] = location[axis] + rays.origin[axis][place];
         ray.Direction[axis] = rays.direction[axis][place];
     }
+}
+
+/// Where the camera has a normal, or objects around its lens.
+void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place)
+{
     if (trace.camera.Tnormal != NULL)
     {
         VECTOR film = {rays.samples.x[place], rays.samples.y[place], 0.0};
         Perturb_Normal(ray.Direction, trace.camera.Tnormal, film, NULL, NULL, trace.threadData);
         VNormalizeEq(ray.Direction);
     }
-    if (!view->aroundLens.empty())
-        EnterInteriors(ray);
+    EnterInteriors(ray);
+}
 
+/// @param ticket  a new one
+/// @return  distance of what is met
+inline DBL TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, Radiance& radiance)
+{
     trace.ForgetRays();
     // whatever draws random numbers on the way draws this sample's own
     SeedRandomNumbers(pixel->Hash(index));
     areaLightsMet = 0;
     Colour colour;
     const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
-    const double weight = rays.samples.weight[place];
     radiance = {weight * colour[pRED], weight * colour[pGREEN], weight * colour[pBLUE], weight * colour[pFILTER],
                 weight * colour[pTRANSM]};
     return distance;
 }
 
-/// Of what such a ray has met.
-inline void TiltLensTracer::FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, DBL distance, DBL width,
-                                     tilt_lens::SampleResult& result) const
+/// Of what such rays have met.
+void TiltLensTracer::FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
+                              DBL width, tilt_lens::SampleResult* results) const
 {
     const tilt_lens::CameraSamples& samples = rays.samples;
-    const bool traced = samples.weight[place] != 0.0;
-    const double length = rays.length[place], w = rays.w[place];
-    result.blurRadius = traced ? view->BlurRadius(w, distance / length, width) : 0.0;
+    for (unsigned int i = 0; i < count; i++)
+    {
+        const bool traced = samples.weight[place + i] != 0.0;
+        results[i].blurRadius = traced ? view->BlurRadius(rays.w[place + i], distances[i] / rays.length[place + i], width) : 0.0;
+    }
     if (!view->limits.Denoises())
         return;
-    result.circle = traced && view->samplesSpread ? view->footprint.CircleOf({samples.x[place], samples.y[place]},
-                                                                             {samples.a[place], samples.b[place]}, length / distance - w)
-                                                  : tilt_lens::CircleOfConfusion();
+    for (unsigned int i = 0; i < count; i++)
+    {
+        const unsigned int at = place + i;
+        results[i].circle = tilt_lens::CircleOfConfusion();
+        if (view->samplesSpread && samples.weight[at] != 0.0)
+            results[i].circle = view->footprint.CircleOf({samples.x[at], samples.y[at]}, {samples.a[at], samples.b[at]},
+                                                         rays.length[at] / distances[i] - rays.w[at]);
+    }
 }
 
 /// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean

@@ -92,13 +92,15 @@ class TiltLensTracer : public AreaLightSampler
     void TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
     void TraceColours(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
     void TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
-    DBL TraceRayOf(const tilt_lens::CameraRays& rays, unsigned int place, Ray& ray, Trace::TraceTicket ticket,
-                   tilt_lens::Radiance& radiance);
+    DBL TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, tilt_lens::Radiance& radiance);
     /// @}
     void TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, DBL width,
                    tilt_lens::SampleResult* results);
-    void FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, DBL distance, DBL width, tilt_lens::SampleResult& result) const;
+    void FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances, DBL width,
+                  tilt_lens::SampleResult* results) const;
     Ray CameraRayOfPov() const;
+    void Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const;
+    void BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place);
     void EnterInteriors(Ray& ray);
     void SeedRandomNumbers(unsigned int seed);
     void SeedSubsurface(unsigned int seed);
