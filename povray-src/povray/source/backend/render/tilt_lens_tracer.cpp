@@ -53,7 +53,12 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 
 } // namespace
 
-TiltLensTracer::TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& itsView) : trace(owner), view(itsView) {}
+TiltLensTracer::TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& itsView) :
+    trace(owner), view(itsView),
+    interiorsVary(std::any_of(view->aroundLens.begin(), view->aroundLens.end(), [](const ObjectAroundLens& around)
+        { return !around.holdsLens; }))
+{
+}
 
 shared_ptr<TiltLensTracer> TiltLensTracer::Create(TracePixel& owner, const shared_ptr<TiltLensView>& view)
 {
@@ -65,7 +70,7 @@ TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
     return owner.tiltLens.get();
 }
 
-void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, DBL width,
+void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray, DBL width,
                               tilt_lens::SampleResult* results)
 {
     rays.Make(run);
@@ -79,7 +84,7 @@ void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::
             TraceSample(rays.One(place + i), width, results[i]);
         }
     else
-        TraceRays(rays.Rays(), place, run, width, results);
+        TraceRays(rays.Rays(), place, run, ray, width, results);
 }
 
 void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
@@ -94,24 +99,28 @@ void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, DBL widt
 {
     tilt_lens::CameraRays rays;
     rays.Put(0, camera);
-    TraceRays(rays, 0, {{0, 0, index}, 1, true}, width, &result);
+    Ray ray = CameraRayOfPov();
+    TraceRays(rays, 0, {{0, 0, index}, 1, true}, ray, width, &result);
 }
 
+/// A ray that has yet to begin; within what holds the whole lens.
 Ray TiltLensTracer::CameraRayOfPov() const
 {
-    return Ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
+    Ray ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
+    if (!interiorsVary)
+        EnterInteriors(ray);
+    return ray;
 }
 
 /// Camera rays in, light out.
 /// @param place  of the run's first ray
-void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, DBL width,
-                               tilt_lens::SampleResult* results)
+void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray,
+                               DBL width, tilt_lens::SampleResult* results)
 {
     DBL distances[tilt_lens::kCameraRaysOfBatch];
-    Ray ray = CameraRayOfPov();
     const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
     const unsigned int count = run.count;
-    const bool plain = trace.camera.Tnormal == NULL && view->aroundLens.empty();
+    const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
     trace.areaLightSampler = this;
     for (unsigned int i = 0; i < count; i++)
     {
@@ -144,7 +153,7 @@ inline void TiltLensTracer::Begin(Ray& ray, const tilt_lens::CameraRays& rays, u
     }
 }
 
-/// Where the camera has a normal, or objects around its lens.
+/// Where the camera has a normal, or a part of its lens lies within an object.
 void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place)
 {
     if (trace.camera.Tnormal != NULL)
@@ -153,7 +162,14 @@ void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays,
         Perturb_Normal(ray.Direction, trace.camera.Tnormal, film, NULL, NULL, trace.threadData);
         VNormalizeEq(ray.Direction);
     }
-    EnterInteriors(ray);
+    if (interiorsVary)
+    {
+        Ray other = CameraRayOfPov();
+        Assign_Vector(other.Origin, ray.Origin);
+        Assign_Vector(other.Direction, ray.Direction);
+        EnterInteriors(other);
+        ray = other;
+    }
 }
 
 /// @param ticket  a new one
@@ -210,15 +226,8 @@ bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosit
 }
 
 /// The lens points of one picture lie in few objects or none: the view has found out which to ask.
-void TiltLensTracer::EnterInteriors(Ray& ray)
+void TiltLensTracer::EnterInteriors(Ray& ray) const
 {
-    if (!ray.GetInteriors().empty() || !ray.IsHollowRay())
-    {
-        Ray other = CameraRayOfPov();  // the ray was one before
-        Assign_Vector(other.Origin, ray.Origin);
-        Assign_Vector(other.Direction, ray.Direction);
-        ray = other;
-    }
     for (const ObjectAroundLens& around : view->aroundLens)
     {
         const ObjectPtr object = around.object;
@@ -296,10 +305,11 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     tilt_lens::BlockCache own(view->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
     tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    Ray ray = CameraRayOfPov();
     areaLightPoints = areaLightPointsSkipped = 0;
     refusedRays = 0;
     sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
-        { TraceRun(rays, run, width, results); });
+        { TraceRun(rays, run, ray, width, results); });
 
     pixels.clear();
     effort.clear();
@@ -324,12 +334,13 @@ void TiltLensTracer::EstimateWork(unsigned int width)
     const unsigned int samples = std::min(tilt_lens::kProbeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
     tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    Ray ray = CameraRayOfPov();
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->progress.NextProbe())
     {
         const auto before = raysTraced();
         tilt_lens::SampleResult results[tilt_lens::kProbeSamples];
-        TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, width, results);
+        TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, ray, width, results);
         std::vector<Radiance> tried;
         for (unsigned int sample = 0; sample < samples; sample++)
             tried.push_back(results[sample].radiance);
