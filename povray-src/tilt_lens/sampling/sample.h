@@ -61,6 +61,7 @@ struct Quads
 {
     explicit Quads(const SampleRun& run) : begin(run.Place() & ~3u), end((run.Place() + run.count + 3) & ~3u) {}
 
+    static_assert(kCameraRaysOfBatch % 4 == 0, "whole fours lie within a group");
     const std::uint32_t begin, end;
 
     int Count() const { return int(end - begin); }

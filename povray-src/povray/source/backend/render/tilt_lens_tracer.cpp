@@ -119,12 +119,12 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
 {
     DBL distances[tilt_lens::kCameraRaysOfBatch];
     const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
-    const unsigned int count = run.count;
+    const unsigned int first = run.first.index, count = run.count;
     const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
     trace.areaLightSampler = this;
     for (unsigned int i = 0; i < count; i++)
     {
-        index = run.first.index + i;
+        index = first + i;
         results[i].expectedEmission = rays.samples.expectedEmission[place + i];
         distances[i] = HUGE_VAL;
         if (rays.samples.weight[place + i] == 0.0)
@@ -339,6 +339,7 @@ void TiltLensTracer::EstimateWork(unsigned int width)
     while (const auto probe = view->progress.NextProbe())
     {
         const auto before = raysTraced();
+        static_assert(tilt_lens::kProbeSamples <= tilt_lens::kCameraRaysOfBatch, "they are one run");
         tilt_lens::SampleResult results[tilt_lens::kProbeSamples];
         TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, ray, width, results);
         std::vector<Radiance> tried;
