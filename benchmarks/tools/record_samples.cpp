@@ -55,7 +55,7 @@ struct Recorder
 } // namespace
 
 // The linker's option --wrap leads calls of TileSampler::Run here.
-#define RUN _ZN9tilt_lens11TileSampler3RunERKNS_4AreaERKSt8functionIFvRKNS_8SampleIdERNS_12SampleResultEEE
+#define RUN _ZN9tilt_lens11TileSampler3RunERKNS_4AreaERKNS_6TracerE
 #define JOIN(a, b) a##b
 #define NAMED(prefix, name) JOIN(prefix, name)
 
@@ -68,7 +68,7 @@ extern "C" void NAMED(__wrap_, RUN)(TileSampler* sampler, const Area& tile, cons
             for (std::uint32_t index = 0; index < recorder.samples; index++)
             {
                 SampleResult result;
-                trace({x, y, index}, result);
+                trace.Trace({{x, y, index}, 1, true}, &result);
                 const std::lock_guard<std::mutex> lock(recorder.mutex);
                 recorder.Record({x, y, index}, result);
             }

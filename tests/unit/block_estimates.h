@@ -29,7 +29,7 @@ inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer
             while (pixel.statistics.Samples() < until)
             {
                 SampleResult result;
-                trace({x, y, pixel.statistics.Samples()}, result);
+                TraceOne(trace, {x, y, pixel.statistics.Samples()}, result);
                 pixel.statistics.Add(result);
             }
             pixel.statistics.EndRound();

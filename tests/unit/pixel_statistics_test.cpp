@@ -5,6 +5,7 @@
 
 #include "tilt_lens/sampling/pixel_statistics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -75,6 +76,43 @@ TEST(PixelStatistics, ASampleThatIsNotFiniteCountsAsBlackAndIsCounted)
         EXPECT_NEAR(pixel.Mean()[0], 0.75, 1e-15);
         EXPECT_EQ(pixel.Variation().variance[0], black.Variation().variance[0]);
     }
+}
+
+/// Rounds, and groups of samples that are added at once.
+TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
+{
+    for (const double odd : {0.3, 1e200, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})
+        for (const std::uint32_t group : {2u, 3u, 8u, 16u})
+        {
+            std::vector<SampleResult> results(32);
+            for (std::uint32_t i = 0; i < 32; i++)
+            {
+                results[i].radiance = {0.1 * (i % 7), 1.0 / (i + 1), -0.5 * i, i == 9 ? odd : 0.7, i == 20 ? odd : 0.0};
+                results[i].blurRadius = i % 5;
+                results[i].expectedEmission = i % 4 == 1 ? 0.25 * i : 0.0;
+            }
+            PixelStatistics together, single;
+            for (const std::uint32_t until : {8u, 16u, 32u})
+            {
+                together.BeginRound(until);
+                single.BeginRound(until);
+                for (std::uint32_t i = single.Samples(); i < until; i++)
+                    single.Add(results[i]);
+                for (std::uint32_t i = together.Samples(); i < until; i = together.Samples())
+                    together.Add(&results[i], std::min(group, until - i));
+                together.EndRound();
+                single.EndRound();
+                EXPECT_EQ(together.Samples(), single.Samples());
+                EXPECT_EQ(together.NotFinite(), single.NotFinite());
+                EXPECT_EQ(together.EmitterSamples(), single.EmitterSamples());
+                EXPECT_EQ(together.ExpectedEmission(), single.ExpectedEmission());
+                EXPECT_EQ(together.BlurRadius(), single.BlurRadius());
+                EXPECT_EQ(together.Mean(), single.Mean());
+                EXPECT_EQ(together.DualBufferDifference(), single.DualBufferDifference());
+                EXPECT_EQ(together.Variation().variance, single.Variation().variance);
+                EXPECT_EQ(together.Variation().maxSquaredDeviation, single.Variation().maxSquaredDeviation);
+            }
+        }
 }
 
 TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)

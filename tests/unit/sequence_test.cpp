@@ -396,6 +396,20 @@ TEST(SamplerHash, IsTheSameFromTheSamplerAndAlone)
                 << p << ", salt " << salt;
 }
 
+TEST(Sampler, APointOfAGroupIsThatOfItsIndex)
+{
+    for (const Pixel& p : somePixels)
+        for (const std::uint32_t index : {0u, 3u, 7u, 8u, 21u, 1000u, 123456789u, 4294967295u})
+        {
+            const PixelSampler sampler(p.x, p.y, p.seed);
+            SequencePoints group;
+            sampler.FindGroup(index, group);
+            const std::uint32_t first = index - index % settings.cameraRaysOfBatch;
+            for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
+                EXPECT_EQ(AsPoint(group[i]), AsPoint(sampler(first + i))) << p << ", " << first + i;
+        }
+}
+
 TEST(SamplerHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
 {
     for (int argument = 0; argument < 4; ++argument)

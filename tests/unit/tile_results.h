@@ -33,6 +33,12 @@ inline SequencePoint SequencePointOf(const SampleId& id)
     return PixelSampler(id.x, id.y, 0)(id.index);
 }
 
+/// A sample of a pixel's first round.
+inline void TraceOne(const Tracer& trace, const SampleId& id, SampleResult& light)
+{
+    trace.Trace({id, 1, true}, &light);
+}
+
 inline void Constant(const SampleId&, SampleResult& light)
 {
     light = Grey(0.7);

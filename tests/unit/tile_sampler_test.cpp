@@ -176,7 +176,7 @@ TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
         const Tracer counted = [&](const SampleId& id, SampleResult& light)
         {
             calls++;
-            way.trace(id, light);
+            TraceOne(way.trace, id, light);
         };
         BlockCache store(way.Limited(), kWidth, kHeight, {0, 0, kWidth, kHeight});
         std::atomic<std::uint32_t> row{0};
@@ -215,7 +215,7 @@ TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
             {
                 if (++calls == broken)
                     throw std::runtime_error("cancelled");
-                way.trace(id, light);
+                TraceOne(way.trace, id, light);
             };
             TileSampler sampler(store);
             const Area all{0, 0, kWidth, kHeight};

@@ -11,6 +11,7 @@
 
 #include "tilt_lens/camera/aperture_picture.h"
 #include "tilt_lens/camera/blade_arc.h"
+#include "tilt_lens/math/simd.h"
 
 namespace tilt_lens
 {
@@ -20,53 +21,120 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
+/// What follows is for a number or for a vector register of them.
 /// @name Sine and cosine for |x| <= pi/4, by their Taylor series; the first term left out is below
 /// 3e-14. In place of the C library's: faster, and the same on every machine.
 /// @{
-inline double SmallSin(double x)
+template<class Number>
+TILT_LENS_INLINED Number SmallSin(const Number& x)
 {
-    const double s = x * x;
-    return x * (1 + s * (-1.0 / 6 +
-                         s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 +
-                                                                  s * (-1.0 / 39916800 +
-                                                                       s * (1.0 / 6227020800)))))));
+    const Number s = x * x;
+    return x * (1.0 + s * (-1.0 / 6 +
+                           s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 +
+                                                                    s * (-1.0 / 39916800 +
+                                                                         s * (1.0 / 6227020800)))))));
 }
 
-inline double SmallCos(double x)
+template<class Number>
+TILT_LENS_INLINED Number SmallCos(const Number& x)
 {
-    const double s = x * x;
-    return 1 + s * (-1.0 / 2 +
-                    s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 +
-                                                           s * (-1.0 / 3628800 +
-                                                                s * (1.0 / 479001600 +
-                                                                     s * (-1.0 / 87178291200)))))));
+    const Number s = x * x;
+    return 1.0 + s * (-1.0 / 2 +
+                      s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 +
+                                                             s * (-1.0 / 3628800 +
+                                                                  s * (1.0 / 479001600 +
+                                                                       s * (-1.0 / 87178291200)))))));
 }
 /// @}
 
 /// The concentric map in polar form. The square [-1, 1]^2 consists of concentric squares, which
 /// become concentric circles, in four quarters: right and left of the diagonals, above and below.
+template<class Number>
 struct Concentric
 {
-    bool sideways;  ///< in the right or left quarter
-    double radius;  ///< its sign is that of the main coordinate
-    double slope;  ///< in [-1, 1]: 4/pi of the angle from the quarter's axis towards the other axis
+    decltype(Number() > Number()) sideways;  ///< in the right or left quarter
+    Number radius;  ///< its sign is that of the main coordinate
+    Number slope;   ///< in [-1, 1]: 4/pi of the angle from the quarter's axis towards the other axis
 };
 
-inline Concentric ToConcentric(double u, double v)
+template<class Number>
+TILT_LENS_INLINED Concentric<Number> ToConcentric(const Number& u, const Number& v)
 {
-    const double x = 2 * u - 1, y = 2 * v - 1;
-    const bool sideways = std::fabs(x) > std::fabs(y);
-    const double main = sideways ? x : y, other = sideways ? y : x;
-    return {sideways, main, main != 0 ? other / main : 0.0};
+    const Number x = 2.0 * u - 1.0, y = 2.0 * v - 1.0, one = Number() + 1.0;
+    const auto sideways = (x < 0.0 ? -x : x) > (y < 0.0 ? -y : y);
+    const Number main = sideways ? x : y, other = sideways ? y : x;
+    return {sideways, main, other / (main != 0.0 ? main : one)};
 }
 
-inline AperturePoint OnDisc(double u, double v)
+template<class Number>
+TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Number& b)
 {
-    const Concentric c = ToConcentric(u, v);
-    const double angle = pi / 4 * c.slope;
-    const double along = c.radius * SmallCos(angle), across = c.radius * SmallSin(angle);
-    return c.sideways ? AperturePoint{along, across} : AperturePoint{across, along};
+    const Concentric<Number> c = ToConcentric(u, v);
+    const Number angle = pi / 4 * c.slope;
+    const Number along = c.radius * SmallCos(angle), across = c.radius * SmallSin(angle);
+    a = c.sideways ? along : across;
+    b = c.sideways ? across : along;
 }
+
+/// On a polygon: the number of edges from the first corner on, turning about the middle, and the part of the way to the rim.
+template<class Number>
+TILT_LENS_INLINED void FindPosition(const Number& u, const Number& v, double edges, Number& position, Number& radius)
+{
+    const Concentric<Number> c = ToConcentric(u, v);
+    Number turns = c.sideways ? c.slope / 8.0 : 0.25 - c.slope / 8.0;
+    turns = c.radius < 0.0 ? turns + 0.5 : turns;
+    turns = turns < 0.0 ? turns + 1.0 : turns;
+    position = turns * edges;
+    radius = c.radius < 0.0 ? -c.radius : c.radius;
+}
+
+template<class Vector>
+TILT_LENS_INLINED void FindFourPositions(const double* u, const double* v, double edges, double* positions, double* radii)
+{
+    for (int i = 0; i < 4; i += sizeof(Vector) / sizeof(double))
+    {
+        Vector position, radius;
+        FindPosition(Load<Vector>(u + i), Load<Vector>(v + i), edges, position, radius);
+        Store(positions + i, position);
+        Store(radii + i, radius);
+    }
+}
+
+void FindFourPlainly(const double* u, const double* v, double edges, double* positions, double* radii)
+{
+    FindFourPositions<Double2>(u, v, edges, positions, radii);
+}
+
+TILT_LENS_FOR_AVX2 void FindFourByAvx2(const double* u, const double* v, double edges, double* positions, double* radii)
+{
+    FindFourPositions<Double4>(u, v, edges, positions, radii);
+}
+
+const auto findFourPositions = HasAvx2() ? FindFourByAvx2 : FindFourPlainly;
+
+template<class Vector>
+TILT_LENS_INLINED void MapToDisc(const double* u, const double* v, double* a, double* b, int count)
+{
+    for (int i = 0; i < count; i += sizeof(Vector) / sizeof(double))
+    {
+        Vector pointA, pointB;
+        OnDisc(Load<Vector>(u + i), Load<Vector>(v + i), pointA, pointB);
+        Store(a + i, pointA);
+        Store(b + i, pointB);
+    }
+}
+
+void MapToDiscPlain(const double* u, const double* v, double* a, double* b, int count)
+{
+    MapToDisc<Double2>(u, v, a, b, count);
+}
+
+TILT_LENS_FOR_AVX2 void MapToDiscByAvx2(const double* u, const double* v, double* a, double* b, int count)
+{
+    MapToDisc<Double4>(u, v, a, b, count);
+}
+
+const auto mapToDisc = HasAvx2() ? MapToDiscByAvx2 : MapToDiscPlain;
 
 }  // namespace
 
@@ -78,19 +146,32 @@ struct Aperture::Outline
 
     AperturePoint Map(double u, double v) const
     {
-        const Concentric c = ToConcentric(u, v);
-        double turns = c.sideways ? c.slope / 8 : 0.25 - c.slope / 8;
-        if (c.radius < 0)
-            turns += 0.5;
-        if (turns < 0)
-            turns += 1;
+        double position, radius;
+        FindPosition(u, v, edges, position, radius);
+        return PointAt(position, radius);
+    }
 
+    /// @param position, radius  as FindPosition() gives them
+    AperturePoint PointAt(double position, double radius) const
+    {
         // Rounding may reach a whole turn: that is the end of the last edge.
-        const double position = turns * edges;
         const int edge = std::min(static_cast<int>(position), edges - 1);
-        const double t = position - edge, radius = std::fabs(c.radius);
+        const double t = position - edge;
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
         return {radius * (p.a + t * (q.a - p.a)), radius * (p.b + t * (q.b - p.b))};
+    }
+
+    void Map(const double* u, const double* v, double* a, double* b, int count) const
+    {
+        double positions[4], radii[4];
+        for (int i = 0; i < count; ++i)
+        {
+            if (i % 4 == 0)
+                findFourPositions(u + i, v + i, edges, positions, radii);
+            const AperturePoint point = PointAt(positions[i % 4], radii[i % 4]);
+            a[i] = point.a;
+            b[i] = point.b;
+        }
     }
 
     /// The edge that the direction of a point crosses.
@@ -264,7 +345,29 @@ AperturePoint Aperture::operator()(double u, double v) const
         const AperturePoint point = oval->shape(u, v);
         return {oval->width * point.a, oval->height * point.b};
     }
-    return OnDisc(u, v);
+    AperturePoint point;
+    OnDisc(u, v, point.a, point.b);
+    return point;
+}
+
+void Aperture::Map(const double* u, const double* v, double* a, double* b, int count) const
+{
+    if (shape == Shape::Disc)
+        mapToDisc(u, v, a, b, count);
+    else if (shape == Shape::Polygon)
+        outline->Map(u, v, a, b, count);
+    else
+        MapOneByOne(u, v, a, b, count);
+}
+
+void Aperture::MapOneByOne(const double* u, const double* v, double* a, double* b, int count) const
+{
+    for (int i = 0; i < count; ++i)
+    {
+        const AperturePoint point = (*this)(u[i], v[i]);
+        a[i] = point.a;
+        b[i] = point.b;
+    }
 }
 
 double Aperture::Density(const AperturePoint& point) const

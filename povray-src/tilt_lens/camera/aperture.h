@@ -85,6 +85,10 @@ class Aperture
     /// @param u, v  in [0, 1)
     AperturePoint operator()(double u, double v) const;
 
+    /// The same for some points, side by side.
+    /// @param count  a multiple of 4
+    void Map(const double* u, const double* v, double* a, double* b, int count) const;
+
     /// Density of the points that uniform (u, v) give, per area of aperture coordinates; 0 outside the
     /// opening. Its integral is 1.
     double Density(const AperturePoint& point) const;
@@ -116,6 +120,7 @@ class Aperture
     std::shared_ptr<const Grade> grade;      ///< of a graded shape only
 
     double Size(const AperturePoint& point) const;
+    void MapOneByOne(const double* u, const double* v, double* a, double* b, int count) const;
 };
 
 }  // namespace tilt_lens

@@ -9,29 +9,9 @@ namespace tilt_lens
 namespace
 {
 
-unsigned int SignBits(const Mask4& mask)
-{
-#ifdef __SSE2__
-    return __builtin_ia32_movmskps(reinterpret_cast<const Float4&>(mask));
-#else
-    unsigned int bits = 0;
-    for (int i = 0; i < 4; i++)
-        bits |= (mask[i] < 0 ? 1u : 0u) << i;
-    return bits;
-#endif
-}
-
-unsigned int SignBits(const Mask8& mask)
-{
-    const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
-    return SignBits(halves[0]) | SignBits(halves[1]) << 4;
-}
-
-/// As many of the boxes as a Vector has lanes, from `first`. Written once for each kind of processor: no operation is contracted,
-/// so that all have the same results.
+/// As many of the boxes as a Vector has lanes, from `first`.
 template<class Vector>
-inline __attribute__((always_inline)) unsigned int EnterSome(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin,
-                                                             int first)
+TILT_LENS_INLINED unsigned int EnterSome(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin, int first)
 {
     const char* const from = reinterpret_cast<const char*>(&boxes) + first * sizeof(float);
     Vector enter = Vector(), leave = Vector() + limit;
@@ -55,25 +35,10 @@ unsigned int EnterPlain(const EightBoxes& boxes, const BoxRay& ray, float limit,
     return EnterSome<Float4>(boxes, ray, limit, begin, 0) | EnterSome<Float4>(boxes, ray, limit, begin, 4) << 4;
 }
 
-#if defined(__x86_64__) || defined(__i386__)
-
-__attribute__((target("avx2"))) unsigned int EnterByAvx2(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin)
+TILT_LENS_FOR_AVX2 unsigned int EnterByAvx2(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin)
 {
     return EnterSome<Float8>(boxes, ray, limit, begin, 0);
 }
-
-bool HasAvx2() { return __builtin_cpu_supports("avx2"); }
-
-#else
-
-unsigned int EnterByAvx2(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin)
-{
-    return EnterPlain(boxes, ray, limit, begin);
-}
-
-bool HasAvx2() { return false; }
-
-#endif
 
 EnterBoxes* const Enter = HasAvx2() ? EnterByAvx2 : EnterPlain;
 

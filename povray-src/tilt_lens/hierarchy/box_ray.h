@@ -72,8 +72,6 @@ EnterBoxes EnterPlain;
 /// With half as many instructions, for those that have AVX2; has the same results to the last bit.
 EnterBoxes EnterByAvx2;
 
-bool HasAvx2();
-
 /// The faster one that this processor has.
 extern EnterBoxes* const Enter;
 

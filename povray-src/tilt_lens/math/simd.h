@@ -3,17 +3,23 @@
 
 /// @file simd.h
 /// Vector registers of 16 and 32 bytes: their types, and numbers that lie side by side to and from them. Memory needs no alignment.
+///
+/// What is worth it is written once, as a function that is always inlined, and compiled twice: for every processor, and for those
+/// with AVX2, whose registers hold twice as much. No operation is contracted, so that both have the same results. A function
+/// that takes or returns a register of 32 bytes must be inlined, since the two pass it differently.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
 
 #include <cstring>
+#include <type_traits>
 
 namespace tilt_lens
 {
 
 /// Lanes compare to masks: `a < b ? a : b` chooses lane by lane.
 typedef double Double2 __attribute__((vector_size(16)));
+typedef double Double4 __attribute__((vector_size(32)));
 typedef float Float4 __attribute__((vector_size(16)));
 typedef float Float2 __attribute__((vector_size(8)));  ///< what converts to a Double2
 typedef long long Mask2 __attribute__((vector_size(16)));
@@ -21,24 +27,68 @@ typedef int Mask4 __attribute__((vector_size(16)));
 typedef float Float8 __attribute__((vector_size(32)));
 typedef int Mask8 __attribute__((vector_size(32)));
 
+#define TILT_LENS_INLINED inline __attribute__((always_inline))
+
 /// @param from  as many numbers as a Vector holds, which may be a single number
 template<class Vector, class Number>
-Vector Load(const Number* from)
+TILT_LENS_INLINED Vector Load(const Number* from)
 {
+    if constexpr (std::is_same_v<Vector, Number>)
+        return *from;
     Vector vector;
     std::memcpy(&vector, from, sizeof(vector));
     return vector;
 }
 
 template<class Vector, class Number>
-void Store(Number* to, Vector vector)
+TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
 {
-    std::memcpy(to, &vector, sizeof(vector));
+    if constexpr (std::is_same_v<Vector, Number>)
+        *to = vector;
+    else
+        std::memcpy(to, &vector, sizeof(vector));
 }
 
 /// Lane by lane; b where either is no number.
 inline Float4 Min(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 Max(Float4 a, Float4 b) { return a > b ? a : b; }
+
+/// One bit for each lane.
+TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)
+{
+#ifdef __SSE2__
+    return __builtin_ia32_movmskps(reinterpret_cast<const Float4&>(mask));
+#else
+    unsigned int bits = 0;
+    for (int i = 0; i < 4; i++)
+        bits |= (mask[i] < 0 ? 1u : 0u) << i;
+    return bits;
+#endif
+}
+
+TILT_LENS_INLINED unsigned int SignBits(const Mask8& mask)
+{
+    const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
+    return SignBits(halves[0]) | SignBits(halves[1]) << 4;
+}
+
+/// Whether a comparison of 16 or 32 bytes holds in all lanes.
+template<class Mask>
+TILT_LENS_INLINED bool All(const Mask& mask)
+{
+    if constexpr (sizeof(Mask) == sizeof(Mask8))
+        return SignBits((Mask8)mask) == 0xff;  // the same bits
+    else
+        return SignBits((Mask4)mask) == 0xf;
+}
+
+#if defined(__x86_64__) || defined(__i386__)
+#define TILT_LENS_FOR_AVX2 __attribute__((target("avx2")))
+inline bool HasAvx2() { return __builtin_cpu_supports("avx2"); }
+#else
+#define TILT_LENS_FOR_AVX2
+inline bool HasAvx2() { return false; }
+#endif
 
 } // namespace tilt_lens
 

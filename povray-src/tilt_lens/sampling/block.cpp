@@ -26,18 +26,19 @@ void Spread(const SampleId& id, const SampleResult& result, const Area& block, S
 }
 
 /// A round of one pixel.
+/// @param results  place for those of a run
 void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::uint32_t y, std::uint32_t until,
-               SpreadSums* spread, const Tracer& trace)
+               SpreadSums* spread, const Tracer& tracer, SampleResult* results)
 {
     pixel.BeginRound(until);
-    SampleId id{x, y, 0};
-    SampleResult result;
-    for (id.index = pixel.Samples(); id.index < until; id.index++)
+    SampleRun run{{x, y, pixel.Samples()}, 0, pixel.Samples() == 0};
+    for (; run.first.index < until; run.first.index += run.count)
     {
-        trace(id, result);
-        pixel.Add(result);
-        if (spread != nullptr)
-            Spread(id, result, area, *spread);
+        run.count = std::min(settings.cameraRaysOfBatch - run.first.index % settings.cameraRaysOfBatch, until - run.first.index);
+        tracer.Trace(run, results);
+        pixel.Add(results, run.count);
+        for (std::uint32_t i = 0; spread != nullptr && i < run.count; i++)
+            Spread(run[i], results[i], area, *spread);
     }
     pixel.EndRound();
 }
@@ -48,13 +49,15 @@ void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::u
 void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, SpreadSums* spread, const Tracer& trace)
 {
     const Area& area = estimate.area;
+    std::array<SampleResult, settings.cameraRaysOfBatch> results;
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
         {
             PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
             PixelStatistics& own = pixel.statistics;
             while (pixel.active && own.Samples() < until)
-                TakeRound(own, area, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), spread, trace);
+                TakeRound(own, area, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), spread, trace,
+                          results.data());
         }
 }
 

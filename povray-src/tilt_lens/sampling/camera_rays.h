@@ -3,13 +3,11 @@
 
 /// @file camera_rays.h
 /// From the number of a sample to its ray: film point and lens point from the sequence or from emitter sampling,
-/// then the ray from one through the other. Each step waits for divisions and roots of the step before; those of
-/// several samples overlap, so rays are made in batches.
+/// then the ray from one through the other. Rays of a group of samples are made together, side by side in vector registers.
 
 #ifndef TILT_LENS_CAMERA_RAYS_H
 #define TILT_LENS_CAMERA_RAYS_H
 
-#include <algorithm>
 #include <array>
 
 #include "tilt_lens/camera/ray.h"
@@ -29,8 +27,9 @@ struct CameraRay
     Vec3 direction;       ///< the ray's, normalised
     std::uint32_t refused = 0;  ///< rays before it that a lens of glass let not through
 
+    CameraRay() = default;
     /// Completes a ray from its start.
-    void FindRay(const Lens& lens) { Take(MakeRay(lens, sample.x, sample.y, sample.point.a, sample.point.b)); }
+    CameraRay(const Lens& lens, const CameraSample& start) : sample(start) { Take(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)); }
 
     /// A sample of a lens of glass and its ray; of one with dispersion only the sample, whose rays DrawColour() finds.
     void Draw(const GlassCamera& glass, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
@@ -76,65 +75,63 @@ struct CameraRay
     }
 };
 
-/// The camera rays of samples that are asked for pixel by pixel, those of a pixel in order.
+/// The rays of a group of samples, side by side; as CameraRay has them.
+struct CameraRays
+{
+    CameraSamples samples;
+    double origin[3][settings.cameraRaysOfBatch], direction[3][settings.cameraRaysOfBatch];  ///< the direction is normalised
+    double length[settings.cameraRaysOfBatch], w[settings.cameraRaysOfBatch];
+
+    void Put(std::uint32_t i, const CameraRay& ray)
+    {
+        samples.Put(i, ray.sample);
+        const Vec3 &from = ray.ray.origin, &along = ray.direction;
+        origin[0][i] = from.x, origin[1][i] = from.y, origin[2][i] = from.z;
+        direction[0][i] = along.x, direction[1][i] = along.y, direction[2][i] = along.z;
+        length[i] = ray.length, w[i] = ray.ray.w;
+    }
+};
+
+/// Completes the rays of a run from their samples, as CameraRay does, to the last bit.
+void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays);
+
+/// The camera rays of samples that are asked for pixel by pixel.
 class CameraRayBatch
 {
   public:
     /// @param glass  null for an ideal lens
-    /// @param first  samples that each pixel gets in its first round
     /// @param seed   of the pattern of samples (Statement::sampleSeed)
-    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t first, std::uint32_t seed) :
-        lens(lens), emitters(emitters), glass(glass), ahead(std::min(settings.cameraRaysOfBatch, first)), seed(seed)
+    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t seed) :
+        lens(lens), emitters(emitters), glass(glass), seed(seed)
     {
     }
 
-    const CameraRay& Of(const SampleId& id)
-    {
-        if (count == 0 || id.x != first.x || id.y != first.y)
-        {
-            sampler = PixelSampler(id.x, id.y, seed);
-            targets = emitters.TargetsOf(id.x, id.y);
-            count = 0;
-        }
-        if (id.index - first.index >= count)
-            Make(id);
-        return rays[id.index - first.index];
-    }
+    void Make(const SampleRun& run);
 
-    /// The sequence of the pixel that was asked for last.
-    const PixelSampler& Sampler() const { return sampler; }
+    /// @name Of the last run.
+    /// @{
+    const PixelSampler& Sampler() const { return sampler; }  ///< the sequence of the pixel
+    const CameraRays& Rays() const { return rays; }          ///< at the samples' places in their group
+    /// One of them, to be traced for light of one colour.
+    CameraRay One(std::uint32_t place) const;
+    std::uint32_t Refused() const { return refused; }        ///< rays that a lens of glass let not through
+    /// @}
 
   private:
     const Lens& lens;
     const EmitterSampler& emitters;
     const GlassCamera* const glass;
-    const std::uint32_t ahead;  ///< rays made at a time; rounds of samples are no shorter, so that none is made in vain
     const std::uint32_t seed;
+    bool empty = true;  ///< nothing has been made
+    SampleId pixel{};   ///< of the last run
     PixelSampler sampler{0, 0, 0};
     EmitterSampler::Targets targets;
-    SampleId first{};
-    std::uint32_t count = 0;
-    std::array<CameraRay, settings.cameraRaysOfBatch> rays;
+    SequencePoints points{};
+    CameraRays rays{};
+    std::array<CameraRay, settings.cameraRaysOfBatch> ofGlass;
+    std::uint32_t refused = 0;
 
-    void Make(const SampleId& from)
-    {
-        first = from;
-        count = ahead;
-        std::array<SequencePoint, settings.cameraRaysOfBatch> points;
-        for (std::uint32_t i = 0; i < count; i++)
-            points[i] = sampler(from.index + i);
-        if (glass != nullptr)
-        {
-            for (std::uint32_t i = 0; i < count; i++)
-                rays[i].Draw(*glass, {from.x, from.y, from.index + i}, points[i],
-                             emitters.FilmPointOf(from.x + points[i].pixelX, from.y + points[i].pixelY));
-            return;
-        }
-        for (std::uint32_t i = 0; i < count; i++)
-            rays[i].sample = emitters.Generate(targets, {from.x, from.y, from.index + i}, points[i]);
-        for (std::uint32_t i = 0; i < count; i++)
-            rays[i].FindRay(lens);
-    }
+    void MakeOfGlass(const SampleRun& run);
 };
 
 } // namespace tilt_lens

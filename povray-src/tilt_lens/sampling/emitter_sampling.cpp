@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/math/simd.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
@@ -16,6 +17,34 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
+
+/// What plain samples of a pixel have before their lens points: FilmPointAt(), and weights of 1.
+template<class Vector>
+TILT_LENS_INLINED void BeginPlain(double column, double row, double width, double height, const Quads& quads,
+                                  const SequencePoints& points, CameraSamples& samples)
+{
+    for (std::uint32_t i = quads.begin; i < quads.end; i += sizeof(Vector) / sizeof(double))
+    {
+        Store(samples.x + i, (column + Load<Vector>(points.pixelX + i)) / width - 0.5);
+        Store(samples.y + i, 0.5 - (row + Load<Vector>(points.pixelY + i)) / height);
+        Store(samples.weight + i, Vector() + 1.0);
+        Store(samples.expectedEmission + i, Vector());
+    }
+}
+
+void BeginPlainly(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
+                  CameraSamples& samples)
+{
+    BeginPlain<Double2>(column, row, width, height, quads, points, samples);
+}
+
+TILT_LENS_FOR_AVX2 void BeginByAvx2(double column, double row, double width, double height, const Quads& quads,
+                                    const SequencePoints& points, CameraSamples& samples)
+{
+    BeginPlain<Double4>(column, row, width, height, quads, points, samples);
+}
+
+const auto beginPlain = HasAvx2() ? BeginByAvx2 : BeginPlainly;
 
 } // namespace
 
@@ -30,6 +59,22 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
     for (const Emitter& emitter : all)
         Keep(emitter, limits.FirstRound() * limits.variance);
     Distribute();
+}
+
+void EmitterSampler::Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
+{
+    if (!targets.targets.empty() || !vignetting.None())
+        return GenerateOneByOne(targets, run, points, samples);
+    const Quads quads(run);
+    beginPlain(run.first.x, run.first.y, width, height, quads, points, samples);
+    aperture.Map(points.lensU + quads.begin, points.lensV + quads.begin, samples.a + quads.begin, samples.b + quads.begin, quads.Count());
+}
+
+void EmitterSampler::GenerateOneByOne(const Targets& targets, const SampleRun& run, const SequencePoints& points,
+                                      CameraSamples& samples) const
+{
+    for (std::uint32_t i = 0; i < run.count; i++)
+        samples.Put(run.Place() + i, Generate(targets, run[i], points[run.Place() + i]));
 }
 
 /// Where on the film, in pixels, the ray through a point of the lens and `through` begins; false where there is none

@@ -56,6 +56,20 @@ struct CameraSample
     double expectedEmission;  ///< as SampleResult has it
 };
 
+/// The same of a group of samples, side by side.
+struct CameraSamples
+{
+    double x[settings.cameraRaysOfBatch], y[settings.cameraRaysOfBatch], a[settings.cameraRaysOfBatch], b[settings.cameraRaysOfBatch];
+    double weight[settings.cameraRaysOfBatch], expectedEmission[settings.cameraRaysOfBatch];
+
+    CameraSample operator[](std::uint32_t i) const { return {x[i], y[i], {a[i], b[i]}, weight[i], expectedEmission[i]}; }
+    void Put(std::uint32_t i, const CameraSample& sample)
+    {
+        x[i] = sample.x, y[i] = sample.y, a[i] = sample.point.a, b[i] = sample.point.b;
+        weight[i] = sample.weight, expectedEmission[i] = sample.expectedEmission;
+    }
+};
+
 /// The emitters of a picture. Immutable: threads share it.
 class EmitterSampler
 {
@@ -100,6 +114,11 @@ class EmitterSampler
         return sample;
     }
 
+    /// The same for some samples of a group.
+    /// @param points   of the group
+    /// @param samples  takes them at their places in the group
+    void Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
+
   private:
     struct Box
     {
@@ -138,6 +157,7 @@ class EmitterSampler
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
     bool Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const;
+    void GenerateOneByOne(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
     void SampleEmitters(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
     bool SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const SequencePoint& point,
                    CameraSample& sample) const;

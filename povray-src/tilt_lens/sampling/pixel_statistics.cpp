@@ -6,8 +6,104 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tilt_lens/math/simd.h"
+
 namespace tilt_lens
 {
+
+namespace
+{
+
+/// Sums and extremes of some channels, from the one numbered `first` on; they stay in registers while samples are added.
+template<class Channels>
+struct ChannelSums
+{
+    Channels sum, squares, least, most;
+
+    TILT_LENS_INLINED void Get(const Radiance& allSum, const RadianceTotals& all, std::size_t first)
+    {
+        sum = Load<Channels>(&allSum[first]), squares = Load<Channels>(&all.squares[first]);
+        least = Load<Channels>(&all.least[first]), most = Load<Channels>(&all.most[first]);
+    }
+    TILT_LENS_INLINED void Put(Radiance& allSum, RadianceTotals& all, std::size_t first) const
+    {
+        Store(&allSum[first], sum), Store(&all.squares[first], squares);
+        Store(&all.least[first], least), Store(&all.most[first], most);
+    }
+    TILT_LENS_INLINED void Add(const Channels& x)
+    {
+        sum += x;
+        squares += x * x;
+        least = x < least ? x : least;
+        most = x > most ? x : most;
+    }
+};
+
+/// What a run of samples has besides its radiances.
+struct RunMaxima
+{
+    double blurRadius = 0.0, expectedEmission = 0.0;
+};
+
+/// Adds the radiances of a run to a sum and to totals. False, with nothing added, where one of them may be infinite or no number.
+template<class Vector>
+TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
+                                    RunMaxima& maxima)
+{
+    constexpr std::size_t lanes = sizeof(Vector) / sizeof(double), vectors = 4 / lanes;
+    ChannelSums<Vector> four[vectors];
+    ChannelSums<double> last;
+    for (std::size_t k = 0; k < vectors; k++)
+        four[k].Get(sum, totals, k * lanes);
+    last.Get(sum, totals, 4);
+    double blurRadius = 0.0, expectedEmission = 0.0;
+    for (const SampleResult* result = results; result < results + count; result++)
+    {
+        for (std::size_t k = 0; k < vectors; k++)
+            four[k].Add(Load<Vector>(&result->radiance[k * lanes]));
+        last.Add(result->radiance[4]);
+        blurRadius = result->blurRadius > blurRadius ? result->blurRadius : blurRadius;
+        expectedEmission = result->expectedEmission > expectedEmission ? result->expectedEmission : expectedEmission;
+    }
+    // a sum of squares that is finite has got finite ones only
+    double squares = last.squares;
+    for (std::size_t k = 0; k < 4; k++)
+        squares += four[k / lanes].squares[k % lanes];
+    if (!std::isfinite(squares))
+        return false;
+    for (std::size_t k = 0; k < vectors; k++)
+        four[k].Put(sum, totals, k * lanes);
+    last.Put(sum, totals, 4);
+    maxima = {blurRadius, expectedEmission};
+    return true;
+}
+
+bool AddPlain(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals, RunMaxima& maxima)
+{
+    return AddRadiances<Double2>(results, count, sum, totals, maxima);
+}
+
+TILT_LENS_FOR_AVX2 bool AddByAvx2(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
+                                  RunMaxima& maxima)
+{
+    return AddRadiances<Double4>(results, count, sum, totals, maxima);
+}
+
+const auto addRadiances = HasAvx2() ? AddByAvx2 : AddPlain;
+
+/// The same for a sample that is finite, however large.
+void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
+{
+    for (std::size_t c = 0; c < value.size(); c++)
+    {
+        sum[c] += value[c];
+        totals.squares[c] += value[c] * value[c];
+        totals.least[c] = std::min(totals.least[c], value[c]);
+        totals.most[c] = std::max(totals.most[c], value[c]);
+    }
+}
+
+} // namespace
 
 void SampleVariation::Merge(const SampleVariation& other)
 {
@@ -26,9 +122,57 @@ void PixelStatistics::BeginRound(std::uint32_t until)
     firstBuffer = samples == 0 ? until / 2 : samples;
     if (samples == 0)
     {
-        least.fill(HUGE_VAL);
-        most.fill(-HUGE_VAL);
+        totals.least.fill(HUGE_VAL);
+        totals.most.fill(-HUGE_VAL);
     }
+}
+
+void PixelStatistics::AddEmitterSample(const SampleResult& result)
+{
+    if (!(result.expectedEmission > 0.0))
+        return;
+    AddTo(emitterSum, result.radiance);
+    emitterSamples++;
+    expectedEmission = result.expectedEmission;
+}
+
+void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum)
+{
+    samples += count;
+    RunMaxima maxima;
+    if (addRadiances(results, count, bufferSum, totals, maxima))
+    {
+        if (roundBegin == 0)
+            blurRadius = std::max(blurRadius, maxima.blurRadius);
+        for (std::uint32_t i = 0; maxima.expectedEmission > 0.0 && i < count; i++)
+            AddEmitterSample(results[i]);
+        return;
+    }
+    for (std::uint32_t i = 0; i < count; i++)
+    {
+        SampleResult result = results[i];
+        if (!IsFinite(result.radiance))
+        {
+            result.radiance = Radiance{};
+            notFinite++;
+        }
+        AddOne(result.radiance, bufferSum, totals);
+        if (roundBegin == 0)
+            blurRadius = std::max(blurRadius, result.blurRadius);
+        AddEmitterSample(result);
+    }
+}
+
+void PixelStatistics::Add(const SampleResult* results, std::uint32_t count)
+{
+    const std::uint32_t toFirst = samples < firstBuffer ? std::min(count, firstBuffer - samples) : 0;
+    if (toFirst > 0 && toFirst < count)
+    {
+        AddToBuffer(results, toFirst, sum[0]);
+        AddToBuffer(results + toFirst, count - toFirst, sum[1]);
+    }
+    else
+        AddToBuffer(results, count, sum[toFirst > 0 ? 0 : 1]);
 }
 
 /// The variance of one sample, where a fixed share of them is sent at emitters: only differences among these and among the
@@ -37,14 +181,14 @@ void PixelStatistics::EndRound()
 {
     variation = SampleVariation();
     const double n = samples, atEmitters = emitterSamples;
-    for (std::size_t c = 0; c < squares.size() && n > 1.0; c++)
+    for (std::size_t c = 0; c < emitterSum.size() && n > 1.0; c++)
     {
         const double all = sum[0][c] + sum[1][c], mean = all / n;
         double ofMeans = Square(all - emitterSum[c]) / (n - atEmitters);
         if (atEmitters > 0.0)
             ofMeans += Square(emitterSum[c]) / atEmitters;
-        variation.variance[c] = std::max(0.0, squares[c] - ofMeans) / (n - 1.0);
-        variation.maxSquaredDeviation[c] = Square(std::max(most[c] - mean, mean - least[c]));
+        variation.variance[c] = std::max(0.0, totals.squares[c] - ofMeans) / (n - 1.0);
+        variation.maxSquaredDeviation[c] = Square(std::max(totals.most[c] - mean, mean - totals.least[c]));
     }
 }
 

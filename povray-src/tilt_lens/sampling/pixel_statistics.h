@@ -18,7 +18,6 @@
 #include <cstdint>
 
 #include "tilt_lens/math/radiance.h"
-#include "tilt_lens/math/simd.h"
 #include "tilt_lens/sampling/sample.h"
 
 namespace tilt_lens
@@ -34,13 +33,21 @@ struct SampleVariation
     void Merge(const SampleVariation& other);
 };
 
+/// Of the radiances of several samples.
+struct RadianceTotals
+{
+    Radiance squares{};  ///< their sum
+    Radiance least, most;
+};
+
 class PixelStatistics
 {
   public:
     /// The samples up to number `until` (not included) are to come.
     void BeginRound(std::uint32_t until);
-    /// The next sample. One that is not finite counts as black, and is counted.
-    void Add(const SampleResult& result);
+    /// The next samples. One that is not finite counts as black, and is counted.
+    void Add(const SampleResult* results, std::uint32_t count);
+    void Add(const SampleResult& result) { Add(&result, 1); }
     /// After the last sample of a round: what is known below is of all samples so far.
     void EndRound();
 
@@ -58,8 +65,7 @@ class PixelStatistics
 
   private:
     std::array<Radiance, 2> sum{};  ///< of the samples in either buffer
-    Radiance squares{};             ///< sum over both
-    Radiance least, most;           ///< of a sample
+    RadianceTotals totals;          ///< of both
     Radiance emitterSum{};          ///< of the emitter samples
     SampleVariation variation;
     std::uint32_t samples = 0;
@@ -68,41 +74,9 @@ class PixelStatistics
     std::uint32_t emitterSamples = 0, notFinite = 0;
     double blurRadius = 0.0, expectedEmission = 0.0;
 
-    template<class Channels>
-    void AddChannels(const Radiance& value, Radiance& bufferSum, std::size_t first);
+    void AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum);
+    void AddEmitterSample(const SampleResult& result);
 };
-
-/// Some channels of a sample, from the one numbered `first` on.
-template<class Channels>
-void PixelStatistics::AddChannels(const Radiance& value, Radiance& bufferSum, std::size_t first)
-{
-    const Channels x = Load<Channels>(&value[first]), a = Load<Channels>(&least[first]), b = Load<Channels>(&most[first]);
-    Store(&bufferSum[first], Load<Channels>(&bufferSum[first]) + x);
-    Store(&squares[first], Load<Channels>(&squares[first]) + x * x);
-    Store(&least[first], x < a ? x : a);
-    Store(&most[first], x > b ? x : b);
-}
-
-inline void PixelStatistics::Add(const SampleResult& result)
-{
-    static constexpr Radiance black{};
-    const bool finite = IsFinite(result.radiance);
-    notFinite += !finite;
-    if (roundBegin == 0)
-        blurRadius = std::max(blurRadius, result.blurRadius);
-    const Radiance& value = finite ? result.radiance : black;
-    Radiance& bufferSum = sum[samples < firstBuffer ? 0 : 1];
-    AddChannels<Double2>(value, bufferSum, 0);
-    AddChannels<Double2>(value, bufferSum, 2);
-    AddChannels<double>(value, bufferSum, 4);
-    if (result.expectedEmission > 0.0)
-    {
-        AddTo(emitterSum, value);
-        emitterSamples++;
-        expectedEmission = result.expectedEmission;
-    }
-    samples++;
-}
 
 } // namespace tilt_lens
 

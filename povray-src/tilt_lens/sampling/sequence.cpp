@@ -3,6 +3,8 @@
 
 #include "tilt_lens/sampling/sequence.h"
 
+#include "tilt_lens/math/simd.h"
+
 namespace tilt_lens
 {
 
@@ -20,8 +22,7 @@ struct alignas(16) Lanes
 
 constexpr std::uint32_t ReverseBits(std::uint32_t x)
 {
-    x = (x << 16) | (x >> 16);
-    x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
+    x = __builtin_bswap32(x);
     x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
     x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
     return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
@@ -89,34 +90,29 @@ constexpr DigitTable MakeDigitTable()
 
 constexpr DigitTable digitTable = MakeDigitTable();
 
-/// A bijection of 64-bit words without visible structure: the finaliser of SplitMix64 (D.
-/// Stafford's variant 13 of MurmurHash3's).
-std::uint64_t Mix(std::uint64_t z)
+/// What a group of samples adds to its first one: the lowest bits of the index.
+struct GroupTable
 {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
+    std::uint32_t value[dimensions][settings.cameraRaysOfBatch];
+};
+
+constexpr GroupTable MakeGroupTable()
+{
+    static_assert(16 % settings.cameraRaysOfBatch == 0, "a group lies within the first digit");
+    GroupTable table{};
+    for (int dim = 0; dim < dimensions; ++dim)
+        for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; ++i)
+            table.value[dim][i] = digitTable.entry[0][i].value[dim];
+    return table;
 }
 
-/// The step of SplitMix64's counter: 2^64 over the golden ratio, odd.
-constexpr std::uint64_t goldenStep = 0x9e3779b97f4a7c15u;
+constexpr GroupTable groupTable = MakeGroupTable();
 
 /// Two rounds, so that no pixel of one seed is a pixel of another.
 std::uint64_t PixelKey(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
 {
     const std::uint64_t pixel = (std::uint64_t{y} << 32) | x;
-    return Mix(pixel ^ Mix((std::uint64_t{seed} + 1) * goldenStep));
-}
-
-/// The stream of a key. Words 1 and 2 scramble the samples, the later ones serve Hash().
-std::uint64_t StreamWord(std::uint64_t key, std::uint64_t position)
-{
-    return Mix(key + position * goldenStep);
-}
-
-std::uint32_t StreamHash(std::uint64_t key, std::uint32_t salt)
-{
-    return static_cast<std::uint32_t>(StreamWord(key, std::uint64_t{salt} + 3) >> 32);
+    return MixBits(pixel ^ MixBits((std::uint64_t{seed} + 1) * 0x9e3779b97f4a7c15u));
 }
 
 /// Owen's nested uniform scrambling of a bit-reversed fraction: a bit is flipped or not depending
@@ -138,12 +134,50 @@ inline double ToUnit(std::uint32_t x)
     return static_cast<std::int32_t>(x) * 0x1p-32 + (0.5 + 0x1p-33);
 }
 
+/// The Sobol point of an index, bits reversed.
+inline Lanes SobolPoint(std::uint32_t index)
+{
+    Lanes point{};
+    for (int place = 0; index != 0; ++place, index >>= 4)
+        for (int dim = 0; dim < dimensions; ++dim)
+            point.value[dim] ^= digitTable.entry[place][index & 15u].value[dim];
+    return point;
+}
+
+/// One coordinate of a group of samples. A plain loop: compilers have it in vector registers.
+/// @param first  of its first sample, as SobolPoint() gives it
+TILT_LENS_INLINED void FindCoordinates(std::uint32_t first, std::uint32_t seed, const std::uint32_t* steps, double* coordinates)
+{
+    for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; ++i)
+        coordinates[i] = ToUnit(ReverseBits(Scramble(first ^ steps[i], seed)));
+}
+
+TILT_LENS_INLINED void FindPoints(const Lanes& first, const std::uint32_t* seeds, SequencePoints& points)
+{
+    FindCoordinates(first.value[0], seeds[0], groupTable.value[0], points.lensU);
+    FindCoordinates(first.value[1], seeds[1], groupTable.value[1], points.lensV);
+    FindCoordinates(first.value[2], seeds[2], groupTable.value[2], points.pixelX);
+    FindCoordinates(first.value[3], seeds[3], groupTable.value[3], points.pixelY);
+}
+
+void FindPointsPlain(const Lanes& first, const std::uint32_t* seeds, SequencePoints& points)
+{
+    FindPoints(first, seeds, points);
+}
+
+TILT_LENS_FOR_AVX2 void FindPointsByAvx2(const Lanes& first, const std::uint32_t* seeds, SequencePoints& points)
+{
+    FindPoints(first, seeds, points);
+}
+
+const auto findPoints = HasAvx2() ? FindPointsByAvx2 : FindPointsPlain;
+
 }  // namespace
 
 PixelSampler::PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     : key(PixelKey(x, y, seed))
 {
-    const std::uint64_t lens = StreamWord(key, 1), pixel = StreamWord(key, 2);
+    const std::uint64_t lens = StreamWord(1), pixel = StreamWord(2);
     scrambleSeed[0] = static_cast<std::uint32_t>(lens);
     scrambleSeed[1] = static_cast<std::uint32_t>(lens >> 32);
     scrambleSeed[2] = static_cast<std::uint32_t>(pixel);
@@ -152,11 +186,7 @@ PixelSampler::PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
 
 SequencePoint PixelSampler::operator()(std::uint32_t index) const
 {
-    Lanes point{};
-    for (int place = 0; index != 0; ++place, index >>= 4)
-        for (int dim = 0; dim < dimensions; ++dim)
-            point.value[dim] ^= digitTable.entry[place][index & 15u].value[dim];
-
+    Lanes point = SobolPoint(index);
     for (int dim = 0; dim < dimensions; ++dim)
         point.value[dim] = Scramble(point.value[dim], scrambleSeed[dim]);
     for (int dim = 0; dim < dimensions; ++dim)
@@ -166,11 +196,16 @@ SequencePoint PixelSampler::operator()(std::uint32_t index) const
             ToUnit(point.value[3])};
 }
 
+void PixelSampler::FindGroup(std::uint32_t index, SequencePoints& points) const
+{
+    findPoints(SobolPoint(index - index % settings.cameraRaysOfBatch), scrambleSeed, points);
+}
+
 Pair PixelSampler::PaddedPair(std::uint32_t index, std::uint32_t number) const
 {
-    const std::uint64_t seeds = StreamWord(key, (std::uint64_t{number} << 32) + 1);
+    const std::uint64_t seeds = StreamWord((std::uint64_t{number} << 32) + 1);
     // an order in which each block of 2^k samples stays one
-    index = ReverseBits(Scramble(ReverseBits(index), StreamHash(key, ~number)));
+    index = ReverseBits(Scramble(ReverseBits(index), Hash(~number)));
     std::uint32_t u = 0, v = 0;
     for (int place = 0; index != 0; ++place, index >>= 4)
     {
@@ -181,14 +216,9 @@ Pair PixelSampler::PaddedPair(std::uint32_t index, std::uint32_t number) const
             ToUnit(ReverseBits(Scramble(v, std::uint32_t(seeds >> 32))))};
 }
 
-std::uint32_t PixelSampler::Hash(std::uint32_t salt) const
-{
-    return StreamHash(key, salt);
-}
-
 std::uint32_t PixelHash(std::uint32_t x, std::uint32_t y, std::uint32_t seed, std::uint32_t salt)
 {
-    return StreamHash(PixelKey(x, y, seed), salt);
+    return PixelSampler(x, y, seed).Hash(salt);
 }
 
 }  // namespace tilt_lens

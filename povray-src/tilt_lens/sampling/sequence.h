@@ -38,6 +38,8 @@
 
 #include <cstdint>
 
+#include "tilt_lens/settings.h"
+
 namespace tilt_lens
 {
 
@@ -48,11 +50,28 @@ struct SequencePoint
     double pixelX, pixelY;  ///< position in the pixel's square
 };
 
+/// Points of a group of samples, side by side. Groups begin with the numbers that cameraRaysOfBatch divides.
+struct SequencePoints
+{
+    double lensU[settings.cameraRaysOfBatch], lensV[settings.cameraRaysOfBatch], pixelX[settings.cameraRaysOfBatch], pixelY[settings.cameraRaysOfBatch];
+
+    SequencePoint operator[](std::uint32_t i) const { return {lensU[i], lensV[i], pixelX[i], pixelY[i]}; }
+};
+
 /// One point of (0, 1)^2.
 struct Pair
 {
     double u, v;
 };
+
+/// A bijection of 64-bit words without visible structure: the finaliser of SplitMix64 (D. Stafford's variant 13 of
+/// MurmurHash3's).
+inline std::uint64_t MixBits(std::uint64_t z)
+{
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
 
 /// The samples of one pixel. Cheap to make (a few hashes) and to copy.
 class PixelSampler
@@ -64,6 +83,9 @@ class PixelSampler
 
     SequencePoint operator()(std::uint32_t index) const;
 
+    /// The points of the group that a sample is in.
+    void FindGroup(std::uint32_t index, SequencePoints& points) const;
+
     /// Two more numbers for a sample, as well distributed over the pixel's samples as its lens points,
     /// independent of them and of the pairs with other numbers: the sequence of the lens points in
     /// another order of its own (Burley's shuffled padding).
@@ -71,11 +93,15 @@ class PixelSampler
 
     /// A uniform hash for whatever else a sample needs, such as the seed of a random generator.
     /// Independent of the samples; equals PixelHash(x, y, seed, salt).
-    std::uint32_t Hash(std::uint32_t salt) const;
+    std::uint32_t Hash(std::uint32_t salt) const { return std::uint32_t(StreamWord(std::uint64_t{salt} + 3) >> 32); }
 
   private:
     std::uint64_t key;              ///< of (x, y, seed)
     std::uint32_t scrambleSeed[4];  ///< of each dimension's scrambling
+
+    /// The stream of the key. Words 1 and 2 scramble the samples, the later ones serve Hash(). The counter's step is 2^64 over
+    /// the golden ratio, odd, as that of SplitMix64.
+    std::uint64_t StreamWord(std::uint64_t position) const { return MixBits(key + position * 0x9e3779b97f4a7c15u); }
 };
 
 /// A uniform hash of its four arguments; any two that differ give unrelated values.

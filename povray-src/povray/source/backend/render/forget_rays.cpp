@@ -21,8 +21,12 @@ namespace pov
 void Trace::ForgetRays()
 {
     // the object that was in a light's way last time is asked first, with other tolerances than all the others
-    std::fill(lightSourceLevel1ShadowCache.begin(), lightSourceLevel1ShadowCache.end(), ObjectPtr(NULL));
-    std::fill(lightSourceOtherShadowCache.begin(), lightSourceOtherShadowCache.end(), ObjectPtr(NULL));
+    if (shadowCacheUsed)
+    {
+        std::fill(lightSourceLevel1ShadowCache.begin(), lightSourceLevel1ShadowCache.end(), ObjectPtr(NULL));
+        std::fill(lightSourceOtherShadowCache.begin(), lightSourceOtherShadowCache.end(), ObjectPtr(NULL));
+        shadowCacheUsed = false;
+    }
     // a ray beside one that missed an isosurface is taken to miss it, too, which is true if max_gradient is
     threadData->isosurfaceData->cache = false;
     // points of the cell that `facets` was asked for last are told from those of other cells by a hash only

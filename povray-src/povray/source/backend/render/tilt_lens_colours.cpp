@@ -19,10 +19,9 @@ namespace pov
 /// Number of the pair that the place within a third of the spectrum is taken from; area lights count from 0.
 static const unsigned int kHuePair = 0x487565;
 
-void TiltLensTracer::TraceColours(const tilt_lens::PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
-                                  DBL width, tilt_lens::SampleResult& result)
+void TiltLensTracer::TraceColours(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
 {
-    const double within = itsPixel.PaddedPair(itsIndex, kHuePair).u;
+    const double within = pixel->PaddedPair(index, kHuePair).u;
     tilt_lens::Radiance mixed{};
     double blurRadius = 0.0;
     for (int colour = pRED; colour <= pBLUE; colour++)
@@ -34,7 +33,7 @@ void TiltLensTracer::TraceColours(const tilt_lens::PixelSampler& itsPixel, unsig
         else
             ray.FindRay(view->lens, hue);
         refusedRays += ray.refused;
-        TraceCameraRay(itsPixel, itsIndex, ray, width, result);
+        TraceCameraRay(ray, width, result);
         mixed[colour] = result.radiance[colour];
         for (int c = pFILTER; c <= pTRANSM; c++)
             mixed[c] += result.radiance[c] / 3.0;

@@ -53,7 +53,12 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 
 } // namespace
 
-TiltLensTracer::TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& itsView) : trace(owner), view(itsView) {}
+TiltLensTracer::TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& itsView) :
+    trace(owner), view(itsView),
+    interiorsVary(std::any_of(view->aroundLens.begin(), view->aroundLens.end(), [](const ObjectAroundLens& around)
+        { return !around.holdsLens; }))
+{
+}
 
 shared_ptr<TiltLensTracer> TiltLensTracer::Create(TracePixel& owner, const shared_ptr<TiltLensView>& view)
 {
@@ -65,60 +70,143 @@ TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
     return owner.tiltLens.get();
 }
 
-void TiltLensTracer::TraceSample(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
-                                 DBL width, tilt_lens::SampleResult& result)
+void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray, DBL width,
+                              tilt_lens::SampleResult* results)
 {
-    if (HasColours(view->lens) && camera.sample.weight != 0.0)
-        TraceColours(itsPixel, itsIndex, camera, width, result);
+    rays.Make(run);
+    refusedRays += rays.Refused();
+    pixel = &rays.Sampler();
+    const unsigned int place = run.Place();
+    if (HasColours(view->lens))
+        for (unsigned int i = 0; i < run.count; i++)
+        {
+            index = run.first.index + i;
+            TraceSample(rays.One(place + i), width, results[i]);
+        }
     else
-        TraceCameraRay(itsPixel, itsIndex, camera, width, result);
+        TraceRays(rays.Rays(), place, run, ray, width, results);
 }
 
-/// Camera ray in, light out.
-void TiltLensTracer::TraceCameraRay(const PixelSampler& itsPixel, unsigned int itsIndex, const tilt_lens::CameraRay& camera,
-                                 DBL width, tilt_lens::SampleResult& result)
+void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
 {
-    const tilt_lens::CameraSample& sample = camera.sample;
-    if (sample.weight == 0.0)
-    {
-        result = Radiance{};
-        result.expectedEmission = sample.expectedEmission;
-        result.circle = tilt_lens::CircleOfConfusion();
-        return;
-    }
-    // from a point of the lens through the focus of that film point
+    if (HasColours(view->lens) && camera.sample.weight != 0.0)
+        TraceColours(camera, width, result);
+    else
+        TraceCameraRay(camera, width, result);
+}
+
+void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
+{
+    tilt_lens::CameraRays rays;
+    rays.Put(0, camera);
+    Ray ray = CameraRayOfPov();
+    TraceRays(rays, 0, {{0, 0, index}, 1, true}, ray, width, &result);
+}
+
+/// A ray that has yet to begin; within what holds the whole lens.
+Ray TiltLensTracer::CameraRayOfPov() const
+{
     Ray ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
-    const tilt_lens::Vec3& origin = camera.ray.origin;
+    if (!interiorsVary)
+        EnterInteriors(ray);
+    return ray;
+}
+
+/// Camera rays in, light out.
+/// @param place  of the run's first ray
+void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray,
+                               DBL width, tilt_lens::SampleResult* results)
+{
+    DBL distances[tilt_lens::settings.cameraRaysOfBatch];
+    const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
+    const unsigned int first = run.first.index, count = run.count;
+    const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
+    trace.areaLightSampler = this;
+    for (unsigned int i = 0; i < count; i++)
+    {
+        index = first + i;
+        results[i].expectedEmission = rays.samples.expectedEmission[place + i];
+        distances[i] = HUGE_VAL;
+        if (rays.samples.weight[place + i] == 0.0)
+            results[i].radiance = Radiance{};
+        else
+        {
+            Begin(ray, rays, place + i);
+            if (!plain)
+                BeginSpecially(ray, rays, place + i);
+            distances[i] = TraceRay(ray, ticket, rays.samples.weight[place + i], results[i].radiance);
+        }
+    }
+    trace.areaLightSampler = NULL;
+    if (run.ofFirstRound)
+        FindBlur(rays, place, count, distances, width, results);
+}
+
+/// From a point of the lens through the focus of that film point.
+inline void TiltLensTracer::Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const
+{
     const VECTOR& location = trace.camera.Location;
-    Make_Vector(ray.Origin, location[X] + origin.x, location[Y] + origin.y, location[Z] + origin.z);
-    Make_Vector(ray.Direction, camera.direction.x, camera.direction.y, camera.direction.z);
+    for (int axis = X; axis <= Z; axis++)
+    {
+        ray.Origin[axis] = location[axis] + rays.origin[axis][place];
+        ray.Direction[axis] = rays.direction[axis][place];
+    }
+}
+
+/// Where the camera has a normal, or a part of its lens lies within an object.
+void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place)
+{
     if (trace.camera.Tnormal != NULL)
     {
-        VECTOR film = {sample.x, sample.y, 0.0};
+        VECTOR film = {rays.samples.x[place], rays.samples.y[place], 0.0};
         Perturb_Normal(ray.Direction, trace.camera.Tnormal, film, NULL, NULL, trace.threadData);
         VNormalizeEq(ray.Direction);
     }
-    if (!view->aroundLens.empty())
-        EnterInteriors(ray);
+    if (interiorsVary)
+    {
+        Ray other = CameraRayOfPov();
+        Assign_Vector(other.Origin, ray.Origin);
+        Assign_Vector(other.Direction, ray.Direction);
+        EnterInteriors(other);
+        ray = other;
+    }
+}
 
+/// @param ticket  a new one
+/// @return  distance of what is met
+inline DBL TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, Radiance& radiance)
+{
     trace.ForgetRays();
     // whatever draws random numbers on the way draws this sample's own
-    SeedRandomNumbers(itsPixel.Hash(itsIndex));
-    pixel = &itsPixel;
-    index = itsIndex;
+    SeedRandomNumbers(pixel->Hash(index));
     areaLightsMet = 0;
-    trace.areaLightSampler = this;
     Colour colour;
-    Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
     const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
-    trace.areaLightSampler = NULL;
-    result.radiance = {sample.weight * colour[pRED], sample.weight * colour[pGREEN], sample.weight * colour[pBLUE],
-                       sample.weight * colour[pFILTER], sample.weight * colour[pTRANSM]};
-    result.expectedEmission = sample.expectedEmission;
-    result.circle = view->samplesSpread ? view->footprint.CircleOf({sample.x, sample.y}, sample.point,
-                                                                   camera.length / distance - camera.ray.w)
-                                        : tilt_lens::CircleOfConfusion();
-    result.blurRadius = view->BlurRadius(camera.ray.w, distance / camera.length, width);
+    radiance = {weight * colour[pRED], weight * colour[pGREEN], weight * colour[pBLUE], weight * colour[pFILTER],
+                weight * colour[pTRANSM]};
+    return distance;
+}
+
+/// Of what such rays have met.
+void TiltLensTracer::FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
+                              DBL width, tilt_lens::SampleResult* results) const
+{
+    const tilt_lens::CameraSamples& samples = rays.samples;
+    for (unsigned int i = 0; i < count; i++)
+    {
+        const bool traced = samples.weight[place + i] != 0.0;
+        results[i].blurRadius = traced ? view->BlurRadius(rays.w[place + i], distances[i] / rays.length[place + i], width) : 0.0;
+    }
+    if (!view->limits.Denoises())
+        return;
+    for (unsigned int i = 0; i < count; i++)
+    {
+        const unsigned int at = place + i;
+        results[i].circle = tilt_lens::CircleOfConfusion();
+        if (view->samplesSpread && samples.weight[at] != 0.0)
+            results[i].circle = view->footprint.CircleOf({samples.x[at], samples.y[at]}, {samples.a[at], samples.b[at]},
+                                                         rays.length[at] / distances[i] - rays.w[at]);
+    }
 }
 
 /// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
@@ -138,7 +226,7 @@ bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosit
 }
 
 /// The lens points of one picture lie in few objects or none: the view has found out which to ask.
-void TiltLensTracer::EnterInteriors(Ray& ray)
+void TiltLensTracer::EnterInteriors(Ray& ray) const
 {
     for (const ObjectAroundLens& around : view->aroundLens)
     {
@@ -152,7 +240,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray)
 void TiltLensTracer::SeedRandomNumbers(unsigned int seed)
 {
     trace.crandRandomNumberGenerator = seed;
-    trace.randomNumberGenerator.SetSeed(seed);
+    trace.randomNumberGenerator.SetSeedQuickly(seed);
     trace.media.SeedRandomNumbers(seed);
     if (trace.sceneData->useSubsurface)
         SeedSubsurface(seed);
@@ -196,11 +284,10 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
             camera.Draw(*view->glass, id, point, tilt_lens::FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height));
         }
         else
-        {
-            camera.sample = view->emitters.Generate({}, id, sequence(id.index));
-            camera.FindRay(view->lens);
-        }
-        TraceSample(sequence, id.index, camera, width, result);
+            camera = tilt_lens::CameraRay(view->lens, view->emitters.Generate({}, id, sequence(id.index)));
+        pixel = &sequence;
+        index = id.index;
+        TraceSample(camera, width, result);
         colour += ToColour(result.radiance);
     }
     colour /= samples;
@@ -217,15 +304,12 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::BlockCache own(view->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->limits.FirstRound(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    Ray ray = CameraRayOfPov();
     areaLightPoints = areaLightPointsSkipped = 0;
     refusedRays = 0;
-    sampler.Run(tile, [&](const SampleId& id, tilt_lens::SampleResult& result)
-    {
-        const tilt_lens::CameraRay& camera = rays.Of(id);
-        refusedRays += camera.refused;
-        TraceSample(rays.Sampler(), id.index, camera, width, result);
-    });
+    sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
+        { TraceRun(rays, run, ray, width, results); });
 
     pixels.clear();
     effort.clear();
@@ -249,19 +333,18 @@ void TiltLensTracer::EstimateWork(unsigned int width)
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::settings.probeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), limits.FirstRound(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    Ray ray = CameraRayOfPov();
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->progress.NextProbe())
     {
         const auto before = raysTraced();
+        static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
+        tilt_lens::SampleResult results[tilt_lens::settings.probeSamples];
+        TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, ray, width, results);
         std::vector<Radiance> tried;
-        tilt_lens::SampleResult result;
         for (unsigned int sample = 0; sample < samples; sample++)
-        {
-            const tilt_lens::CameraRay& camera = rays.Of({probe->x, probe->y, sample});
-            TraceSample(rays.Sampler(), sample, camera, width, result);
-            tried.push_back(result.radiance);
-        }
+            tried.push_back(results[sample].radiance);
         view->progress.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
     }
 }

@@ -14,6 +14,7 @@
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
 #include "backend/lighting/area_light_sampler.h"
+#include "backend/render/trace.h"
 #include "backend/scene/tilt_lens_view.h"
 #include "tilt_lens/math/vec3.h"
 #include "tilt_lens/sampling/camera_rays.h"
@@ -72,6 +73,7 @@ class TiltLensTracer : public AreaLightSampler
   private:
     TracePixel& trace;
     const shared_ptr<TiltLensView> view;
+    const bool interiorsVary;  ///< among the rays of the picture: a part of the lens lies within an object
     std::vector<TiltLensEffort> effort;
 
     /// The sample that is being traced.
@@ -85,13 +87,24 @@ class TiltLensTracer : public AreaLightSampler
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    void TraceSample(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
-                     DBL width, tilt_lens::SampleResult& result);
-    void TraceColours(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
-                      DBL width, tilt_lens::SampleResult& result);
-    void TraceCameraRay(const tilt_lens::PixelSampler& pixel, unsigned int index, const tilt_lens::CameraRay& camera,
-                        DBL width, tilt_lens::SampleResult& result);
-    void EnterInteriors(Ray& ray);
+    /// @param ray  as CameraRayOfPov() makes it; may be used again
+    void TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray, DBL width,
+                  tilt_lens::SampleResult* results);
+    /// @name Of the sample that `pixel` and `index` name.
+    /// @{
+    void TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
+    void TraceColours(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
+    void TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
+    DBL TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, tilt_lens::Radiance& radiance);
+    /// @}
+    void TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray, DBL width,
+                   tilt_lens::SampleResult* results);
+    void FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances, DBL width,
+                  tilt_lens::SampleResult* results) const;
+    Ray CameraRayOfPov() const;
+    void Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const;
+    void BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place);
+    void EnterInteriors(Ray& ray) const;
     void SeedRandomNumbers(unsigned int seed);
     void SeedSubsurface(unsigned int seed);
     void TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour);

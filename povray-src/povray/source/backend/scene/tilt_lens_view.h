@@ -74,8 +74,8 @@ class TiltLensView
     const std::unique_ptr<const tilt_lens::GlassCamera> glass;  ///< what makes the rays of a lens of glass, or NULL
     const tilt_lens::SamplingLimits limits;
 
-    /// Whether samples serve the pixels of their circles of confusion, too: these are those of the footprint only for a lens
-    /// that images planes onto planes, to scale, and whose whole opening is seen from everywhere.
+    /// Whether samples serve the pixels of their circles of confusion, too, where the picture is denoised: these are those of the
+    /// footprint only for a lens that images planes onto planes, to scale, and whose whole opening is seen from everywhere.
     const bool samplesSpread;
 
     /// Of the pattern of samples.

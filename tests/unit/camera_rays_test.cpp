@@ -1,0 +1,135 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// Rays of a group of samples, made together: to the last bit those that are made one by one.
+
+#include "tilt_lens/sampling/camera_rays.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "random_cameras.h"
+#include "tile_results.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+constexpr std::uint32_t kWidth = 64, kHeight = 48;
+
+/// Runs within one group: whole, the halves, what rounds of 1, 2, 4 and of other numbers ask for.
+std::vector<SampleRun> Runs(std::uint32_t x, std::uint32_t y)
+{
+    std::vector<SampleRun> runs;
+    for (const std::uint32_t group : {0u, 8u, 24u, 4096u, 4294967288u})
+        for (const std::uint32_t place : {0u, 1u, 2u, 3u, 4u, 6u})
+            for (std::uint32_t count = 1; place + count <= settings.cameraRaysOfBatch; count++)
+                runs.push_back({{x, y, group + place}, count, true});
+    return runs;
+}
+
+Lens SomeLens(const Character& character = {}, double scale = 1.0)
+{
+    Statement statement;
+    statement.family = FocusFamily::FocusTurn;
+    statement.focusTilt = 20.0;
+    statement.focalPoint = {0.0, 0.0, 10.0};
+    statement.aperture = 2.0;
+    statement.character = character;
+    Lens lens = Solve({{}, {0.1, 0.0, 1.0}, {4.0 / 3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
+    for (Vec3* const along : {&lens.direction, &lens.right, &lens.up})
+        *along = scale * *along;
+    return lens;
+}
+
+/// Every number of a ray, for comparisons that tell -0 from 0 by no means: the two are the same ray.
+std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
+{
+    const CameraSamples& s = rays.samples;
+    return {s.x[i], s.y[i], s.a[i], s.b[i], s.weight[i], s.expectedEmission[i], rays.origin[0][i], rays.origin[1][i],
+            rays.origin[2][i], rays.direction[0][i], rays.direction[1][i], rays.direction[2][i], rays.length[i], rays.w[i]};
+}
+
+void ExpectRaysOneByOne(const Lens& lens, const EmitterSampler& emitters)
+{
+    for (const std::uint32_t x : {0u, 27u, 63u})
+    {
+        CameraRayBatch batch(lens, emitters, nullptr, 5);
+        const EmitterSampler::Targets targets = emitters.TargetsOf(x, 24);
+        const PixelSampler sampler(x, 24, 5);
+        for (const SampleRun& run : Runs(x, 24))
+        {
+            batch.Make(run);
+            EXPECT_EQ(batch.Refused(), 0u);
+            for (std::uint32_t i = 0; i < run.count; i++)
+            {
+                CameraRays expected{};
+                expected.Put(0, CameraRay(lens, emitters.Generate(targets, run[i], sampler(run[i].index))));
+                ASSERT_EQ(NumbersOf(batch.Rays(), run.Place() + i), NumbersOf(expected, 0)) << x << ", sample " << run[i].index;
+            }
+        }
+    }
+}
+
+TEST(CameraRays, AreThoseOfTheSamplesOneByOne)
+{
+    Character distorts, curves, rims;
+    distorts.distortion1 = -0.05;
+    curves.fieldCurvature = 0.1;
+    rims.opticalVignetting = 1.0;
+    const Aperture bright = Aperture::Picture([](double u, double v) { return u < 0.4 || v > 0.7 ? 1.0 : 0.2; });
+    for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3), Aperture::Polygon(7, 0.3, 0.5), bright,
+                                     Aperture::Squeezed(Aperture::Disc(), 2.0), Aperture::Graded(Aperture::Polygon(6, 0.0), 0.5)})
+        for (const Character& character : {Character(), distorts, curves})
+        {
+            const Lens lens = SomeLens(character);
+            ExpectRaysOneByOne(lens, EmitterSampler(lens, aperture, Limits(8, 64, 1e-3), kWidth, kHeight, {}));
+        }
+    const Lens lens = SomeLens(rims);
+    const Vignetting vignetting(lens, Aperture::Disc(), rims);
+    ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}, vignetting));
+}
+
+TEST(CameraRays, AreThoseOfSamplesThatAreSentAtEmitters)
+{
+    const Lens lens = SomeLens();
+    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
+    ASSERT_FALSE(emitters.TargetsOf(27, 24).targets.empty());
+    ExpectRaysOneByOne(lens, emitters);
+}
+
+/// Squares of these would be infinite or 0: such lengths are found another way.
+TEST(CameraRays, MayBeOfAnyLength)
+{
+    for (const double scale : {1e-170, 1e-101, 1e101, 1e160})
+    {
+        Lens lens = SomeLens({}, scale);
+        lens.lensX = scale * lens.lensX;
+        lens.focusMiddle = lens.focusRight = lens.focusUp = 0.0;
+        ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}));
+    }
+}
+
+/// A lens point on the film: no ray leads from a point to itself, and the chief ray stands in.
+TEST(CameraRays, ThatLeadNowhereAreChiefRays)
+{
+    Lens lens = SomeLens();
+    lens.direction = lens.lensX = {0.25, 0.0, 0.0};
+    lens.right = lens.up = lens.lensY = {};
+    lens.focusMiddle = 1.0;
+    lens.focusRight = lens.focusUp = 0.0;
+    CameraRays rays{};
+    for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
+        rays.samples.Put(i, {0.1, 0.2, {i % 2 ? 1.0 : 0.5, 0.0}, 1.0, 0.0});
+    FindRays(lens, {{0, 0, 0}, settings.cameraRaysOfBatch, true}, rays);
+    for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
+    {
+        EXPECT_EQ(rays.direction[0][i], 1.0);
+        EXPECT_EQ(rays.length[i], i % 2 ? 0.25 : 0.125);
+    }
+}
+
+} // namespace
+} // namespace tilt_lens
