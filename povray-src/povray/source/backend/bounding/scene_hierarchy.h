@@ -50,8 +50,12 @@ class SceneHierarchy
     void AddMeshes(const std::vector<ObjectPtr>& among);
     void AddMeshes(ObjectPtr object);
 
-    template<class FindNearer>
-    bool Walk(const Ray& ray, Intersection& best, TraceThreadData* thread, const FindNearer& findNearer) const;
+    // The way through the hierarchy, written once and compiled for each kind of processor.
+    template<class Vector, class Conditions>
+    bool IntersectBy(const Ray& ray, Intersection& best, const Conditions& conditions, TraceThreadData* thread) const;
+    template<class Conditions>
+    TILT_LENS_FOR_AVX2 bool IntersectByAvx2(const Ray& ray, Intersection& best, const Conditions& conditions,
+                                            TraceThreadData* thread) const;
 };
 
 /// A mesh's own way through its hierarchy, beside Mesh::intersect_bbox_tree(), and when stock's tree is made for the latter.
@@ -66,13 +70,15 @@ class MeshHierarchy
 
     static std::unique_ptr<tilt_lens::BoxHierarchy> Of(Mesh& mesh);
 
-    /// @param ray       in the mesh's frame, with a direction of length 1
-    /// @param worldRay  the same ray in the world
-    /// @param length    of the world's unit in the mesh's frame
-    static bool Intersect(Mesh& mesh, const Ray& ray, const Ray& worldRay, DBL length, IStack& hits, TraceThreadData* thread);
+    /// In place of Mesh::All_Intersections() for a mesh that has a hierarchy.
+    static bool AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
 
   private:
     static bool MakeTree(const Mesh& mesh);
+
+    template<class Vector>
+    static bool IntersectBy(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
+    TILT_LENS_FOR_AVX2 static bool IntersectByAvx2(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
 };
 
 } // namespace pov
