@@ -38,10 +38,12 @@ class BoxRay
         const Double4 inverse = length > kLeastSlope ? 1.0 / slope : Double4(LongMask4(steepest) | sign);
         const Double4 margin = Double4(LongMask4(from) & ~(1ll << 63)) * kRounding + kLeastMargin;
         const Double4 signedMargin = Double4(LongMask4(margin) ^ sign);
-        const Float4 enterFroms = __builtin_convertvector(from + signedMargin, Float4);
-        const Float4 leaveFroms = __builtin_convertvector(from - signedMargin, Float4);
-        const Float4 enterInverses = __builtin_convertvector(inverse * (1.0 - kRounding), Float4);
-        const Float4 leaveInverses = __builtin_convertvector(inverse * (1.0 + kRounding), Float4);
+        Float4 enterFroms = __builtin_convertvector(from + signedMargin, Float4);
+        Float4 leaveFroms = __builtin_convertvector(from - signedMargin, Float4);
+        Float4 enterInverses = __builtin_convertvector(inverse * (1.0 - kRounding), Float4);
+        Float4 leaveInverses = __builtin_convertvector(inverse * (1.0 + kRounding), Float4);
+        // has them in memory: from there to all lanes is one instruction, from a lane two
+        asm volatile("" : "+m"(enterFroms), "+m"(leaveFroms), "+m"(enterInverses), "+m"(leaveInverses));
         for (int axis = 0; axis < 3; axis++)
         {
             enterFrom[axis] = enterFroms[axis] - Vector();
@@ -102,7 +104,7 @@ class BoxRay
     TILT_LENS_ALWAYS_INLINE unsigned int EnterSome(const EightBoxes& boxes, float limit, float* begin, std::size_t first) const
     {
         const char* const from = reinterpret_cast<const char*>(&boxes) + first * sizeof(float);
-        Vector enter = Vector(), leave = Vector() + limit;
+        Vector enter = Vector(), leave = limit - Vector();
         for (int axis = 0; axis < 3; axis++)
         {
             const Vector in = *reinterpret_cast<const Vector*>(from + enterPlanes[axis]);

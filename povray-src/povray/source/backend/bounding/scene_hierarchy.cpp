@@ -50,10 +50,13 @@ ObjectPtr Visible(ObjectPtr object)
     return children.empty() ? NULL : children[0];
 }
 
-struct NoConditions
+struct Unflagged
 {
-    bool Before(const Ray&, ObjectPtr) const { return true; }
-    bool After(const Ray&, ObjectPtr, DBL) const { return true; }
+    unsigned int flags;
+    DBL least;
+
+    bool Before(const Ray&, ObjectPtr object) const { return (object->Flags & flags) == 0; }
+    bool After(const Ray&, ObjectPtr, DBL depth) const { return depth > least; }
 };
 
 struct TwoConditions
@@ -187,7 +190,7 @@ void SceneHierarchy::AddMeshes(ObjectPtr object)
 }
 
 template<class Vector, class Conditions>
-inline TILT_LENS_ALWAYS_INLINE bool SceneHierarchy::IntersectBy(const Ray& ray, Intersection& best, const Conditions& conditions,
+inline TILT_LENS_ALWAYS_INLINE bool SceneHierarchy::IntersectBy(const Ray& ray, Intersection& best, Conditions conditions,
                                                          TraceThreadData* thread) const
 {
     IStack hits(thread->stackPool);
@@ -205,23 +208,29 @@ inline TILT_LENS_ALWAYS_INLINE bool SceneHierarchy::IntersectBy(const Ray& ray, 
 }
 
 template<class Conditions>
-TILT_LENS_FOR_AVX2 bool SceneHierarchy::IntersectByAvx2(const Ray& ray, Intersection& best, const Conditions& conditions,
+bool SceneHierarchy::IntersectPlain(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const
+{
+    return IntersectBy<Float4>(ray, best, conditions, thread);
+}
+
+template<class Conditions>
+TILT_LENS_FOR_AVX2 bool SceneHierarchy::IntersectByAvx2(const Ray& ray, Intersection& best, Conditions conditions,
                                                         TraceThreadData* thread) const
 {
     return IntersectBy<Float8>(ray, best, conditions, thread);
 }
 
-bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const
+bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const
 {
-    const NoConditions none;
-    return HasAvx2() ? IntersectByAvx2(ray, best, none, thread) : IntersectBy<Float4>(ray, best, none, thread);
+    const Unflagged unflagged = {flags, depth};
+    return HasAvx2() ? IntersectByAvx2(ray, best, unflagged, thread) : IntersectPlain(ray, best, unflagged, thread);
 }
 
 bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition,
                                const RayObjectCondition& postcondition, TraceThreadData* thread) const
 {
     const TwoConditions both = {precondition, postcondition};
-    return HasAvx2() ? IntersectByAvx2(ray, best, both, thread) : IntersectBy<Float4>(ray, best, both, thread);
+    return HasAvx2() ? IntersectByAvx2(ray, best, both, thread) : IntersectPlain(ray, best, both, thread);
 }
 
 bool MeshHierarchy::MakeTree(const Mesh& mesh)
@@ -253,6 +262,7 @@ std::unique_ptr<BoxHierarchy> MeshHierarchy::Of(Mesh& mesh)
 template<class Vector>
 inline TILT_LENS_ALWAYS_INLINE bool MeshHierarchy::IntersectBy(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
 {
+    thread->Stats()[Ray_Mesh_Tests]++;
     VECTOR origin, direction;
     DBL length = 1.0;
     if (mesh.Trans != NULL)
@@ -281,7 +291,14 @@ inline TILT_LENS_ALWAYS_INLINE bool MeshHierarchy::IntersectBy(Mesh& mesh, const
                 nearest = depth;
         }
     }), thread);
+    if (met)
+        thread->Stats()[Ray_Mesh_Tests_Succeeded]++;
     return met;
+}
+
+bool MeshHierarchy::IntersectPlain(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
+{
+    return IntersectBy<Float4>(mesh, ray, hits, thread);
 }
 
 bool MeshHierarchy::IntersectByAvx2(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
@@ -291,11 +308,7 @@ bool MeshHierarchy::IntersectByAvx2(Mesh& mesh, const Ray& ray, IStack& hits, Tr
 
 bool MeshHierarchy::AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
 {
-    thread->Stats()[Ray_Mesh_Tests]++;
-    const bool met = HasAvx2() ? IntersectByAvx2(mesh, ray, hits, thread) : IntersectBy<Float4>(mesh, ray, hits, thread);
-    if (met)
-        thread->Stats()[Ray_Mesh_Tests_Succeeded]++;
-    return met;
+    return HasAvx2() ? IntersectByAvx2(mesh, ray, hits, thread) : IntersectPlain(mesh, ray, hits, thread);
 }
 
 } // namespace pov
