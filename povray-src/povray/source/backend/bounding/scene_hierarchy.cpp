@@ -282,9 +282,15 @@ inline TILT_LENS_ALWAYS_INLINE bool MeshHierarchy::IntersectBy(Mesh& mesh, const
     {
         const MESH_TRIANGLE* const triangle = static_cast<const MESH_TRIANGLE*>(what);
         DBL depth;
-        if (MeetsTriangle(*mesh.Data, *triangle, origin, direction, nearest, depth) &&
-            mesh.test_hit(triangle, ray, depth, length, hits, thread))
+        if (!MeetsTriangle(*mesh.Data, *triangle, origin, direction, nearest, depth))
+            return;
+        // as Mesh::test_hit()
+        const DBL worldDepth = depth / length;
+        VECTOR point;
+        VEvaluateRay(point, ray.Origin, worldDepth, ray.Direction);
+        if (mesh.Clip.empty() || Point_In_Clip(point, mesh.Clip, thread))
         {
+            hits->push(Intersection(worldDepth, point, &mesh, triangle));
             met = true;
             // those who ask may leave a nearer one aside, and of a mesh with an inside all are wanted
             if (!mesh.has_inside_vector && depth > SMALL_TOLERANCE * length)
