@@ -55,7 +55,7 @@ class Scene
     std::multiset<long> Visited(const RayOfTest& ray, double limit) const
     {
         std::multiset<long> visited;
-        hierarchy.Walk(BoxRay(ray.origin, ray.direction), limit, [&](const void* what) { visited.insert(NumberOf(what)); });
+        hierarchy.Walk<Float4>(ray.origin.data(), ray.direction.data(), limit, [&](const void* what) { visited.insert(NumberOf(what)); });
         return visited;
     }
 
@@ -63,7 +63,7 @@ class Scene
     double Nearest(const RayOfTest& ray) const
     {
         double nearest = std::numeric_limits<double>::infinity();
-        hierarchy.Walk(BoxRay(ray.origin, ray.direction), nearest, [&](const void* what)
+        hierarchy.Walk<Float4>(ray.origin.data(), ray.direction.data(), nearest, [&](const void* what)
         {
             nearest = std::min(nearest, double(EntryOf(items[NumberOf(what)], ray)));
         });
@@ -179,7 +179,7 @@ TEST(BoxHierarchy, LeavesMostBoxesAlone)
     {
         const RayOfTest ray = dice.Ray(10.0);
         double nearest = std::numeric_limits<double>::infinity();
-        scene.hierarchy.Walk(BoxRay(ray.origin, ray.direction), nearest, [&](const void* what)
+        scene.hierarchy.Walk<Float4>(ray.origin.data(), ray.direction.data(), nearest, [&](const void* what)
         {
             visited++;
             nearest = std::min(nearest, double(EntryOf(scene.items[reinterpret_cast<std::intptr_t>(what) - 1], ray)));
@@ -262,6 +262,11 @@ TEST(BoxHierarchy, BoxesThatNoSplitTellsApart)
 }
 
 /// With AVX2 and without, to the last bit; where a processor has none there is nothing to compare.
+TILT_LENS_FOR_AVX2 unsigned int EnterByAvx2(const EightBoxes& boxes, const RayOfTest& ray, float limit, float* begin)
+{
+    return BoxRay<Float8>(ray.origin.data(), ray.direction.data()).Enter(boxes, limit, begin);
+}
+
 TEST(BoxRay, SameResultsOnEveryProcessor)
 {
     if (!HasAvx2())
@@ -276,13 +281,39 @@ TEST(BoxRay, SameResultsOnEveryProcessor)
                 boxes.planes[axis][i] = dice.Magnitude(1e-6, 1e6);
                 boxes.planes[axis + 3][i] = boxes.planes[axis][i] + float(std::fabs(dice.Magnitude(1e-6, 1e8)));
             }
-        const RayOfTest ray = dice.Ray(100.0);
-        const BoxRay boxRay(ray.origin, ray.direction);
+        RayOfTest ray = dice.Ray(100.0);
+        if (round % 4 == 0)
+            ray.direction[round / 4 % 3] = std::copysign(round % 8 == 0 ? 0.0 : 1e-40, dice.Sign());
+        const BoxRay<Float4> boxRay(ray.origin.data(), ray.direction.data());
         const float limit = std::fabs(dice.Magnitude(1e-3, 1e9));
         alignas(32) float plain[8], byAvx2[8];
-        EXPECT_EQ(EnterPlain(boxes, boxRay, limit, plain), EnterByAvx2(boxes, boxRay, limit, byAvx2));
+        EXPECT_EQ(boxRay.Enter(boxes, limit, plain), EnterByAvx2(boxes, ray, limit, byAvx2));
         for (int i = 0; i < 8; i++)
             EXPECT_EQ(plain[i], byAvx2[i]);
+    }
+}
+
+TILT_LENS_FOR_AVX2 std::vector<const void*> WalkByAvx2(const BoxHierarchy& hierarchy, const RayOfTest& ray, double limit)
+{
+    std::vector<const void*> visited;
+    hierarchy.Walk<Float8>(ray.origin.data(), ray.direction.data(), limit, [&](const void* what) { visited.push_back(what); });
+    return visited;
+}
+
+/// The same objects in the same order.
+TEST(BoxHierarchy, SameWalkOnEveryProcessor)
+{
+    if (!HasAvx2())
+        GTEST_SKIP() << "This processor has no AVX2.";
+    const Scene scene(Boxes(19, 5000, 10.0, 1.0));
+    Dice dice(20);
+    for (int i = 0; i < 500; i++)
+    {
+        const RayOfTest ray = dice.Ray(15.0);
+        const double limit = dice.Between(0.0, 20.0);
+        std::vector<const void*> plain;
+        scene.hierarchy.Walk<Float4>(ray.origin.data(), ray.direction.data(), limit, [&](const void* what) { plain.push_back(what); });
+        EXPECT_EQ(plain, WalkByAvx2(scene.hierarchy, ray, limit));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "tilt_lens/hierarchy/box_hierarchy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tilt_lens

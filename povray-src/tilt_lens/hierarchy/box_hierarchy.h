@@ -43,10 +43,12 @@ class BoxHierarchy
     };
 
     /// Calls test(what) for all whose boxes the ray enters no later than at `limit`, of each eight children for the nearest
-    /// first.
+    /// first. The order is the same whatever the Vector.
+    /// @tparam Vector  as of BoxRay: Float8 within functions for AVX2, else Float4
+    /// @param origin, direction  of the ray, three numbers each, in the boxes' frame and unit; the direction has any length but 0
     /// @param limit  in lengths of the ray's direction; read again after each test, which may lower it
-    template<class Test>
-    Count Walk(const BoxRay& ray, const double& limit, const Test& test) const;
+    template<class Vector, class Test>
+    Count Walk(const double* origin, const double* direction, const double& limit, const Test& test) const;
 
   private:
     friend class HierarchyBuilder;
@@ -64,7 +66,7 @@ class BoxHierarchy
     };
 
     /// The first child that was met, which is taken from these.
-    static Waiting Take(const Node& node, const float* begin, unsigned int& met, Count& count)
+    static TILT_LENS_INLINED Waiting Take(const Node& node, const float* begin, unsigned int& met, Count& count)
     {
         const int i = __builtin_ctz(met);
         met &= met - 1;
@@ -76,12 +78,14 @@ class BoxHierarchy
     std::vector<const void*> whats;
 };
 
-template<class Test>
-BoxHierarchy::Count BoxHierarchy::Walk(const BoxRay& ray, const double& limit, const Test& test) const
+template<class Vector, class Test>
+TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, const double* direction, const double& limit,
+                                                               const Test& test) const
 {
     Count count;
     if (nodes.empty())
         return count;
+    const BoxRay<Vector> ray(origin, direction);
     Waiting waiting[7 * kMostLevels + 8];
     Waiting* top = waiting;
     // rounded up
@@ -99,7 +103,7 @@ BoxHierarchy::Count BoxHierarchy::Walk(const BoxRay& ray, const double& limit, c
         {
             const Node& node = nodes[next.child];
             alignas(32) float begin[8];
-            unsigned int met = Enter(node.boxes, ray, farthest, begin);
+            unsigned int met = ray.Enter(node.boxes, farthest, begin);
             count.tested += 8;
             if (met != 0)
             {

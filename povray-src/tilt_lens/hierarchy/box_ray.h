@@ -8,7 +8,6 @@
 #ifndef TILT_LENS_BOX_RAY_H
 #define TILT_LENS_BOX_RAY_H
 
-#include <cmath>
 #include <cstddef>
 
 #include "tilt_lens/math/simd.h"
@@ -23,19 +22,50 @@ struct alignas(32) EightBoxes
     float planes[6][8];
 };
 
+/// A ray as many times side by side as a Vector has lanes: Float8 with AVX2, Float4 for every processor. Written once for both, without
+/// contracted operations, so that both have the same results to the last bit.
+template<class Vector>
 class BoxRay
 {
   public:
     /// @param origin, direction  three numbers each, in the boxes' frame and unit; the direction has any length but 0
-    template<class Vector>
-    BoxRay(const Vector& origin, const Vector& direction)
+    TILT_LENS_INLINED BoxRay(const double* origin, const double* direction)
     {
+        // the three axes side by side; the fourth lane is not used
+        const Double4 from = {origin[0], origin[1], origin[2], 0.0}, slope = {direction[0], direction[1], direction[2], 1.0};
+        const LongMask4 bits = LongMask4(slope), sign = bits & (1ll << 63);
+        const Double4 length = Double4(bits ^ sign), steepest = Double4() + 1.0 / kLeastSlope;
+        const Double4 inverse = length > kLeastSlope ? 1.0 / slope : Double4(LongMask4(steepest) | sign);
+        const Double4 margin = Double4(LongMask4(from) & ~(1ll << 63)) * kRounding + kLeastMargin;
+        const Double4 signedMargin = Double4(LongMask4(margin) ^ sign);
+        Float4 enterFroms = __builtin_convertvector(from + signedMargin, Float4);
+        Float4 leaveFroms = __builtin_convertvector(from - signedMargin, Float4);
+        Float4 enterInverses = __builtin_convertvector(inverse * (1.0 - kRounding), Float4);
+        Float4 leaveInverses = __builtin_convertvector(inverse * (1.0 + kRounding), Float4);
+        // has them in memory: from there to all lanes is one instruction, from a lane two
+        asm volatile("" : "+m"(enterFroms), "+m"(leaveFroms), "+m"(enterInverses), "+m"(leaveInverses));
         for (int axis = 0; axis < 3; axis++)
-            Set(axis, origin[axis], direction[axis]);
+        {
+            enterFrom[axis] = enterFroms[axis] - Vector();
+            leaveFrom[axis] = leaveFroms[axis] - Vector();
+            enterInverse[axis] = enterInverses[axis] - Vector();
+            leaveInverse[axis] = leaveInverses[axis] - Vector();
+            const std::ptrdiff_t row = sizeof(EightBoxes::planes[0]), upper = sign[axis] != 0 ? 3 * row : 0;
+            enterPlanes[axis] = axis * row + upper;
+            leavePlanes[axis] = (axis + 3) * row - upper;
+        }
     }
 
-    float enterFrom[3], leaveFrom[3], enterInverse[3], leaveInverse[3];
-    std::ptrdiff_t enterPlanes[3], leavePlanes[3];  ///< where these lie in EightBoxes, in bytes
+    /// @param limit  boxes that begin behind it do not count; in lengths of the ray's direction
+    /// @param begin  eight numbers, at a multiple of 32 bytes: is set to where the ray enters the boxes, 0 where it begins in them
+    /// @return       bits of the boxes that the ray meets
+    TILT_LENS_INLINED unsigned int Enter(const EightBoxes& boxes, float limit, float* begin) const
+    {
+        unsigned int met = 0;
+        for (std::size_t first = 0; first < 8; first += sizeof(Vector) / sizeof(float))
+            met |= EnterSome(boxes, limit, begin, first) << first;
+        return met;
+    }
 
   private:
     /// Each of the at most three roundings of a product (origin, inverse, product) changes it by 2^-24; this is eight of them.
@@ -45,35 +75,27 @@ class BoxRay
     /// A component of the direction counts as at least this, so that no inverse is infinite.
     static constexpr double kLeastSlope = 1e-36;
 
-    void Set(int axis, double origin, double slope)
+    Vector enterFrom[3], leaveFrom[3], enterInverse[3], leaveInverse[3];
+    std::ptrdiff_t enterPlanes[3], leavePlanes[3];  ///< where these lie in EightBoxes, in bytes
+
+    /// As many of the boxes as a Vector has lanes, from `first`.
+    TILT_LENS_INLINED unsigned int EnterSome(const EightBoxes& boxes, float limit, float* begin, std::size_t first) const
     {
-        const bool falls = std::signbit(slope);
-        const double inverse = std::fabs(slope) > kLeastSlope ? 1.0 / slope : std::copysign(1.0 / kLeastSlope, slope);
-        const double margin = std::fabs(origin) * kRounding + kLeastMargin, signedMargin = falls ? -margin : margin;
-        enterFrom[axis] = origin + signedMargin;
-        leaveFrom[axis] = origin - signedMargin;
-        enterInverse[axis] = inverse * (1.0 - kRounding);
-        leaveInverse[axis] = inverse * (1.0 + kRounding);
-        const std::ptrdiff_t row = sizeof(Float8);
-        enterPlanes[axis] = (falls ? axis + 3 : axis) * row;
-        leavePlanes[axis] = (falls ? axis : axis + 3) * row;
+        const char* const from = reinterpret_cast<const char*>(&boxes) + first * sizeof(float);
+        Vector enter = Vector(), leave = limit - Vector();
+        for (int axis = 0; axis < 3; axis++)
+        {
+            const Vector in = *reinterpret_cast<const Vector*>(from + enterPlanes[axis]);
+            const Vector out = *reinterpret_cast<const Vector*>(from + leavePlanes[axis]);
+            const Vector near = (in - enterFrom[axis]) * enterInverse[axis];
+            const Vector far = (out - leaveFrom[axis]) * leaveInverse[axis];
+            enter = near > enter ? near : enter;
+            leave = far < leave ? far : leave;
+        }
+        *reinterpret_cast<Vector*>(begin + first) = enter;
+        return SignBits(enter <= leave);
     }
 };
-
-/// A ray against eight boxes.
-/// @param limit  boxes that begin behind it do not count; in lengths of the ray's direction
-/// @param begin  eight numbers, at a multiple of 32 bytes: is set to where the ray enters the boxes, 0 where it begins in them
-/// @return       bits of the boxes that the ray meets
-typedef unsigned int EnterBoxes(const EightBoxes& boxes, const BoxRay& ray, float limit, float* begin);
-
-/// For every processor.
-EnterBoxes EnterPlain;
-
-/// With half as many instructions, for those that have AVX2; has the same results to the last bit.
-EnterBoxes EnterByAvx2;
-
-/// The faster one that this processor has.
-extern EnterBoxes* const Enter;
 
 } // namespace tilt_lens
 

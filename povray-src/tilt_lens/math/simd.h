@@ -26,8 +26,28 @@ typedef long long Mask2 __attribute__((vector_size(16)));
 typedef int Mask4 __attribute__((vector_size(16)));
 typedef float Float8 __attribute__((vector_size(32)));
 typedef int Mask8 __attribute__((vector_size(32)));
+typedef double UnalignedDouble4 __attribute__((vector_size(32), aligned(8), may_alias));  ///< four numbers of an array
+typedef long long LongMask4 __attribute__((vector_size(32)));
 
+/// Of functions that are called where HasAvx2() only. What they inline is compiled for AVX2, too, without contracted operations.
+#if defined(__x86_64__) || defined(__i386__)
+#define TILT_LENS_FOR_AVX2 __attribute__((target("avx2,bmi")))
+#else
+#define TILT_LENS_FOR_AVX2
+#endif
+
+/// Of functions that are written once and compiled for each kind of processor, with the function that calls them.
 #define TILT_LENS_INLINED inline __attribute__((always_inline))
+
+/// Two instructions: what the processor can do was stored when the program began.
+inline bool HasAvx2()
+{
+#if defined(__x86_64__) || defined(__i386__)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi");
+#else
+    return false;
+#endif
+}
 
 /// @param from  as many numbers as a Vector holds, which may be a single number
 template<class Vector, class Number>
@@ -66,10 +86,14 @@ TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)
 #endif
 }
 
-TILT_LENS_INLINED unsigned int SignBits(const Mask8& mask)
+TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const Mask8& mask)
 {
+#ifdef __SSE2__
+    return __builtin_ia32_movmskps256(reinterpret_cast<const Float8&>(mask));
+#else
     const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
     return SignBits(halves[0]) | SignBits(halves[1]) << 4;
+#endif
 }
 
 /// Whether a comparison of 16 or 32 bytes holds in all lanes.
@@ -81,14 +105,6 @@ TILT_LENS_INLINED bool All(const Mask& mask)
     else
         return SignBits((Mask4)mask) == 0xf;
 }
-
-#if defined(__x86_64__) || defined(__i386__)
-#define TILT_LENS_FOR_AVX2 __attribute__((target("avx2")))
-inline bool HasAvx2() { return __builtin_cpu_supports("avx2"); }
-#else
-#define TILT_LENS_FOR_AVX2
-inline bool HasAvx2() { return false; }
-#endif
 
 } // namespace tilt_lens
 

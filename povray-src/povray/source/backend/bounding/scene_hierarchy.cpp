@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "backend/math/vector.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/threaddata.h"
 #include "backend/support/statistics.h"
@@ -21,7 +22,9 @@ namespace
 
 using tilt_lens::BoxHierarchy;
 using tilt_lens::BoxItem;
-using tilt_lens::BoxRay;
+using tilt_lens::Float4;
+using tilt_lens::Float8;
+using tilt_lens::HasAvx2;
 
 /// @param box  its numbers are rounded, its upper corner is a sum: it grows by some such roundings
 BoxItem ItemOf(const BBOX& box, const void* what)
@@ -47,29 +50,95 @@ ObjectPtr Visible(ObjectPtr object)
     return children.empty() ? NULL : children[0];
 }
 
+struct Unflagged
+{
+    unsigned int flags;
+    DBL least;
+
+    bool Before(const Ray&, ObjectPtr object) const { return (object->Flags & flags) == 0; }
+    bool After(const Ray&, ObjectPtr, DBL depth) const { return depth > least; }
+};
+
+struct TwoConditions
+{
+    const RayObjectCondition &before, &after;
+
+    bool Before(const Ray& ray, ObjectPtr object) const { return before(ray, object, 0.0); }
+    bool After(const Ray& ray, ObjectPtr object, DBL depth) const { return after(ray, object, depth); }
+};
+
 /// Looks for the nearest intersection with an object whose box was met; as Find_Intersection() does, but leaves alone
 /// what is not nearer than the best.
 /// @param precedes  whether an intersection at the depth of the best takes its place
-template<class Condition>
-bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best, TraceThreadData* thread,
-                const Condition& condition)
+/// @param hits      an empty stack, and empty again afterwards
+template<class Conditions>
+TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best, const Conditions& conditions,
+                                        IStack& hits, TraceThreadData* thread)
 {
+    if (!conditions.Before(ray, object))
+        return false;
     if (!object->Bound.empty() && !Ray_In_Bound(ray, object->Bound, thread))
         return false;
-    IStack hits(thread->stackPool);
-    bool found = false;
-    if (object->All_Intersections(ray, hits, thread))
-        for (; !hits->empty(); hits->pop())
+    if (!object->All_Intersections(ray, hits, thread) || hits->empty())
+        return false;
+    const Intersection* nearest = NULL;
+    DBL depth = best.Depth;
+    // they lie side by side; the one that is wanted is copied once
+    const Intersection* hit = &hits->top();
+    for (size_t left = hits->size(); left > 0; left--, hit--)
+    {
+        const bool nearer = hit->Depth < depth || (precedes && nearest == NULL && hit->Depth == depth);
+        if (nearer && (ray.IsSubsurfaceRay() || hit->Depth >= MIN_ISECT_DEPTH) && conditions.After(ray, object, hit->Depth))
         {
-            const Intersection& hit = hits->top();
-            const bool nearer = hit.Depth < best.Depth || (precedes && !found && hit.Depth == best.Depth);
-            if (nearer && (ray.IsSubsurfaceRay() || hit.Depth >= MIN_ISECT_DEPTH) && condition(hit.Depth))
-            {
-                best = hit;
-                found = true;
-            }
+            nearest = hit;
+            depth = hit->Depth;
         }
-    return found;
+    }
+    if (nearest != NULL)
+        best = *nearest;
+    while (!hits->empty())
+        hits->pop();
+    return nearest != NULL;
+}
+
+/// As MInvTransPoint() and MInvTransDirection() have it, with the same operations; the components lie side by side.
+TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR origin, VECTOR direction)
+{
+    const auto rows = reinterpret_cast<const tilt_lens::UnalignedDouble4*>(inverse);
+    const tilt_lens::Double4 slope = ray.Direction[X] * rows[X] + ray.Direction[Y] * rows[Y] + ray.Direction[Z] * rows[Z];
+    const tilt_lens::Double4 from = ray.Origin[X] * rows[X] + ray.Origin[Y] * rows[Y] + ray.Origin[Z] * rows[Z] + rows[3];
+    for (int axis = X; axis <= Z; axis++)
+    {
+        origin[axis] = from[axis];
+        direction[axis] = slope[axis];
+    }
+}
+
+/// A ray against a triangle whose plane it meets nearer than at `nearest`: the operations of Mesh::intersect_mesh_triangle(), and
+/// so its results; but what is too far is left alone, and vertices are read in the two axes that count.
+/// @param depth  is set to where the ray meets the plane
+TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin,
+                                                  const VECTOR direction, DBL nearest, DBL& depth)
+{
+    const DBL leastDepth = 1e-6;  // Mesh's DEPTH_TOLERANCE
+    const SNGL_VECT& normal = data.Normals[triangle.Normal_Ind];
+    DBL slope, height;
+    VDot(slope, normal, direction);
+    if (fabs(slope) < EPSILON)
+        return false;
+    VDot(height, normal, origin);
+    depth = -(triangle.Distance + height) / slope;
+    if (depth < leastDepth || depth > MAX_DISTANCE || !(depth < nearest))
+        return false;
+
+    const int u = triangle.Dominant_Axis == X ? Y : X, v = triangle.Dominant_Axis == Z ? Y : Z;
+    const DBL s = origin[u] + depth * direction[u], t = origin[v] + depth * direction[v];
+    const SNGL_VECT &corner1 = data.Vertices[triangle.P1], &corner2 = data.Vertices[triangle.P2], &corner3 = data.Vertices[triangle.P3];
+    const DBL u1 = corner1[u], v1 = corner1[v], u2 = corner2[u], v2 = corner2[v];
+    if ((u2 - s) * (v2 - v1) < (v2 - t) * (u2 - u1))
+        return false;
+    const DBL u3 = corner3[u], v3 = corner3[v];
+    return !((u3 - s) * (v3 - v2) < (v3 - t) * (u3 - u2) || (u1 - s) * (v1 - v3) < (v1 - t) * (u1 - u3));
 }
 
 void Count(const BoxHierarchy::Count& count, TraceThreadData* thread)
@@ -120,38 +189,48 @@ void SceneHierarchy::AddMeshes(ObjectPtr object)
         AddMeshes(object->Clip);
 }
 
-template<class FindNearer>
-bool SceneHierarchy::Walk(const Ray& ray, Intersection& best, TraceThreadData* thread, const FindNearer& findNearer) const
+template<class Vector, class Conditions>
+TILT_LENS_INLINED bool SceneHierarchy::IntersectBy(const Ray& ray, Intersection& best, Conditions conditions,
+                                                         TraceThreadData* thread) const
 {
+    IStack hits(thread->stackPool);
     const ObjectPtr* holder = NULL;
-    const auto test = [&](const ObjectPtr* object)
+    const auto test = [&](const ObjectPtr* object) __attribute__((always_inline))
     {
-        if (findNearer(*object, holder != NULL && object < holder))
+        if (FindNearer(*object, holder != NULL && object < holder, ray, best, conditions, hits, thread))
             holder = object;
     };
     for (const ObjectPtr* const object : infinite)
         test(object);
-    Count(finite->Walk(BoxRay(ray.Origin, ray.Direction), best.Depth,
-                       [&](const void* what) { test(static_cast<const ObjectPtr*>(what)); }), thread);
+    Count(finite->Walk<Vector>(ray.Origin, ray.Direction, best.Depth,
+                               [&](const void* what) { test(static_cast<const ObjectPtr*>(what)); }), thread);
     return holder != NULL;
 }
 
-bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const
+template<class Conditions>
+bool SceneHierarchy::IntersectPlain(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const
 {
-    return Walk(ray, best, thread, [&](ObjectPtr object, bool precedes)
-    {
-        return FindNearer(object, precedes, ray, best, thread, [](DBL) { return true; });
-    });
+    return IntersectBy<Float4>(ray, best, conditions, thread);
+}
+
+template<class Conditions>
+TILT_LENS_FOR_AVX2 bool SceneHierarchy::IntersectByAvx2(const Ray& ray, Intersection& best, Conditions conditions,
+                                                        TraceThreadData* thread) const
+{
+    return IntersectBy<Float8>(ray, best, conditions, thread);
+}
+
+bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const
+{
+    const Unflagged unflagged = {flags, depth};
+    return HasAvx2() ? IntersectByAvx2(ray, best, unflagged, thread) : IntersectPlain(ray, best, unflagged, thread);
 }
 
 bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition,
                                const RayObjectCondition& postcondition, TraceThreadData* thread) const
 {
-    return Walk(ray, best, thread, [&](ObjectPtr object, bool precedes)
-    {
-        const auto condition = [&](DBL depth) { return postcondition(ray, object, depth); };
-        return precondition(ray, object, 0.0) && FindNearer(object, precedes, ray, best, thread, condition);
-    });
+    const TwoConditions both = {precondition, postcondition};
+    return HasAvx2() ? IntersectByAvx2(ray, best, both, thread) : IntersectPlain(ray, best, both, thread);
 }
 
 bool MeshHierarchy::MakeTree(const Mesh& mesh)
@@ -180,24 +259,62 @@ std::unique_ptr<BoxHierarchy> MeshHierarchy::Of(Mesh& mesh)
     return std::unique_ptr<BoxHierarchy>(new BoxHierarchy(std::move(items)));
 }
 
-bool MeshHierarchy::Intersect(Mesh& mesh, const Ray& ray, const Ray& worldRay, DBL length, IStack& hits, TraceThreadData* thread)
+template<class Vector>
+TILT_LENS_INLINED bool MeshHierarchy::IntersectBy(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
 {
+    thread->Stats()[Ray_Mesh_Tests]++;
+    VECTOR origin, direction;
+    DBL length = 1.0;
+    if (mesh.Trans != NULL)
+    {
+        RayInFrame(ray, mesh.Trans->inverse, origin, direction);
+        VLength(length, direction);
+        VInverseScaleEq(direction, length);
+    }
+    else
+    {
+        Assign_Vector(origin, ray.Origin);
+        Assign_Vector(direction, ray.Direction);
+    }
     DBL nearest = BOUND_HUGE;
     bool met = false;
-    Count(mesh.Data->Hierarchy->Walk(BoxRay(ray.Origin, ray.Direction), nearest, [&](const void* what)
+    Count(mesh.Data->Hierarchy->Walk<Vector>(origin, direction, nearest, [&](const void* what)
     {
         const MESH_TRIANGLE* const triangle = static_cast<const MESH_TRIANGLE*>(what);
         DBL depth;
-        if (mesh.intersect_mesh_triangle(ray, triangle, &depth) && depth < nearest &&
-            mesh.test_hit(triangle, worldRay, depth, length, hits, thread))
+        if (!MeetsTriangle(*mesh.Data, *triangle, origin, direction, nearest, depth))
+            return;
+        // as Mesh::test_hit()
+        const DBL worldDepth = depth / length;
+        VECTOR point;
+        VEvaluateRay(point, ray.Origin, worldDepth, ray.Direction);
+        if (mesh.Clip.empty() || Point_In_Clip(point, mesh.Clip, thread))
         {
+            hits->push(Intersection(worldDepth, point, &mesh, triangle));
             met = true;
             // those who ask may leave a nearer one aside, and of a mesh with an inside all are wanted
             if (!mesh.has_inside_vector && depth > SMALL_TOLERANCE * length)
                 nearest = depth;
         }
     }), thread);
+    if (met)
+        thread->Stats()[Ray_Mesh_Tests_Succeeded]++;
     return met;
+}
+
+bool MeshHierarchy::IntersectPlain(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
+{
+    return IntersectBy<Float4>(mesh, ray, hits, thread);
+}
+
+bool MeshHierarchy::IntersectByAvx2(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
+{
+    return IntersectBy<Float8>(mesh, ray, hits, thread);
+}
+
+bool MeshHierarchy::AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread)
+{
+    return HasAvx2() ? IntersectByAvx2(mesh, ray, hits, thread) : IntersectPlain(mesh, ray, hits, thread);
 }
 
 } // namespace pov

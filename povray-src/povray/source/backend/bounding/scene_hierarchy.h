@@ -13,6 +13,8 @@
 #include <memory>
 #include <vector>
 
+#include <cmath>
+
 #include "backend/frame.h"
 #include "backend/shape/mesh.h"
 #include "tilt_lens/hierarchy/box_hierarchy.h"
@@ -35,11 +37,17 @@ class SceneHierarchy
 
     /// @param best   intersections nearer than its depth are looked for; set to the nearest
     /// @return       whether there is one
-    bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const;
+    bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const
+    {
+        return Intersect(ray, best, 0, -HUGE_VAL, thread);
+    }
 
     /// The same among objects and intersections that fulfil the conditions.
     bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition,
                    const RayObjectCondition& postcondition, TraceThreadData* thread) const;
+
+    /// The same among objects that have none of the flags, and intersections at greater depths than the given one.
+    bool Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const;
 
   private:
     std::vector<std::unique_ptr<tilt_lens::BoxHierarchy>> meshes;
@@ -50,8 +58,13 @@ class SceneHierarchy
     void AddMeshes(const std::vector<ObjectPtr>& among);
     void AddMeshes(ObjectPtr object);
 
-    template<class FindNearer>
-    bool Walk(const Ray& ray, Intersection& best, TraceThreadData* thread, const FindNearer& findNearer) const;
+    // The way through the hierarchy, written once and compiled for each kind of processor.
+    template<class Vector, class Conditions>
+    bool IntersectBy(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const;
+    template<class Conditions>
+    bool IntersectPlain(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const;
+    template<class Conditions>
+    TILT_LENS_FOR_AVX2 bool IntersectByAvx2(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const;
 };
 
 /// A mesh's own way through its hierarchy, beside Mesh::intersect_bbox_tree(), and when stock's tree is made for the latter.
@@ -66,13 +79,16 @@ class MeshHierarchy
 
     static std::unique_ptr<tilt_lens::BoxHierarchy> Of(Mesh& mesh);
 
-    /// @param ray       in the mesh's frame, with a direction of length 1
-    /// @param worldRay  the same ray in the world
-    /// @param length    of the world's unit in the mesh's frame
-    static bool Intersect(Mesh& mesh, const Ray& ray, const Ray& worldRay, DBL length, IStack& hits, TraceThreadData* thread);
+    /// In place of Mesh::All_Intersections() for a mesh that has a hierarchy.
+    static bool AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
 
   private:
     static bool MakeTree(const Mesh& mesh);
+
+    template<class Vector>
+    static bool IntersectBy(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
+    static bool IntersectPlain(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
+    TILT_LENS_FOR_AVX2 static bool IntersectByAvx2(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
 };
 
 } // namespace pov
