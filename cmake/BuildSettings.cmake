@@ -22,6 +22,8 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -fno-omit-frame-pointer")
 add_compile_options("-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
+# Registers of 32 bytes are passed between inlined functions alone (math/simd.h), so that how others would take them does not matter.
+add_compile_options(-Wno-psabi)
 
 if(TILT_LENS_SANITIZE)
     add_compile_options(-fsanitize=${TILT_LENS_SANITIZE})

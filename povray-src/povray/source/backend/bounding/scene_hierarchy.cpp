@@ -72,8 +72,8 @@ struct TwoConditions
 /// @param precedes  whether an intersection at the depth of the best takes its place
 /// @param hits      an empty stack, and empty again afterwards
 template<class Conditions>
-TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best, const Conditions& conditions,
-                                        IStack& hits, TraceThreadData* thread)
+TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best,
+                                               const Conditions& conditions, IStack& hits, TraceThreadData* thread)
 {
     if (!conditions.Before(ray, object))
         return false;

@@ -13,11 +13,11 @@
 namespace pov
 {
 
-/// A scene's own hierarchy takes the flags, which saves two virtual calls for each object that a ray comes to.
+/// Of a scene with a hierarchy of its own, which takes the flags, which saves two virtual calls for each object that a ray comes to.
 bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flags, double depth,
                           const RayObjectCondition& precondition, const RayObjectCondition& postcondition)
 {
-    if (sceneData->boundingMethod == 1 && sceneData->hierarchy)
+    if (sceneData->boundingMethod == 1)
         return sceneData->hierarchy->Intersect(ray, isect, flags, depth, threadData);
     return FindIntersection(isect, ray, precondition, postcondition);
 }
@@ -25,6 +25,8 @@ bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flag
 bool Trace::FindIntersection(Intersection& isect, const Ray& ray, const NoSomethingFlagRayObjectCondition& precondition,
                              const TrueRayObjectCondition& postcondition)
 {
+    if (!sceneData->hierarchy)
+        return FindIntersection(isect, ray, static_cast<const RayObjectCondition&>(precondition), postcondition);
     const unsigned int flags = (ray.IsImageRay() ? NO_IMAGE_FLAG : 0) | (ray.IsReflectionRay() ? NO_REFLECTION_FLAG : 0) |
                                (ray.IsRadiosityRay() ? NO_RADIOSITY_FLAG : 0) | (ray.IsPhotonRay() ? NO_SHADOW_FLAG : 0);
     return FindUnflagged(isect, ray, flags, -HUGE_VAL, precondition, postcondition);
