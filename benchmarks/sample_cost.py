@@ -1,14 +1,19 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """What a sample of the lens costs with all rays that follow from it: callgrind's instructions within the sampling of tiles, and
-of these, what the search for intersections takes: hierarchies and objects."""
+of these, what the search for intersections takes: hierarchies and objects. With a program to compare with, also the CPU seconds
+of the rays of both, at sixteen times the pixels."""
+
+import dataclasses
+import statistics
 
 from benchmarks import gallery, instructions, suite
 from benchmarks.lab import TILT_LENS, Shot
 
 SAMPLES = 8
 EVEN = suite.limits(SAMPLES, SAMPLES, 0)
-SIZE = (96, 54)
+SIZE, TIMED_SIZE = (96, 54), (384, 216)
+REPETITIONS = 5
 OF_GALLERY = {"folder": gallery.GALLERY, "size": SIZE, "declare": (("Samples", SAMPLES),)}
 SHOTS = [Shot("miniature_town", TILT_LENS, **OF_GALLERY), Shot("miniature_harbour", TILT_LENS, **OF_GALLERY),
          Shot("forest_reverse_tilt", TILT_LENS, **OF_GALLERY), Shot("foliage", TILT_LENS, size=SIZE, declare=EVEN),
@@ -16,8 +21,15 @@ SHOTS = [Shot("miniature_town", TILT_LENS, **OF_GALLERY), Shot("miniature_harbou
 ALL, INTERSECTIONS = "tilt_lens::TileSampler::Run(*", "pov::SceneHierarchy::Intersect(*"
 
 
-def measure(lab, before=None, count=instructions.count):
-    """A row for each scene: instructions a sample, those of the search, and those of the program of before, if there is one."""
+def seconds_over_before(lab, shot, before):
+    """CPU seconds of the rays over those of the program of before: the median of pairs that follow each other."""
+    larger = dataclasses.replace(shot, size=TIMED_SIZE)
+    pairs = [[lab.run(program, larger, repetition=i)["rays"] for program in (lab.ours, before)] for i in range(REPETITIONS)]
+    return statistics.median(ours/theirs for ours, theirs in pairs)
+
+
+def measure(lab, before=None, count=instructions.count, seconds=seconds_over_before):
+    """A row for each scene: instructions a sample, those of the search, and what the program of before takes, if there is one."""
     lab.say("instructions of a sample with all its rays")
     rows = []
     for shot in SHOTS:
@@ -26,5 +38,6 @@ def measure(lab, before=None, count=instructions.count):
                "intersections": count(lab, lab.ours, shot, within=INTERSECTIONS)/samples}
         if before:
             row["before"] = count(lab, before, shot, within=ALL)/samples
+            row["seconds"] = seconds(lab, shot, before)
         rows.append(row)
     return rows

@@ -21,7 +21,7 @@ class Scene:
     frames: int = 1024      # of the accumulation buffer
     size: tuple = (200, 150)
     contract: int = 4       # times as many samples for the references of part contract, whose error must be small against 1e-6
-    quick_frames: int = 64
+    quick_frames: int = 256
     targets: tuple = TARGETS
     part: Part = None       # what larger picture is meant; the picture that is rendered stands for it
     folder: pathlib.Path = SCENE_FOLDER

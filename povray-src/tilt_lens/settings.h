@@ -54,7 +54,7 @@ struct Settings
     static constexpr int ratioIterations = 4;
     /// What greater risks, and those that are no number, are taken for (section 8): sums of 49 of them are still floats.
     static constexpr float greatestFiniteRisk = 1e12f;
-    /// Camera rays that are made at a time; no picture depends on it.
+    /// Camera rays that are made at a time, side by side in registers: 4, 8 or 16. No picture depends on it.
     static constexpr std::uint32_t cameraRaysOfBatch = 8;
     /// Samples of the pixel of each block that the progress display tries; no picture depends on it.
     static constexpr std::uint32_t probeSamples = 8;

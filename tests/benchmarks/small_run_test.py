@@ -155,11 +155,16 @@ class SmallRun(unittest.TestCase):
 
     def test_cost_of_a_sample(self):
         counts = {sample_cost.ALL: 800, sample_cost.INTERSECTIONS: 200}
-        for before, words in ((None, "| 25 % | - | - |"), ("before", "ratio"), ("before", "0.50 (reached)")):
+        for before, words in ((None, "| 25 % | - | - |"), ("before", "0.50 (reached)"), ("before", "0.75 (missed)")):
             rows = sample_cost.measure(self.lab, before, lambda lab, program, shot, within: (
-                1600 if program == "before" else counts[within])*sample_cost.SAMPLES*math.prod(shot.size))
+                1600 if program == "before" else counts[within])*sample_cost.SAMPLES*math.prod(shot.size), lambda *_: 0.75)
             self.assertEqual({row["instructions"] for row in rows}, {800})
             self.assertIn(words, report.section("samples", rows))
+
+    def test_a_program_of_before_may_be_another_one(self):
+        with unittest.mock.patch.object(sample_cost, "TIMED_SIZE", (160, 120)):
+            ratio = sample_cost.seconds_over_before(self.lab, SCENE.shot(TILT_LENS), PROGRAM)
+        self.assertTrue(ratio > 0.0, ratio)  # how long they take is not for a test
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
