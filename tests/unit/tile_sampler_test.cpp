@@ -348,5 +348,14 @@ TEST(SamplingStatistics, AddsUpAndKnowsItsQuantiles)
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }
 
+// the figures of docs/sampling.md, section 10
+TEST(BlockCache, MemoryOfABlock)
+{
+    const double pixels = settings.blockSide * settings.blockSide;
+    const double seen = sizeof(FirstRoundPixel) + (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
+    EXPECT_LE(sizeof(PixelEstimate) + seen, 700.0);
+    EXPECT_LE(sizeof(PixelResult) + seen + sizeof(BlockStatistics) / pixels, 400.0);
+}
+
 } // namespace
 } // namespace tilt_lens

@@ -74,13 +74,34 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
+    /// The nearest of the children that were met; the others wait on the stack, the nearer ones above the farther ones.
+    static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
+
     std::vector<Node> nodes;  ///< the first one is the root; none if there is nothing
     std::vector<const void*> whats;
 };
 
+TILT_LENS_INLINED BoxHierarchy::Waiting BoxHierarchy::TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top,
+                                                                  Count& count)
+{
+    const Waiting* const base = top;
+    Waiting nearest = Take(node, begin, met, count);
+    while (met != 0)
+    {
+        Waiting other = Take(node, begin, met, count);
+        if (other.begin < nearest.begin)
+            std::swap(other, nearest);
+        Waiting* place = top++;
+        for (; place > base && place[-1].begin < other.begin; place--)
+            *place = place[-1];
+        *place = other;
+    }
+    return nearest;
+}
+
 template<class Vector, class Test>
 TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, const double* direction, const double& limit,
-                                                               const Test& test) const
+                                                         const Test& test) const
 {
     Count count;
     if (nodes.empty())
@@ -107,18 +128,7 @@ TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, c
             count.tested += 8;
             if (met != 0)
             {
-                const Waiting* const base = top;
-                next = Take(node, begin, met, count);
-                while (met != 0)
-                {
-                    Waiting other = Take(node, begin, met, count);
-                    if (other.begin < next.begin)
-                        std::swap(other, next);
-                    Waiting* place = top++;
-                    for (; place > base && place[-1].begin < other.begin; place--)
-                        *place = place[-1];
-                    *place = other;
-                }
+                next = TakeNearest(node, begin, met, top, count);
                 continue;
             }
         }
