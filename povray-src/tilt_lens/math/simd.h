@@ -26,7 +26,6 @@ typedef long long Mask2 __attribute__((vector_size(16)));
 typedef int Mask4 __attribute__((vector_size(16)));
 typedef float Float8 __attribute__((vector_size(32)));
 typedef int Mask8 __attribute__((vector_size(32)));
-typedef double UnalignedDouble4 __attribute__((vector_size(32), aligned(8), may_alias));  ///< four numbers of an array
 typedef long long LongMask4 __attribute__((vector_size(32)));
 
 /// Of functions that are called where HasAvx2() only. What they inline is compiled for AVX2, too, without contracted operations.

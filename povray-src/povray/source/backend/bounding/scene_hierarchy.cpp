@@ -104,9 +104,11 @@ TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ra
 /// As MInvTransPoint() and MInvTransDirection() have it, with the same operations; the components lie side by side.
 TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR origin, VECTOR direction)
 {
-    const auto rows = reinterpret_cast<const tilt_lens::UnalignedDouble4*>(inverse);
-    const tilt_lens::Double4 slope = ray.Direction[X] * rows[X] + ray.Direction[Y] * rows[Y] + ray.Direction[Z] * rows[Z];
-    const tilt_lens::Double4 from = ray.Origin[X] * rows[X] + ray.Origin[Y] * rows[Y] + ray.Origin[Z] * rows[Z] + rows[3];
+    using tilt_lens::Double4;
+    const Double4 x = tilt_lens::Load<Double4>(inverse[X]), y = tilt_lens::Load<Double4>(inverse[Y]);
+    const Double4 z = tilt_lens::Load<Double4>(inverse[Z]), moved = tilt_lens::Load<Double4>(inverse[3]);
+    const Double4 slope = ray.Direction[X] * x + ray.Direction[Y] * y + ray.Direction[Z] * z;
+    const Double4 from = ray.Origin[X] * x + ray.Origin[Y] * y + ray.Origin[Z] * z + moved;
     for (int axis = X; axis <= Z; axis++)
     {
         origin[axis] = from[axis];
