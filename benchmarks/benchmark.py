@@ -180,7 +180,7 @@ def update_docs(folder, program, results):
         pages.save(part, rows, program)
     for path in folder.glob("*.svg"):
         shutil.copy(path, pages.DOCS / "pictures" / "benchmarks" / path.name)
-    if {"stock", "tilted", "pan"} <= set(results):
+    if {"stock", "tilted"} <= set(results):
         shutil.copy(folder / "runs.csv", pages.DOCS / "benchmarks" / "runs.csv")
     pages.update()
 

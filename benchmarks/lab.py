@@ -203,7 +203,8 @@ class Lab:
 
     def run(self, binary, shot, reference=None, repetition=0, **about):
         """A measured render, taken from the journal if it was made before. `about` goes into the record."""
-        self.hashes.setdefault(binary, self.hash_of(binary))
+        if binary not in self.hashes:
+            self.hashes[binary] = self.hash_of(binary)
         key = digest(self.hashes[binary], shot.settings(), shot.sources(), str(reference.name if reference else ""))
         record = self.runs.get((key, repetition))
         if record is None:

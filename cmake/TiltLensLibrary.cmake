@@ -8,7 +8,7 @@ file(GLOB tilt_lens_sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/povray-src/ti
 add_library(tilt_lens STATIC ${tilt_lens_sources})
 target_include_directories(tilt_lens PUBLIC "${CMAKE_SOURCE_DIR}/povray-src")
 # No fused multiply-add: a processor that has it would give other rays than one that has not. Nobody asks for errno: without it, a
-# square root is one instruction. Functions of vector registers are inlined, however these would be passed.
+# square root is one instruction.
 target_compile_options(tilt_lens PRIVATE -Wall -Wextra -ffp-contract=off -fno-math-errno)
 target_link_libraries(tilt_lens PRIVATE Boost::headers)
 if(TILT_LENS_SANITIZE MATCHES "undefined")

@@ -3,6 +3,8 @@
 
 #include "tilt_lens/math/lattice_noise.h"
 
+#include <cstring>
+
 namespace tilt_lens
 {
 
@@ -60,7 +62,9 @@ TILT_LENS_FOR_AVX2 double LatticeNoise::At(const double* point, bool wide) const
         const int* const gradients = cell.gradients[level];
         const auto numbers = [&](int i) TILT_LENS_FOR_AVX2 -> Double4
         {
-            return Load<Double4>(row + gradients[i]);
+            Double4 corner;  // not by Load(): clang lets no function without AVX return a register to one with it
+            std::memcpy(&corner, row + gradients[i], sizeof(corner));
+            return corner;
         };
         const Double4 a = numbers(0), b = numbers(1), c = numbers(2), d = numbers(3);
         const Double4 ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);

@@ -79,8 +79,8 @@ struct CameraRay
 struct CameraRays
 {
     CameraSamples samples;
-    double origin[3][settings.cameraRaysOfBatch], direction[3][settings.cameraRaysOfBatch];  ///< the direction is normalised
-    double length[settings.cameraRaysOfBatch], w[settings.cameraRaysOfBatch];
+    OfGroup origin[3], direction[3];  ///< the direction is normalised
+    OfGroup length, w;
 
     void Put(std::uint32_t i, const CameraRay& ray)
     {

@@ -59,8 +59,7 @@ struct CameraSample
 /// The same of a group of samples, side by side.
 struct CameraSamples
 {
-    double x[settings.cameraRaysOfBatch], y[settings.cameraRaysOfBatch], a[settings.cameraRaysOfBatch], b[settings.cameraRaysOfBatch];
-    double weight[settings.cameraRaysOfBatch], expectedEmission[settings.cameraRaysOfBatch];
+    OfGroup x, y, a, b, weight, expectedEmission;
 
     CameraSample operator[](std::uint32_t i) const { return {x[i], y[i], {a[i], b[i]}, weight[i], expectedEmission[i]}; }
     void Put(std::uint32_t i, const CameraSample& sample)

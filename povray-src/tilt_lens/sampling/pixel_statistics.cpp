@@ -96,10 +96,10 @@ void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
 {
     for (std::size_t c = 0; c < value.size(); c++)
     {
-        sum[c] += value[c];
-        totals.squares[c] += value[c] * value[c];
-        totals.least[c] = std::min(totals.least[c], value[c]);
-        totals.most[c] = std::max(totals.most[c], value[c]);
+        ChannelSums<double> one;
+        one.Get(sum, totals, c);
+        one.Add(value[c]);
+        one.Put(sum, totals, c);
     }
 }
 

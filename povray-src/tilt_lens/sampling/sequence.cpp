@@ -112,7 +112,7 @@ constexpr GroupTable groupTable = MakeGroupTable();
 std::uint64_t PixelKey(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
 {
     const std::uint64_t pixel = (std::uint64_t{y} << 32) | x;
-    return MixBits(pixel ^ MixBits((std::uint64_t{seed} + 1) * 0x9e3779b97f4a7c15u));
+    return MixBits(pixel ^ MixBits((std::uint64_t{seed} + 1) * kGoldenStep));
 }
 
 /// Owen's nested uniform scrambling of a bit-reversed fraction: a bit is flipped or not depending

@@ -50,10 +50,13 @@ struct SequencePoint
     double pixelX, pixelY;  ///< position in the pixel's square
 };
 
-/// Points of a group of samples, side by side. Groups begin with the numbers that cameraRaysOfBatch divides.
+/// A number of each sample of a group, side by side. Groups begin with the numbers that cameraRaysOfBatch divides.
+using OfGroup = double[settings.cameraRaysOfBatch];
+
+/// The points of a group.
 struct SequencePoints
 {
-    double lensU[settings.cameraRaysOfBatch], lensV[settings.cameraRaysOfBatch], pixelX[settings.cameraRaysOfBatch], pixelY[settings.cameraRaysOfBatch];
+    OfGroup lensU, lensV, pixelX, pixelY;
 
     SequencePoint operator[](std::uint32_t i) const { return {lensU[i], lensV[i], pixelX[i], pixelY[i]}; }
 };
@@ -72,6 +75,9 @@ inline std::uint64_t MixBits(std::uint64_t z)
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
 }
+
+/// The step of SplitMix64's counter: 2^64 over the golden ratio, odd.
+constexpr std::uint64_t kGoldenStep = 0x9e3779b97f4a7c15u;
 
 /// The samples of one pixel. Cheap to make (a few hashes) and to copy.
 class PixelSampler
@@ -99,9 +105,8 @@ class PixelSampler
     std::uint64_t key;              ///< of (x, y, seed)
     std::uint32_t scrambleSeed[4];  ///< of each dimension's scrambling
 
-    /// The stream of the key. Words 1 and 2 scramble the samples, the later ones serve Hash(). The counter's step is 2^64 over
-    /// the golden ratio, odd, as that of SplitMix64.
-    std::uint64_t StreamWord(std::uint64_t position) const { return MixBits(key + position * 0x9e3779b97f4a7c15u); }
+    /// The stream of the key. Words 1 and 2 scramble the samples, the later ones serve Hash().
+    std::uint64_t StreamWord(std::uint64_t position) const { return MixBits(key + position * kGoldenStep); }
 };
 
 /// A uniform hash of its four arguments; any two that differ give unrelated values.

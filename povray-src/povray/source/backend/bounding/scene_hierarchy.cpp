@@ -73,7 +73,7 @@ struct TwoConditions
 /// @param hits      an empty stack, and empty again afterwards
 template<class Conditions>
 TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best,
-                                               const Conditions& conditions, IStack& hits, TraceThreadData* thread)
+                                  const Conditions& conditions, IStack& hits, TraceThreadData* thread)
 {
     if (!conditions.Before(ray, object))
         return false;
@@ -120,7 +120,7 @@ TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR 
 /// so its results; but what is too far is left alone, and vertices are read in the two axes that count.
 /// @param depth  is set to where the ray meets the plane
 TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin,
-                                                  const VECTOR direction, DBL nearest, DBL& depth)
+                                     const VECTOR direction, DBL nearest, DBL& depth)
 {
     const DBL leastDepth = 1e-6;  // Mesh's DEPTH_TOLERANCE
     const SNGL_VECT& normal = data.Normals[triangle.Normal_Ind];
@@ -193,7 +193,7 @@ void SceneHierarchy::AddMeshes(ObjectPtr object)
 
 template<class Vector, class Conditions>
 TILT_LENS_INLINED bool SceneHierarchy::IntersectBy(const Ray& ray, Intersection& best, Conditions conditions,
-                                                         TraceThreadData* thread) const
+                                                   TraceThreadData* thread) const
 {
     IStack hits(thread->stackPool);
     const ObjectPtr* holder = NULL;

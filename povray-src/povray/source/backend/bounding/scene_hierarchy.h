@@ -10,10 +10,9 @@
 #ifndef SCENE_HIERARCHY_H
 #define SCENE_HIERARCHY_H
 
+#include <cmath>
 #include <memory>
 #include <vector>
-
-#include <cmath>
 
 #include "backend/frame.h"
 #include "backend/shape/mesh.h"
