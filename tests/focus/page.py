@@ -10,6 +10,30 @@ from tests.focus.harness import ROOT, SCENE, PageTest
 PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
 
 
+# A preview of 4 by 4 pixels with a surface everywhere, and of the next one the upper left pixel, twice as far. Answers with the
+# distances that are found in that pixel and in another, and then those when no more of the next preview comes.
+FIND_WHILE_PREVIEW_ARRIVES = """
+const done = arguments[0], frame = focusPage.model.lens, { location } = focusPage.model.camera, size = [4, 4];
+const blur = {
+    values: new Float32Array(64).fill(1 / 5), width: 4, height: 4, frame: { ...frame, location },
+    begin(width, height) { Object.assign(this, { width, height, values: new Float32Array(4 * width * height) }); },
+    take(left, top, width, height, values) { this.values.set(values); },
+    draw() {},
+};
+import(new URL("page/live.js", document.location)).then(({ Live }) => {
+    const live = new Live(blur, focusPage.model, () => {}, () => {});
+    live.ownView = {};
+    live.expect({ number: 1, frame: { ...frame, location }, size });
+    live.take({ number: 1, left: 0, top: 0, width: 1, height: 1, values: new Float32Array(4).fill(1 / 10) });
+    const distances = () => [[-0.4, 0.4], [0.1, -0.1]].map(([x, y]) => live.surfaceAt(x, y)).map(point => point &&
+        point.reduce((sum, value, i) => sum + (value - location[i]) * frame.axis[i], 0));
+    const found = { arriving: distances() };
+    live.end();
+    done({ ...found, ended: distances() });
+}).catch(error => done({ arriving: [0, String(error)] }));
+"""
+
+
 class Page(PageTest):
     def pick_three(self):
         """Clicks the three towers; returns what was picked."""
@@ -94,6 +118,13 @@ class Page(PageTest):
         self.press("#back")
         self.press("#back")
         self.assertEqual(self.run("return focusPage.model.picks"), before)
+
+    def test_surfaces_are_found_while_a_new_preview_arrives(self):
+        self.open(self.scene())
+        found = self.browser.execute_async_script(FIND_WHILE_PREVIEW_ARRIVES)
+        here, before = found["arriving"]
+        self.assertAlmostEqual(here / before, 2, places=6)
+        self.assertEqual(found["ended"], [here, None])
 
     def test_another_width_of_the_page_leaves_the_picture_and_draws_the_side_view_anew(self):
         self.open(self.scene())

@@ -184,7 +184,9 @@ const stage = buildStage(model, {
     pointAt: (x, y) => live.surfaceAt(x, y),
     done: () => model.remember(),
     entered: () => (find("hint").textContent = hint()),
-    nothing: () => (find("hint").textContent = "There is nothing at this place to focus on. Click a thing."),
+    nothing: () => (find("hint").textContent = live.complete
+        ? "There is nothing at this place to focus on. Click a thing."
+        : "The preview has not come this far yet. Wait a moment, then click again."),
 });
 const cameras = buildCameras(find, {
     camera: index => {

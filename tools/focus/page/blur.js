@@ -41,6 +41,15 @@ function lensPointList(corners, turn) {
     return list;
 }
 
+/// 1/distance of the surface at x, y of the film of a lens, from a preview { values, width, height, frame }; 0 where there
+/// is none or the preview has not arrived, NaN outside the preview.
+export function inverseDepthOf({ values, width, height, frame }, lens, x, y) {
+    const [ox, oy, fx, fy] = frameMap(lens, frame);
+    const column = Math.floor((ox + fx * x + 0.5) * width), row = Math.floor((0.5 - oy - fy * y) * height);
+    const inside = column >= 0 && row >= 0 && column < width && row < height;
+    return inside ? values[(row * width + column) * 4 + 3] : NaN;
+}
+
 /// Opens the canvas. @throws Error where there is no WebGL2 with pictures of floating point numbers
 export function openBlur(canvas) {
     const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
@@ -108,12 +117,9 @@ class Blur {
         this.restart();
     }
 
-    /// 1/distance of the surface at x, y of this picture's film; NaN outside the preview.
+    /// 1/distance of the surface at x, y of this picture's film; see inverseDepthOf.
     inverseDepthAt(x, y) {
-        const [ox, oy, fx, fy] = frameMap(this.lens, this.frame);
-        const column = Math.floor((ox + fx * x + 0.5) * this.width), row = Math.floor((0.5 - oy - fy * y) * this.height);
-        const inside = column >= 0 && row >= 0 && column < this.width && row < this.height;
-        return inside ? this.values[(row * this.width + column) * 4 + 3] : NaN;
+        return inverseDepthOf(this, this.lens, x, y);
     }
 
     /// Tells the shader how far blur reaches.

@@ -6,6 +6,7 @@
 
 import { dot, length, subtract } from "./vector.js";
 import { pointAt, solve } from "./lens.js";
+import { inverseDepthOf } from "./blur.js";
 
 const REST = 150;          // milliseconds without a change, until the picture is refined
 const ARRIVING = 150;      // between two pictures while the preview arrives: the processors have enough to do
@@ -18,6 +19,7 @@ export class Live {
     constructor(blur, model, ask, begun) {
         Object.assign(this, { blur, model, ask, begun });
         this.complete = false;     // whether nothing more of the preview comes
+        this.former = null;        // the preview before, while the present one arrives
         this.focusIsOpen = false;  // whether the focus waits for what the preview shows
         this.ownView = null;       // the scene's own camera
         this.number = 0;           // of the preview
@@ -40,6 +42,7 @@ export class Live {
         if (!this.ownView || number !== this.number)
             return;
         if (this.arriving) {
+            this.keepFormer();
             this.blur.begin(...this.arriving);
             this.arriving = null;
             this.blur.frame = this.frameOf(this.askedFrame);
@@ -53,7 +56,15 @@ export class Live {
     /// Nothing more of the preview comes.
     end() {
         this.complete = true;
+        this.former = null;
         this.draw();
+    }
+
+    /// Keeps the preview so that places are found on it while the next one arrives, unless it is itself no more than begun.
+    keepFormer() {
+        const { values, width, height, frame } = this.blur;
+        if (values && !this.former)
+            this.former = { values, width, height, frame };
     }
 
     /// The frame that a preview was taken with: what was asked for, or the scene's own camera with its own lens.
@@ -69,13 +80,22 @@ export class Live {
 
     /// Whether the preview was taken from where the camera stands; after another camera was chosen it is not, for a while.
     get fits() {
-        return Boolean(this.blur.values) && String(this.blur.frame?.location) === String(this.model.camera.location);
+        return this.isFromHere(this.blur);
+    }
+
+    isFromHere(preview) {
+        return Boolean(preview?.values) && String(preview.frame?.location) === String(this.model.camera.location);
     }
 
     /// World point of the surface that the picture shows at x, y of the film, or null.
     surfaceAt(x, y) {
-        const inverse = this.fits ? this.blur.inverseDepthAt(x, y) : 0;
-        return inverse > 0 ? pointAt(this.model.lens, x, y, 1 / inverse) : null;
+        const { lens } = this.model;
+        for (const preview of [this.blur, this.former]) {
+            const inverse = this.isFromHere(preview) ? inverseDepthOf(preview, lens, x, y) : 0;
+            if (inverse > 0)
+                return pointAt(lens, x, y, 1 / inverse);
+        }
+        return null;
     }
 
     // ---- changes ----
