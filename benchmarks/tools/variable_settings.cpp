@@ -37,7 +37,7 @@ const std::map<std::string, Field> fields = {
     FIELD(greatestRisk),
     FIELD(riskLimit),
     FIELD(chanceRisk),
-    FIELD(leastResidualRatio),
+    FIELD(biasOverNoise),
     FIELD(spreadWeight),
     FIELD(leastRowVariance),
     FIELD(forecastCost)};

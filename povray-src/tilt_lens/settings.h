@@ -127,8 +127,8 @@ struct Settings
     float riskLimit = 8.0f;
     /// Risk over noise of the 3 by 3 pixels around one that may be chance.
     float chanceRisk = 2.0f;
-    /// Share of a pixel's variance that remains whatever the filters leave of the noise: their bias.
-    float leastResidualRatio = 0.25f;
+    /// Bias (squared) that filters make over the noise that they leave, where they leave little of it.
+    float biasOverNoise = 1.5f;
     /// Weight of a spread estimate that is wholly made of other pixels' samples, over that of a filter with the same risk.
     float spreadWeight = 16.0f;
     /// Mean variance of a row of a block, over `variance`, below which the row is not reconstructed.

@@ -248,13 +248,19 @@ void DivideBy(SquaredDifference& sum, float divisor)
     sum.after /= divisor;
 }
 
-/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around; 1 where none is noisy.
+/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around, and the bias that goes with it;
+/// 1 where none is noisy.
 BlockPlane ResidualVarianceRatio(const std::vector<SquaredDifference>& differences)
 {
     const std::vector<SquaredDifference> around = WindowMeans<settings.ratioRadius>(differences, kSide);
     BlockPlane ratio;
     std::transform(around.begin(), around.end(), ratio.begin(), [](const SquaredDifference& mean)
-        { return mean.before > 0.0f ? std::min(1.0f, mean.after / mean.before + settings.leastResidualRatio) : 1.0f; });
+    {
+        if (!(mean.before > 0.0f))
+            return 1.0f;
+        const float noise = std::min(1.0f, mean.after / mean.before);
+        return std::min(1.0f, noise + settings.biasOverNoise * noise * (1.0f - noise));
+    });
     return ratio;
 }
 

@@ -24,7 +24,8 @@
 /// Trans. Graph. 30(6), 2011, and T.-M. Li, Y.-T. Wu, Y.-Y. Chuang, "SURE-based optimization for adaptive sampling and
 /// reconstruction", ACM Trans. Graph. 31(6), 2012, for choosing among filters by it. Here: no one filter is chosen, since the
 /// choice would be as noisy as the risk; and what is left of the variance is not told by the risk, which may be none by
-/// chance, but by filtering the difference of the two sample buffers, which is noise and nothing else.
+/// chance, but by filtering the difference of the two sample buffers, which is noise and nothing else, and by the bias that goes
+/// with as much noise.
 
 #ifndef TILT_LENS_RECONSTRUCTION_H
 #define TILT_LENS_RECONSTRUCTION_H

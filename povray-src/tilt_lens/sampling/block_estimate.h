@@ -29,7 +29,7 @@ struct PixelEstimate
     double variance = 0.0;       ///< of the mean, largest channel; relative to the square of what is above 1
     double undetected = 0.0;     ///< of that, what the samples do not show and no filter takes off
     double target = 0.0;         ///< the variance that it may keep, when it was decided last
-    double residualVarianceRatio = settings.leastResidualRatio;  ///< after the reconstruction, by the last forecast
+    double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< after the reconstruction, by the last forecast
     bool active = true;          ///< takes part in the next round
 };
 
