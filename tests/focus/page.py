@@ -11,25 +11,29 @@ PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the 
 
 
 # A preview of 4 by 4 pixels with a surface everywhere, and of the next one the upper left pixel, twice as far. Answers with the
-# distances that are found in that pixel and in another, and then those when no more of the next preview comes.
+# distances that are found in that pixel and in another, and then those when no more of the next preview comes. The same for a
+# preview that is of a scene read anew.
 FIND_WHILE_PREVIEW_ARRIVES = """
 const done = arguments[0], frame = focusPage.model.lens, { location } = focusPage.model.camera, size = [4, 4];
-const blur = {
+const newBlur = () => ({
     values: new Float32Array(64).fill(1 / 5), width: 4, height: 4, frame: { ...frame, location },
     begin(width, height) { Object.assign(this, { width, height, values: new Float32Array(4 * width * height) }); },
     take(left, top, width, height, values) { this.values.set(values); },
     draw() {},
-};
+});
 import(new URL("page/live.js", document.location)).then(({ Live }) => {
-    const live = new Live(blur, focusPage.model, () => {}, () => {});
-    live.ownView = {};
-    live.expect({ number: 1, frame: { ...frame, location }, size });
-    live.take({ number: 1, left: 0, top: 0, width: 1, height: 1, values: new Float32Array(4).fill(1 / 10) });
-    const distances = () => [[-0.4, 0.4], [0.1, -0.1]].map(([x, y]) => live.surfaceAt(x, y)).map(point => point &&
+    const begun = asked => {
+        const live = new Live(newBlur(), focusPage.model, () => {}, () => {});
+        live.ownView = { ...frame, location };
+        live.expect({ number: 1, frame: asked, size });
+        live.take({ number: 1, left: 0, top: 0, width: 1, height: 1, values: new Float32Array(4).fill(1 / 10) });
+        return live;
+    };
+    const distances = live => [[-0.4, 0.4], [0.1, -0.1]].map(([x, y]) => live.surfaceAt(x, y)).map(point => point &&
         point.reduce((sum, value, i) => sum + (value - location[i]) * frame.axis[i], 0));
-    const found = { arriving: distances() };
+    const live = begun({ ...frame, location }), found = { arriving: distances(live), readAnew: distances(begun(null)) };
     live.end();
-    done({ ...found, ended: distances() });
+    done({ ...found, ended: distances(live) });
 }).catch(error => done({ arriving: [0, String(error)] }));
 """
 
@@ -125,6 +129,7 @@ class Page(PageTest):
         here, before = found["arriving"]
         self.assertAlmostEqual(here / before, 2, places=6)
         self.assertEqual(found["ended"], [here, None])
+        self.assertEqual(found["readAnew"], [here, None])
 
     def test_another_width_of_the_page_leaves_the_picture_and_draws_the_side_view_anew(self):
         self.open(self.scene())

@@ -19,7 +19,8 @@ export class Live {
     constructor(blur, model, ask, begun) {
         Object.assign(this, { blur, model, ask, begun });
         this.complete = false;     // whether nothing more of the preview comes
-        this.former = null;        // the preview before, while the present one arrives
+        this.former = null;        // the preview before of the same scene, while the present one arrives
+        this.readAnew = false;     // whether the scene was read anew for the preview that is on its way
         this.focusIsOpen = false;  // whether the focus waits for what the preview shows
         this.ownView = null;       // the scene's own camera
         this.number = 0;           // of the preview
@@ -29,9 +30,10 @@ export class Live {
 
     // ---- the preview ----
 
-    /// A new preview is on its way.
+    /// A new preview is on its way. With a frame it is of the scene as it was read before.
     expect({ number, frame, size }) {
         this.complete = false;
+        this.readAnew ||= !frame;
         this.number = number;
         this.askedFrame = frame;
         this.arriving = size;
@@ -60,11 +62,12 @@ export class Live {
         this.draw();
     }
 
-    /// Keeps the preview so that places are found on it while the next one arrives, unless it is itself no more than begun.
+    /// Keeps the preview so that places are found on it while the next one arrives, unless it is itself no more than begun, or
+    /// the scene may have changed since.
     keepFormer() {
         const { values, width, height, frame } = this.blur;
-        if (values && !this.former)
-            this.former = { values, width, height, frame };
+        this.former = this.readAnew ? null : this.former ?? { values, width, height, frame };
+        this.readAnew = false;
     }
 
     /// The frame that a preview was taken with: what was asked for, or the scene's own camera with its own lens.
