@@ -39,7 +39,8 @@ void Trace::BeginPhotons()
     ForgetRays();
     crandRandomNumberGenerator = 0;
     randomNumberGenerator.SetSeed(0);
-    media.SeedRandomNumbers(0);
+    if (RandomDoubleSequence::Generator* const ofMedia = media.RandomNumbers())
+        ofMedia->SetSeed(0);
 }
 
 } // namespace pov

@@ -81,9 +81,14 @@ void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colou
     DBL distance;
     if (view->aids->NeedsLight())
     {
-        SeedRandomNumbers(tilt_lens::PixelHash((unsigned int)(int)x, (unsigned int)(int)y, view->seed, 0));
+        const tilt_lens::PixelSampler sequence((unsigned int)(int)x, (unsigned int)(int)y, view->seed);
+        pixel = &sequence;
+        index = 0;
+        SeedGenerators();
+        BeginSample();
         Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
         distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
+        EndSample();
     }
     else
         distance = FirstHit(trace, ray);

@@ -122,6 +122,7 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
     const unsigned int first = run.first.index, count = run.count;
     const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
     trace.areaLightSampler = this;
+    SeedGenerators();
     for (unsigned int i = 0; i < count; i++)
     {
         index = first + i;
@@ -138,6 +139,7 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
         }
     }
     trace.areaLightSampler = NULL;
+    EndSample();
     if (run.ofFirstRound)
         FindBlur(rays, place, count, distances, width, results);
 }
@@ -177,8 +179,9 @@ void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays,
 inline DBL TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, Radiance& radiance)
 {
     trace.ForgetRays();
-    // whatever draws random numbers on the way draws this sample's own
-    SeedRandomNumbers(pixel->Hash(index));
+    BeginSample();
+    if (trace.sceneData->useSubsurface)
+        SeedSubsurface(Seed());
     areaLightsMet = 0;
     Colour colour;
     const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
@@ -237,13 +240,13 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     }
 }
 
-void TiltLensTracer::SeedRandomNumbers(unsigned int seed)
+/// Whatever draws random numbers on the way of a sample draws this sample's own. Not in the constructor, which comes before that of media.
+void TiltLensTracer::SeedGenerators()
 {
-    trace.crandRandomNumberGenerator = seed;
-    trace.randomNumberGenerator.SetSeedQuickly(seed);
-    trace.media.SeedRandomNumbers(seed);
-    if (trace.sceneData->useSubsurface)
-        SeedSubsurface(seed);
+    trace.crandSeeds.Follow(*this);
+    trace.randomNumberGenerator.seeds.Follow(*this);
+    if (RandomDoubleSequence::Generator* const ofMedia = trace.media.RandomNumbers())
+        ofMedia->seeds.Follow(*this);
 }
 
 /// Subsurface light draws from sequences of its own, one a recursion level, made when first needed;

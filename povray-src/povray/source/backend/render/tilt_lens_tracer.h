@@ -16,6 +16,7 @@
 #include "backend/lighting/area_light_sampler.h"
 #include "backend/render/trace.h"
 #include "backend/scene/tilt_lens_view.h"
+#include "backend/support/sample_seeds.h"
 #include "tilt_lens/math/vec3.h"
 #include "tilt_lens/sampling/camera_rays.h"
 
@@ -32,7 +33,7 @@ struct TiltLensEffort
     double variance;  ///< as TileSampler::Variance() gives it
 };
 
-class TiltLensTracer : public AreaLightSampler
+class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
 {
   public:
     /// Lives as long as its owner, which it uses. NULL where the view has no lens with an aperture.
@@ -59,6 +60,8 @@ class TiltLensTracer : public AreaLightSampler
     const std::vector<TiltLensEffort>& Effort() const { return effort; }
 
     virtual bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
+
+    virtual unsigned int Seed() const { return pixel->Hash(index); }
 
     /// @name For picture layers, which all cameras have.
     /// @{
@@ -105,7 +108,7 @@ class TiltLensTracer : public AreaLightSampler
     void Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const;
     void BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place);
     void EnterInteriors(Ray& ray) const;
-    void SeedRandomNumbers(unsigned int seed);
+    void SeedGenerators();
     void SeedSubsurface(unsigned int seed);
     void TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour);
     void TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height, std::vector<Colour>& pixels);
