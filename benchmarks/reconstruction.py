@@ -57,13 +57,13 @@ def measure(lab, scene, count=instructions.count):
 
 def compare(rows):
     """For each variance: RMSE without over RMSE with reconstruction, after the work that is needed without, limited to the
-    range of work that both settings cover."""
+    range of work that both settings cover; if there is none, what one reaches at most and the other at the least."""
     off, on = ([(row["instructions"], row["rmse"]) for row in rows if row["denoise"] == denoise] for denoise in (0, 1))
     least = max(pareto(points)[0][0] for points in (off, on))
     most = min(pareto(points)[-1][0] for points in (off, on))
     ratios = {}
     for row in rows:
         if not row["denoise"]:
-            work = min(max(row["instructions"], least), most)
+            work = max(min(row["instructions"], most), least)
             ratios[row["variance"]] = error_after(off, work)/error_after(on, work)
     return ratios

@@ -127,6 +127,37 @@ TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
     }
 }
 
+/// Circles of all sizes and shapes about pixels of a block that lies at edges of the picture.
+TEST(SpreadSums, AreTheSameWithAvx2AndWithout)
+{
+    if (!HasAvx2())
+        GTEST_SKIP() << "This processor has no AVX2.";
+    Random random(12);
+    const Area block{0, std::uint32_t(kHeight) - kSide, kSide, kSide};
+    for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
+    {
+        const LensFootprint lens(RoundLens(), aperture, kWidth, kHeight);
+        auto sums = std::make_unique<SpreadSums>(block, kWidth, kHeight), plain = std::make_unique<SpreadSums>(block, kWidth, kHeight);
+        for (int i = 0; i < 3000; i++)
+        {
+            const int column = int(random(0.0, kSide)), row = int(random(0.0, kSide));
+            const float size = float(random.Power(-1.0, 2.5));
+            const auto part = [&] { return size * float(random(-1.0, 1.0)); };
+            const CircleOfConfusion circle{column + 0.5f + part(), row + 0.5f + part(), part(), part(), part(), part(), &lens};
+            const Radiance radiance{random(0.0, 1.0), random(0.0, 2.0), random(0.0, 30.0), 0.0, 0.0};
+            sums->Add(column, row, i, circle, radiance);
+            plain->AddPlain(column, row, i, circle, radiance);
+        }
+        EXPECT_TRUE(sums->IsSpread());
+        for (int y = -kReach; y < kSide + kReach; y++)
+            for (int x = -kReach; x < kSide + kReach; x++)
+                for (int c = 0; c < 8; c++)
+                    ASSERT_EQ(sums->At(x, y).buffer[c / 4][c % 4], plain->At(x, y).buffer[c / 4][c % 4]) << x << ", " << y;
+        for (int i = 0; i < kSide * kSide; i++)
+            ASSERT_EQ(sums->OwnShare(i % kSide, i / kSide), plain->OwnShare(i % kSide, i / kSide));
+    }
+}
+
 /// Spread estimate of a pixel of what all pixels of a picture of 3 by 3 blocks send, whose radiance is the squared distance of
 /// the point from the pixel's middle.
 double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)

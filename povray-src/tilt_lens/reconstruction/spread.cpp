@@ -56,26 +56,59 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
 namespace
 {
 
+/// Rows or columns that a sample reaches, from kReach before its own to kReach behind it, side by side in vectors; and one more.
+constexpr int kRows = 2 * SpreadSums::kReach + 1;
+constexpr int kLanes = (kRows + 7) / 8 * 8;
+
+struct alignas(32) LaneNumbers
+{
+    float of[kLanes];
+};
+
+constexpr LaneNumbers Numbered()
+{
+    LaneNumbers numbers{};
+    for (int i = 0; i < kLanes; i++)
+        numbers.of[i] = float(i - SpreadSums::kReach);
+    return numbers;
+}
+
+constexpr LaneNumbers kOffsets = Numbered();
+
+template<class Vector>
+constexpr int kWidth = sizeof(Vector) / sizeof(float);
+
 /// A circle of confusion along one axis of the picture.
 struct Extent
 {
     float middle, half;  ///< pixels
 
-    /// Pixels' sides of it from which samples reach a pixel: those at most kReach away that lie in the picture.
-    float SendersTo(int pixel, const PictureSpan& picture) const
+    /// Pixels' sides of it from which samples reach a pixel: those at most kReach away that lie in the picture. Of the pixels that a
+    /// sample of `own` reaches.
+    template<class Vector>
+    TILT_LENS_INLINED void FindSenders(int own, const PictureSpan& picture, LaneNumbers& senders) const
     {
-        const float from = std::max({middle - half, float(pixel - SpreadSums::kReach), picture.begin});
-        return std::max(1.0f, std::min({middle + half, float(pixel + SpreadSums::kReach + 1), picture.end}) - from);
+        const float reach = SpreadSums::kReach, from = std::max(middle - half, picture.begin), to = std::min(middle + half, picture.end);
+        for (int i = 0; i < kLanes; i += kWidth<Vector>)
+        {
+            const Vector pixel = Load<Vector>(kOffsets.of + i) + float(own);
+            const Vector begin = pixel - reach, end = pixel + (reach + 1.0f);
+            const Vector first = begin > from ? begin : from - Vector(), last = end < to ? end : to - Vector();
+            Store(senders.of + i, (last > 1.0f ? last : 1.0f - Vector()) - first);
+        }
     }
 };
 
-/// The pixels of a circle of confusion that are at most kReach away from the sample's own, row by row.
-class CirclePixels
-{
-  public:
-    static constexpr int kRows = 2 * SpreadSums::kReach + 1;
+} // namespace
 
-    CirclePixels(const CircleOfConfusion& circle, int column, int row)
+/// The pixels of a circle of confusion that are at most kReach away from the sample's own, row by row.
+struct CirclePixels
+{
+    int begin[kLanes], end[kLanes], count = 0;
+    Extent across{}, down{};
+
+    template<class Vector>
+    TILT_LENS_INLINED void Find(const CircleOfConfusion& circle, int column, int row)
     {
         if (circle.lens == nullptr)
             return;
@@ -88,24 +121,60 @@ class CirclePixels
         // smaller than a pixel: it serves its own alone
         if (!(std::min(xx, yy) >= 1.0f && determinant >= 1.0f && std::isfinite(determinant + circle.x)))
             return;
+        for (int i = 0; i < kLanes; i += kWidth<Vector>)
+            FindRows<Vector>(i, circle, column, float(row), {xy / yy, yy, determinant});
+        begin[kRows] = end[kRows] = 0;
         for (int i = 0; i < kRows; i++)
-        {
-            const float below = row + i - SpreadSums::kReach + 0.5f - circle.y, left = 1.0f - below * below / yy;
-            if (!(left > 0.0f))
-                continue;
-            const float middle = circle.x + xy / yy * below - 0.5f, half = std::sqrt(determinant / yy * left);
-            const float first = float(column - SpreadSums::kReach), last = float(column + SpreadSums::kReach);
-            begin[i] = int(std::ceil(std::clamp(middle - half, first, last + 1.0f)));
-            end[i] = std::max(begin[i], int(std::floor(std::clamp(middle + half, first - 1.0f, last))) + 1);
             count += end[i] - begin[i];
-        }
         across = {circle.x, std::sqrt(xx)};
         down = {circle.y, std::sqrt(yy)};
     }
 
-    int begin[kRows] = {}, end[kRows] = {}, count = 0;
-    Extent across{}, down{};
+  private:
+    struct Ellipse
+    {
+        float lean, yy, determinant;
+    };
+
+    template<class Vector>
+    TILT_LENS_INLINED void FindRows(int i, const CircleOfConfusion& circle, int column, float row, const Ellipse& ellipse)
+    {
+        using Whole = std::conditional_t<std::is_same_v<Vector, Float8>, Mask8, Mask4>;
+        const Vector none = Vector(), below = Load<Vector>(kOffsets.of + i) + row + 0.5f - circle.y;
+        const Vector left = 1.0f - below * below / ellipse.yy;
+        const Whole met = left > none;
+        const Vector middle = circle.x + ellipse.lean * below - 0.5f, half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? left : none));
+        const float first = float(column - SpreadSums::kReach), last = float(column + SpreadSums::kReach);
+        const Vector least = Clamp(middle - half, first, last + 1.0f), most = Clamp(middle + half, first - 1.0f, last);
+        Whole from = __builtin_convertvector(least, Whole), to = __builtin_convertvector(most, Whole);
+        // a comparison that holds is -1: rounded up, and down
+        from -= __builtin_convertvector(from, Vector) < least;
+        to += __builtin_convertvector(to, Vector) > most;
+        to += 1;
+        to = to > from ? to : from;
+        Store(begin + i, from & met);
+        Store(end + i, to & met);
+    }
+
+    template<class Vector>
+    static TILT_LENS_INLINED Vector Clamp(const Vector& value, float least, float most)
+    {
+        const Vector below = value < least ? least - Vector() : value;
+        return below > most ? most - Vector() : below;
+    }
+
+    template<class Vector>
+    static TILT_LENS_INLINED Vector SquareRoot(const Vector& value)
+    {
+        Vector root;
+        for (int i = 0; i < kWidth<Vector>; i++)
+            root[i] = std::sqrt(value[i]);
+        return root;
+    }
 };
+
+namespace
+{
 
 /// The densities of a lens that is not the unit disc, of the pixels of a circle; their sum is left in `sum`.
 std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixels& pixels, int row, float& sum)
@@ -113,7 +182,7 @@ std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixe
     std::vector<float> densities;
     const float determinant = circle.xa * circle.yb - circle.xb * circle.ya;
     sum = 0.0f;
-    for (int i = 0; i < CirclePixels::kRows; i++)
+    for (int i = 0; i < kRows; i++)
         for (int x = pixels.begin[i]; x < pixels.end[i]; x++)
         {
             const float dx = circle.x - x - 0.5f, dy = circle.y - (row + i - SpreadSums::kReach) - 0.5f;
@@ -124,14 +193,19 @@ std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixe
     return densities;
 }
 
-/// Shares of the pixels of a row, from kReach before the sample's own to kReach behind it, relative to its own.
-std::array<float, CirclePixels::kRows> SharesAlong(const Extent& across, int column, const PictureSpan& columns)
+/// Adds a share of the same value to pixels that lie side by side.
+template<class Vector>
+TILT_LENS_INLINED void AddShares(Float4* sums, const Float4* shares, const Float4& value, int count)
 {
-    std::array<float, CirclePixels::kRows> shares;
-    const float sendersToItself = across.SendersTo(column, columns);
-    for (int i = 0; i < CirclePixels::kRows; i++)
-        shares[i] = sendersToItself / across.SendersTo(column + i - SpreadSums::kReach, columns);
-    return shares;
+    constexpr int together = sizeof(Vector) / sizeof(Float4);
+    Vector values = Vector();
+    for (int i = 0; i < kWidth<Vector>; i++)
+        values[i] = value[i % 4];
+    int i = 0;
+    for (; i + together <= count; i += together)
+        Store(sums + i, Load<Vector>(sums + i) + Load<Vector>(shares + i) * values);
+    for (; i < count; i++)
+        sums[i] += shares[i] * value;
 }
 
 } // namespace
@@ -141,13 +215,16 @@ SpreadSums::SpreadSums(const Area& block, double width, double height) :
 {
 }
 
-void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+template<class Vector>
+TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, std::uint32_t number, const CircleOfConfusion& circle,
+                                         const Radiance& radiance)
 {
     Own& itself = own[row * int(settings.blockSide) + column];
     itself.samples += 1.0f;
     const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};
-    const bool finite = std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]);
-    const CirclePixels pixels(finite ? circle : CircleOfConfusion(), column, row);
+    CirclePixels pixels;
+    if (std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]))
+        pixels.Find<Vector>(circle, column, row);
     const bool shaped = pixels.count > 1 && !circle.lens->IsDisc();
     float sum = float(pixels.count);
     const std::vector<float> densities = shaped ? DensitiesOf(circle, pixels, row, sum) : std::vector<float>();
@@ -158,21 +235,58 @@ void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfCo
     }
     spread = true;
     const int buffer = (column + row + number) % 2;  // so that the only sample of each pixel serves both
-    const std::array<float, CirclePixels::kRows> shares = SharesAlong(pixels.across, column, columns);
-    const float sendersToItsRow = pixels.down.SendersTo(row, rows);
-    std::size_t next = 0;
-    for (int i = 0; i < CirclePixels::kRows; i++)
+    Send<Vector>(pixels, shaped ? densities.data() : nullptr, sum, value, column, row, buffer);
+}
+
+template<class Vector>
+TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column,
+                                        int row, int buffer)
+{
+    LaneNumbers sendersToColumn, sendersToRow;
+    pixels.across.FindSenders<Vector>(column, columns, sendersToColumn);
+    pixels.down.FindSenders<Vector>(row, rows, sendersToRow);
+    Float4 shares[kRows];  // of the pixels of a row, relative to its own
+    for (int i = 0; i < kRows; i++)
+        shares[i] = sendersToColumn.of[kReach] / sendersToColumn.of[i] - Float4();
+    for (int i = 0; i < kRows; i++)
     {
-        const Float4 ofRow = sendersToItsRow / (sum * pixels.down.SendersTo(row + i - kReach, rows)) * value;
-        for (int x = pixels.begin[i]; x < pixels.end[i]; x++)
+        const int begin = pixels.begin[i], count = pixels.end[i] - begin;
+        if (count == 0)
+            continue;
+        const Float4 ofRow = sendersToRow.of[kReach] / (sum * sendersToRow.of[i]) * value;
+        const Float4* ofPixels = shares + begin - column + kReach;
+        Float4 changed[kRows];
+        if (density != nullptr || i == kReach)
         {
-            const Float4 sent = (shaped ? densities[next++] : 1.0f) * shares[x - column + kReach] * ofRow;
-            if (i == kReach && x == column)
-                itself.share += sent[3];
-            else
-                sums[(row + i) * kSide + x + kReach].buffer[buffer] += sent;
+            for (int x = 0; x < count; x++)
+                changed[x] = (density != nullptr ? *density++ : 1.0f) * ofPixels[x];
+            ofPixels = changed;
         }
+        if (i == kReach && column >= begin && column < pixels.end[i])
+        {
+            own[row * int(settings.blockSide) + column].share += (changed[column - begin] * ofRow)[3];
+            changed[column - begin] = Float4();
+        }
+        AddShares<Vector>(&sums[buffer][(row + i) * kSide + begin + kReach], ofPixels, ofRow, count);
     }
+}
+
+void SpreadSums::AddPlain(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+{
+    AddBy<Float4>(column, row, number, circle, radiance);
+}
+
+void SpreadSums::AddByAvx2(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+{
+    AddBy<Float8>(column, row, number, circle, radiance);
+}
+
+void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+{
+    if (HasAvx2())
+        AddByAvx2(column, row, number, circle, radiance);
+    else
+        AddPlain(column, row, number, circle, radiance);
 }
 
 } // namespace tilt_lens

@@ -33,6 +33,7 @@ namespace tilt_lens
 {
 
 class LensFootprint;
+struct CirclePixels;
 
 /// The pixels that see a point through some part of the lens, to first order: a pixel at `x, y` - M (a, b) sees it through
 /// the lens point (a, b), in aperture coordinates. Pixels to the right and down.
@@ -106,9 +107,15 @@ class SpreadSums
     /// @param number  of the sample
     /// @param circle  with a centre relative to the block's upper left corner
     void Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
+    /// The same on processors without AVX2, with the same sums to the last bit.
+    void AddPlain(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
 
     /// Of pixel (x, y), -kReach <= x, y < blockSide + kReach; nothing that it sent to itself.
-    const SpreadSum& At(int x, int y) const { return sums[(y + kReach) * kSide + x + kReach]; }
+    SpreadSum At(int x, int y) const
+    {
+        const int place = (y + kReach) * kSide + x + kReach;
+        return {{sums[0][place], sums[1][place]}};
+    }
     /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnSamples(int x, int y) const { return own[y * int(settings.blockSide) + x].samples; }
@@ -122,9 +129,18 @@ class SpreadSums
     };
 
     PictureSpan columns, rows;
-    std::array<SpreadSum, kSide * kSide> sums{};
+    std::array<Float4, kSide * kSide> sums[2]{};  ///< of each buffer; pixels lie side by side
     std::array<Own, settings.blockSide * settings.blockSide> own{};
     bool spread = false;
+
+    // Written once and compiled for each kind of processor.
+    template<class Vector>
+    void AddBy(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
+    /// @param density  of the lens at each of the pixels; null: the same at all
+    /// @param sum      of these
+    template<class Vector>
+    void Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column, int row, int buffer);
+    TILT_LENS_FOR_AVX2 void AddByAvx2(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
 };
 
 } // namespace tilt_lens

@@ -105,15 +105,6 @@ void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
 
 } // namespace
 
-void SampleVariation::Merge(const SampleVariation& other)
-{
-    for (std::size_t c = 0; c < variance.size(); c++)
-    {
-        variance[c] += other.variance[c];
-        maxSquaredDeviation[c] = std::max(maxSquaredDeviation[c], other.maxSquaredDeviation[c]);
-    }
-}
-
 void PixelStatistics::BeginRound(std::uint32_t until)
 {
     AddTo(sum[0], sum[1]);

@@ -18,6 +18,7 @@
 #include <cstdint>
 
 #include "tilt_lens/math/radiance.h"
+#include "tilt_lens/math/simd.h"
 #include "tilt_lens/sampling/sample.h"
 
 namespace tilt_lens
@@ -30,7 +31,23 @@ struct SampleVariation
     Radiance maxSquaredDeviation{};  ///< of one sample from its pixel's mean
 
     /// Sums variances, keeps the greater deviations.
-    void Merge(const SampleVariation& other);
+    void Merge(const SampleVariation& other)
+    {
+        // two channels side by side, as the compiler cannot know that the two do not overlap
+        std::size_t c = 0;
+        for (; c + 2 <= variance.size(); c += 2)
+            MergeChannels<Double2>(other, c);
+        MergeChannels<double>(other, c);
+    }
+
+  private:
+    template<class Numbers>
+    void MergeChannels(const SampleVariation& other, std::size_t first)
+    {
+        Store(&variance[first], Load<Numbers>(&variance[first]) + Load<Numbers>(&other.variance[first]));
+        const Numbers own = Load<Numbers>(&maxSquaredDeviation[first]), others = Load<Numbers>(&other.maxSquaredDeviation[first]);
+        Store(&maxSquaredDeviation[first], own < others ? others : own);
+    }
 };
 
 /// Of the radiances of several samples.
