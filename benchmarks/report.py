@@ -99,7 +99,8 @@ def section_denoise(rows):
     means = [geometric_mean(ratios_of[variance] for ratios_of in found.values()) for variance in variances]
     pairs = [(off, on) for off, on in zip(rows[::2], rows[1::2]) if off["variance"] == 1e-3]
     return ["RMSE with `denoise off` over RMSE with `denoise on` after the same work. The work is the number of instructions"
-            " (callgrind) that `denoise off` takes with that `variance`, within the range of work that both settings cover."
+            " (callgrind) that `denoise off` takes with that `variance`, within the range of work that both settings cover;"
+            " if there is none, that of one at its most work and of the other at its least."
             f" An error is that of {PICTURES} independent pictures.",
             table(["scene", *[f"variance {variance:g}" for variance in variances], "geometric mean"],
                   [[TITLES[scene], *[f"{ratio:.3f}" for ratio in ratios_of.values()],
