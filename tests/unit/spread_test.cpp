@@ -127,6 +127,48 @@ TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
     }
 }
 
+/// The part of a circle's extent along an axis from which samples reach a pixel.
+double SendersTo(int pixel, double middle, double half, double begin, double end)
+{
+    return std::max(1.0, std::min({middle + half, pixel + kReach + 1.0, end}) - std::max({middle - half, pixel - double(kReach), begin}));
+}
+
+/// In a corner of the picture, where circles are cut by it and by the reach.
+TEST(SpreadSums, SharesAreOneOverTheNumberOfPixelsThatCouldHaveSentThem)
+{
+    Random random(13);
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    const Area block{0, 0, kSide, kSide};
+    for (int i = 0; i < 2000; i++)
+    {
+        const int column = int(random(0.0, kSide)), row = int(random(0.0, kSide));
+        const double a = random.Power(0.1, 1.5), b = random.Power(0.1, 1.5);
+        const double x = column + 0.5 + a * random(-0.6, 0.6), y = row + 0.5 + b * random(-0.6, 0.6);
+        const auto distance = [&](int u, int v) { return std::hypot((u + 0.5 - x) / a, (v + 0.5 - y) / b); };
+        int count = 0;
+        bool clear = true;  // no pixel lies at the rim, where rounding decides
+        for (int v = row - kReach; v <= row + kReach; v++)
+            for (int u = column - kReach; u <= column + kReach; u++)
+            {
+                count += distance(u, v) <= 1.0;
+                clear = clear && std::abs(distance(u, v) - 1.0) > 1e-4;
+            }
+        if (!clear || count <= 1)
+            continue;
+        auto sums = std::make_unique<SpreadSums>(block, kWidth, kHeight);
+        sums->Add(column, row, 0, {float(x), float(y), float(a), 0.0f, 0.0f, float(b), &lens}, Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+        const auto senders = [&](int u, int v) { return SendersTo(u, x, a, 0.0, kWidth) * SendersTo(v, y, b, 0.0, kHeight); };
+        for (int v = row - kReach; v <= row + kReach; v++)
+            for (int u = column - kReach; u <= column + kReach; u++)
+            {
+                const bool own = u == column && v == row;
+                const double share = own ? sums->OwnShare(u, v) : sums->At(u, v).buffer[0][3] + sums->At(u, v).buffer[1][3];
+                const double expected = distance(u, v) <= 1.0 ? senders(column, row) / (count * senders(u, v)) : 0.0;
+                ASSERT_NEAR(share, expected, 1e-4 * expected) << u << ", " << v << " of " << x << ", " << y << ": " << a << ", " << b;
+            }
+    }
+}
+
 /// Circles of all sizes and shapes about pixels of a block that lies at edges of the picture.
 TEST(SpreadSums, AreTheSameWithAvx2AndWithout)
 {

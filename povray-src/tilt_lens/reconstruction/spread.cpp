@@ -94,7 +94,8 @@ struct Extent
             const Vector pixel = Load<Vector>(kOffsets.of + i) + float(own);
             const Vector begin = pixel - reach, end = pixel + (reach + 1.0f);
             const Vector first = begin > from ? begin : from - Vector(), last = end < to ? end : to - Vector();
-            Store(senders.of + i, (last > 1.0f ? last : 1.0f - Vector()) - first);
+            const Vector length = last - first;
+            Store(senders.of + i, length > 1.0f ? length : 1.0f - Vector());
         }
     }
 };
