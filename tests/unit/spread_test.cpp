@@ -133,17 +133,18 @@ double SendersTo(int pixel, double middle, double half, double begin, double end
     return std::max(1.0, std::min({middle + half, pixel + kReach + 1.0, end}) - std::max({middle - half, pixel - double(kReach), begin}));
 }
 
-/// In a corner of the picture, where circles are cut by it and by the reach.
+/// Within the picture and in its corner, where circles are cut by it, too.
 TEST(SpreadSums, SharesAreOneOverTheNumberOfPixelsThatCouldHaveSentThem)
 {
     Random random(13);
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
-    const Area block{0, 0, kSide, kSide};
-    for (int i = 0; i < 2000; i++)
+    for (int i = 0; i < 20000; i++)
     {
+        const Area block = i % 2 ? kBlock : Area{0, 0, kSide, kSide};
+        const double left = -double(block.left), top = -double(block.top);
         const int column = int(random(0.0, kSide)), row = int(random(0.0, kSide));
         const double a = random.Power(0.1, 1.5), b = random.Power(0.1, 1.5);
-        const double x = column + 0.5 + a * random(-0.6, 0.6), y = row + 0.5 + b * random(-0.6, 0.6);
+        const double x = column + 0.5 + a * random(-1.0, 1.0), y = row + 0.5 + b * random(-1.0, 1.0);
         const auto distance = [&](int u, int v) { return std::hypot((u + 0.5 - x) / a, (v + 0.5 - y) / b); };
         int count = 0;
         bool clear = true;  // no pixel lies at the rim, where rounding decides
@@ -153,11 +154,11 @@ TEST(SpreadSums, SharesAreOneOverTheNumberOfPixelsThatCouldHaveSentThem)
                 count += distance(u, v) <= 1.0;
                 clear = clear && std::abs(distance(u, v) - 1.0) > 1e-4;
             }
-        if (!clear || count <= 1)
+        if (!clear || count <= 1 || distance(column, row) > 1.0)
             continue;
         auto sums = std::make_unique<SpreadSums>(block, kWidth, kHeight);
         sums->Add(column, row, 0, {float(x), float(y), float(a), 0.0f, 0.0f, float(b), &lens}, Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
-        const auto senders = [&](int u, int v) { return SendersTo(u, x, a, 0.0, kWidth) * SendersTo(v, y, b, 0.0, kHeight); };
+        const auto senders = [&](int u, int v) { return SendersTo(u, x, a, left, left + kWidth) * SendersTo(v, y, b, top, top + kHeight); };
         for (int v = row - kReach; v <= row + kReach; v++)
             for (int u = column - kReach; u <= column + kReach; u++)
             {
