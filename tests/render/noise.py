@@ -45,6 +45,14 @@ class Threads(rendering.RenderTest):
                     many = rendering.render(camera + world, *options, width=40, height=30)
                     self.assert_same(many, one, name + " " + " ".join(options))
 
+    def test_focus_aids(self):
+        camera = scenes.camera("tilt 6 focus_peaking rgb x", samples=FEW)
+        for name in ("area light", "crand", "media", "subsurface"):
+            with self.subTest(name):
+                one, many = (rendering.render(camera + RANDOM[name], *options, width=40, height=30)
+                             for options in (["+WT1", "+BS8"], ["+WT4", "+BS13"]))
+                self.assert_same(many, one, name)
+
     def test_sub_image(self):
         for name in ("area light", "crand", "media"):
             with self.subTest(name):

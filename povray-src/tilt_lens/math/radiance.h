@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tilt_lens/math/simd.h"
+
 namespace tilt_lens
 {
 
@@ -20,10 +22,21 @@ using Radiance = std::array<double, 5>;
 
 inline double Square(double x) { return x * x; }
 
+/// Each channel becomes operation(itself, that of `value`): two channels side by side, which the compiler does not do by itself, since it
+/// cannot know that the two do not overlap.
+template<class Operation>
+inline void Combine(Radiance& result, const Radiance& value, const Operation& operation)
+{
+    std::size_t c = 0;
+    for (; c + 2 <= result.size(); c += 2)
+        Store(&result[c], operation(Load<Double2>(&result[c]), Load<Double2>(&value[c])));
+    for (; c < result.size(); c++)
+        result[c] = operation(result[c], value[c]);
+}
+
 inline void AddTo(Radiance& sum, const Radiance& value)
 {
-    for (std::size_t c = 0; c < sum.size(); c++)
-        sum[c] += value[c];
+    Combine(sum, value, [](const auto& a, const auto& b) { return a + b; });
 }
 
 inline void DivideBy(Radiance& value, double divisor)

@@ -11,6 +11,8 @@
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
 
+#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <type_traits>
 
@@ -68,9 +70,28 @@ TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
         std::memcpy(to, &vector, sizeof(vector));
 }
 
-/// Lane by lane; b where either is no number.
-inline Float4 Min(Float4 a, Float4 b) { return a < b ? a : b; }
-inline Float4 Max(Float4 a, Float4 b) { return a > b ? a : b; }
+/// @name Lane by lane, or of two numbers; b where either is no number.
+/// @{
+template<class Vector>
+TILT_LENS_INLINED Vector Min(const Vector& a, const Vector& b)
+{
+    return a < b ? a : b;
+}
+
+template<class Vector>
+TILT_LENS_INLINED Vector Max(const Vector& a, const Vector& b)
+{
+    return a > b ? a : b;
+}
+/// @}
+
+template<class Vector>
+TILT_LENS_INLINED Vector SquareRoot(Vector value)
+{
+    for (std::size_t lane = 0; lane < sizeof(value) / sizeof(value[0]); lane++)
+        value[lane] = std::sqrt(value[lane]);
+    return value;
+}
 
 /// One bit for each lane.
 TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)

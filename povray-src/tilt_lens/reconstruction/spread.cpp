@@ -56,9 +56,11 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
 namespace
 {
 
-/// Rows or columns that a sample reaches, from kReach before its own to kReach behind it, side by side in vectors; and one more.
+/// Rows or columns that a sample reaches, from kReach before its own to kReach behind it.
 constexpr int kRows = 2 * SpreadSums::kReach + 1;
-constexpr int kLanes = (kRows + 7) / 8 * 8;
+/// As many numbers fill vectors: one more, which nobody uses.
+constexpr int kLanes = kRows + 1;
+static_assert(kLanes % 8 == 0, "a vector has eight");
 
 struct alignas(32) LaneNumbers
 {
@@ -93,9 +95,8 @@ struct Extent
         {
             const Vector pixel = Load<Vector>(kOffsets.of + i) + float(own);
             const Vector begin = pixel - reach, end = pixel + (reach + 1.0f);
-            const Vector first = begin > from ? begin : from - Vector(), last = end < to ? end : to - Vector();
-            const Vector length = last - first;
-            Store(senders.of + i, length > 1.0f ? length : 1.0f - Vector());
+            const Vector length = Min<Vector>(end, to - Vector()) - Max<Vector>(begin, from - Vector());
+            Store(senders.of + i, Max<Vector>(length, 1.0f - Vector()));
         }
     }
 };
@@ -151,26 +152,14 @@ struct CirclePixels
         // a comparison that holds is -1: rounded up, and down
         from -= __builtin_convertvector(from, Vector) < least;
         to += __builtin_convertvector(to, Vector) > most;
-        to += 1;
-        to = to > from ? to : from;
         Store(begin + i, from & met);
-        Store(end + i, to & met);
+        Store(end + i, Max<Whole>(to + 1, from) & met);
     }
 
     template<class Vector>
     static TILT_LENS_INLINED Vector Clamp(const Vector& value, float least, float most)
     {
-        const Vector below = value < least ? least - Vector() : value;
-        return below > most ? most - Vector() : below;
-    }
-
-    template<class Vector>
-    static TILT_LENS_INLINED Vector SquareRoot(const Vector& value)
-    {
-        Vector root;
-        for (int i = 0; i < kWidth<Vector>; i++)
-            root[i] = std::sqrt(value[i]);
-        return root;
+        return Min<Vector>(most - Vector(), Max<Vector>(least - Vector(), value));
     }
 };
 
@@ -256,7 +245,7 @@ TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float*
             continue;
         const Float4 ofRow = sendersToRow.of[kReach] / (sum * sendersToRow.of[i]) * value;
         const Float4* ofPixels = shares + begin - column + kReach;
-        Float4 changed[kRows];
+        Float4 changed[kRows];  // where the lens is not even, and where nothing is sent to the sample's own pixel
         if (density != nullptr || i == kReach)
         {
             for (int x = 0; x < count; x++)

@@ -51,10 +51,8 @@ TILT_LENS_INLINED bool FindPlainRays(const Lens& lens, const Quads& quads, Camer
         starts.FindAlong(lens.direction.x, lens.right.x, lens.up.x, lens.lensX.x, lens.lensY.x, rays.origin[0] + i, x);
         starts.FindAlong(lens.direction.y, lens.right.y, lens.up.y, lens.lensX.y, lens.lensY.y, rays.origin[1] + i, y);
         starts.FindAlong(lens.direction.z, lens.right.z, lens.up.z, lens.lensX.z, lens.lensY.z, rays.origin[2] + i, z);
-        Vector length = x * x + y * y + z * z;
-        usual &= (length > kLeastSquared) & (length < kGreatestSquared);
-        for (std::uint32_t lane = 0; lane < lanes; lane++)
-            length[lane] = std::sqrt(length[lane]);
+        const Vector squared = x * x + y * y + z * z, length = SquareRoot(squared);
+        usual &= (squared > kLeastSquared) & (squared < kGreatestSquared);
         Store(rays.direction[0] + i, x / length);
         Store(rays.direction[1] + i, y / length);
         Store(rays.direction[2] + i, z / length);

@@ -33,20 +33,8 @@ struct SampleVariation
     /// Sums variances, keeps the greater deviations.
     void Merge(const SampleVariation& other)
     {
-        // two channels side by side, as the compiler cannot know that the two do not overlap
-        std::size_t c = 0;
-        for (; c + 2 <= variance.size(); c += 2)
-            MergeChannels<Double2>(other, c);
-        MergeChannels<double>(other, c);
-    }
-
-  private:
-    template<class Numbers>
-    void MergeChannels(const SampleVariation& other, std::size_t first)
-    {
-        Store(&variance[first], Load<Numbers>(&variance[first]) + Load<Numbers>(&other.variance[first]));
-        const Numbers own = Load<Numbers>(&maxSquaredDeviation[first]), others = Load<Numbers>(&other.maxSquaredDeviation[first]);
-        Store(&maxSquaredDeviation[first], own < others ? others : own);
+        AddTo(variance, other.variance);
+        Combine(maxSquaredDeviation, other.maxSquaredDeviation, [](const auto& a, const auto& b) { return Max(b, a); });
     }
 };
 

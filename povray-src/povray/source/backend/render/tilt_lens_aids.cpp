@@ -84,8 +84,8 @@ void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colou
         const tilt_lens::PixelSampler sequence((unsigned int)(int)x, (unsigned int)(int)y, view->seed);
         pixel = &sequence;
         index = 0;
-        SeedGenerators();
-        BeginSample();
+        LeadGenerators();
+        BeginNumbers();
         Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
         distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
         EndSample();

@@ -122,7 +122,7 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
     const unsigned int first = run.first.index, count = run.count;
     const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
     trace.areaLightSampler = this;
-    SeedGenerators();
+    LeadGenerators();
     for (unsigned int i = 0; i < count; i++)
     {
         index = first + i;
@@ -179,9 +179,7 @@ void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays,
 inline DBL TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, Radiance& radiance)
 {
     trace.ForgetRays();
-    BeginSample();
-    if (trace.sceneData->useSubsurface)
-        SeedSubsurface(Seed());
+    BeginNumbers();
     areaLightsMet = 0;
     Colour colour;
     const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
@@ -240,13 +238,21 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     }
 }
 
-/// Whatever draws random numbers on the way of a sample draws this sample's own. Not in the constructor, which comes before that of media.
-void TiltLensTracer::SeedGenerators()
+/// Lets generators take their seeds from here. Not in the constructor, which comes before that of media.
+void TiltLensTracer::LeadGenerators()
 {
     trace.crandSeeds.Follow(*this);
     trace.randomNumberGenerator.seeds.Follow(*this);
     if (RandomDoubleSequence::Generator* const ofMedia = trace.media.RandomNumbers())
         ofMedia->seeds.Follow(*this);
+}
+
+/// Whatever draws random numbers on the way of the sample that begins draws this sample's own.
+void TiltLensTracer::BeginNumbers()
+{
+    BeginSample();
+    if (trace.sceneData->useSubsurface)
+        SeedSubsurface(Seed());
 }
 
 /// Subsurface light draws from sequences of its own, one a recursion level, made when first needed;

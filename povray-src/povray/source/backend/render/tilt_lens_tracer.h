@@ -108,7 +108,8 @@ class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
     void Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const;
     void BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place);
     void EnterInteriors(Ray& ray) const;
-    void SeedGenerators();
+    void LeadGenerators();
+    void BeginNumbers();
     void SeedSubsurface(unsigned int seed);
     void TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour);
     void TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height, std::vector<Colour>& pixels);
