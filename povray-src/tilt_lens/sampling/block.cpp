@@ -98,10 +98,6 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
         return;
     const Neighbourhood around(FirstRoundsOf(neighbours), limits);
     BlockEstimate estimate = *afterFirstRound;
-    PaddedSpread::Sent sent;
-    std::transform(neighbours.begin(), neighbours.end(), sent.begin(), [](const Block* block)
-        { return block != nullptr ? block->Spread() : nullptr; });
-    estimate.spread = PaddedSpread::Of(sent);
     std::uint32_t samples = limits.FirstRound();
     while (UpdateConvergence(estimate, around, limits, samples))
     {

@@ -43,7 +43,7 @@ struct BlockEstimate
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by the dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: nothing is denoised
     std::uint32_t statisticsSamples = 0;        ///< of an active pixel, when `statistics` were made; 0: never
-    std::shared_ptr<const PaddedSpread> spread; ///< what first rounds have sent; null: nothing, or not known yet
+    std::shared_ptr<const PaddedSpread> spread; ///< what first rounds have sent; null: nothing, or not asked for yet
 
     explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
 

@@ -21,15 +21,14 @@ std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 }
 
 /// A candidate's variance after the reconstruction.
-Radiance ForecastVariance(const Candidate& candidate, const BlockEstimate& estimate, std::uint32_t samples)
+Radiance ForecastVariance(const Candidate& candidate, const PixelEstimate& pixel, std::uint32_t samples)
 {
-    const PixelEstimate& pixel = estimate.pixels[candidate.pixel];
-    const std::size_t place = PlaneIndex(estimate, candidate.pixel);
+    const Radiance mean = pixel.statistics.Mean();
     Radiance variance = candidate.variance;
     for (std::size_t c = 0; c < variance.size(); c++)
     {
-        const double seen = pixel.varianceRatio * pixel.statistics.Variation().variance[c] / samples /
-                            SquaredScale(estimate.statistics->Mean(c)[place]);
+        const double seen =
+            pixel.varianceRatio * pixel.statistics.Variation().variance[c] / samples / SquaredScale(mean[c]);
         variance[c] -= (1.0 - pixel.residualVarianceRatio) * std::min(seen, variance[c]);
     }
     return variance;
@@ -37,13 +36,20 @@ Radiance ForecastVariance(const Candidate& candidate, const BlockEstimate& estim
 
 /// Residual variance ratios as far as the block and the first samples of its neighbours tell; once it has more samples
 /// itself, the block alone: noise of theirs would pass for its own error.
-BlockPlane ForecastRatios(const BlockEstimate& estimate, const Neighbourhood& around, bool afterFirstRound)
+BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t samples, bool afterFirstRound)
 {
+    UpdateBlockStatistics(estimate, samples);
     std::array<const BlockStatistics*, 9> known{};
+    PaddedSpread::Sent sent{};
     for (std::size_t i = 0; i < known.size(); i++)
-        if (around.Rounds()[i] != nullptr && afterFirstRound)
-            known[i] = around.Rounds()[i]->statistics.get();
+        if (const FirstRound* round = around.Rounds()[i])
+        {
+            known[i] = afterFirstRound ? round->statistics.get() : nullptr;
+            sent[i] = round->spread.get();
+        }
     known[4] = estimate.statistics.get();
+    if (!estimate.spread)
+        estimate.spread = PaddedSpread::Of(sent);
     return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
 
@@ -77,21 +83,21 @@ void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& es
 {
     if (std::all_of(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.HasConverged(); }))
         return;
-    UpdateBlockStatistics(estimate, samples);
     // The residual ratio rises as noise falls, so that the last round's value is optimistic: no forecast if even that would
     // save too few rays.
     const auto saved = std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& one)
     {
-        const Candidate denoised{one.pixel, ForecastVariance(one, estimate, samples), one.target};
+        const Candidate denoised{one.pixel, ForecastVariance(one, estimate.pixels[one.pixel], samples), one.target};
         return !one.HasConverged() && denoised.HasConverged();
     });
     if (saved * samples < settings.forecastCost * settings.blockSide * settings.blockSide)
         return;
-    const BlockPlane ratios = ForecastRatios(estimate, around, samples == limits.FirstRound());
+    const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == limits.FirstRound());
     for (Candidate& one : candidates)
     {
-        estimate.pixels[one.pixel].residualVarianceRatio = ratios[PlaneIndex(estimate, one.pixel)];
-        one.variance = ForecastVariance(one, estimate, samples);
+        PixelEstimate& pixel = estimate.pixels[one.pixel];
+        pixel.residualVarianceRatio = ratios[PlaneIndex(estimate, one.pixel)];
+        one.variance = ForecastVariance(one, pixel, samples);
     }
 }
 
