@@ -34,6 +34,9 @@ inline void Combine(Radiance& result, const Radiance& value, const Operation& op
         result[c] = operation(result[c], value[c]);
 }
 
+inline void AddTo(double& sum, double value) { sum += value; }
+inline void DivideBy(double& value, double divisor) { value /= divisor; }
+
 inline void AddTo(Radiance& sum, const Radiance& value)
 {
     Combine(sum, value, [](const auto& a, const auto& b) { return a + b; });

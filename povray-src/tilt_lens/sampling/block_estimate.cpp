@@ -33,26 +33,4 @@ const FirstRound* FirstRoundAt(const FirstRounds& rounds, std::int64_t x, std::i
     return rounds[3 * row + column];
 }
 
-SampleVariation VariationAround(const BlockEstimate& estimate, std::size_t pixel, const FirstRounds* rounds)
-{
-    const Area& area = estimate.area;
-    const std::int64_t left = pixel % area.width, top = pixel / area.width;
-    SampleVariation around;
-    int count = 0;
-    for (std::int64_t y = top - settings.neighbourRadius; y <= top + settings.neighbourRadius; y++)
-        for (std::int64_t x = left - settings.neighbourRadius; x <= left + settings.neighbourRadius; x++)
-        {
-            const FirstRound* round = nullptr;
-            if (x >= 0 && x < area.width && y >= 0 && y < area.height)
-                around.Merge(estimate.pixels[y * area.width + x].statistics.Variation());
-            else if (rounds != nullptr && (round = FirstRoundAt(*rounds, area.left + x, area.top + y)) != nullptr)
-                around.Merge(round->At(area.left + x, area.top + y).variation);
-            else
-                continue;
-            count++;
-        }
-    DivideBy(around.variance, count);
-    return around;
-}
-
 } // namespace tilt_lens

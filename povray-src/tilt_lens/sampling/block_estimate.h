@@ -84,11 +84,6 @@ using FirstRounds = std::array<const FirstRound*, 9>;
 /// The one of them that holds a pixel of the block or beside it, or null.
 const FirstRound* FirstRoundAt(const FirstRounds& rounds, std::int64_t x, std::int64_t y);
 
-/// How the samples of the 3 by 3 pixels around one vary: mean variance, greatest deviation. Of the block's pixels all samples so
-/// far count, of those beside it the first ones.
-/// @param rounds  null: of the block's pixels alone
-SampleVariation VariationAround(const BlockEstimate& estimate, std::size_t pixel, const FirstRounds* rounds);
-
 } // namespace tilt_lens
 
 #endif

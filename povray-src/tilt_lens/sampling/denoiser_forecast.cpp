@@ -4,7 +4,9 @@
 #include "tilt_lens/sampling/denoiser_forecast.h"
 
 #include <algorithm>
+#include <numeric>
 
+#include "tilt_lens/math/window.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
 #include "tilt_lens/sampling/variance_ratio.h"
 
@@ -53,6 +55,18 @@ BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, 
     return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
 
+/// Variance of one sample, summed over the channels: the mean over the 3 by 3 pixels around each, as far as they are in the block.
+std::vector<double> VarianceAround(const BlockEstimate& estimate)
+{
+    std::vector<double> variances;
+    for (const PixelEstimate& pixel : estimate.pixels)
+    {
+        const Radiance& variance = pixel.statistics.Variation().variance;
+        variances.push_back(std::accumulate(variance.begin(), variance.end(), 0.0));
+    }
+    return WindowMeans<settings.neighbourRadius>(variances, estimate.area.width);
+}
+
 } // namespace
 
 void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
@@ -61,17 +75,14 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
         return;
     const Area& area = estimate.area;
     const bool uniform = estimate.IsUniform();  // then there is no noise to estimate
-    const std::vector<double> ratio = uniform ? std::vector<double>(area.Size()) : LocalVarianceRatios(estimate);
+    const std::vector<double> none(uniform ? area.Size() : 0);
+    const std::vector<double> ratio = uniform ? none : LocalVarianceRatios(estimate), variance = uniform ? none : VarianceAround(estimate);
     const auto made = std::make_shared<BlockStatistics>();
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         const PixelStatistics& pixel = estimate.pixels[i].statistics;
-        double noise = 0.0;
-        if (!uniform)
-            for (const double ofChannel : VariationAround(estimate, i, nullptr).variance)
-                noise += ofChannel;
         made->Set(i % area.width, i / area.width, pixel.Mean(), uniform ? Radiance{} : pixel.DualBufferDifference(),
-                  ratio[i] * noise / pixel.Samples(), pixel.Samples());
+                  ratio[i] * variance[i] / pixel.Samples(), pixel.Samples());
     }
     made->RepeatEdges(area.width, area.height);
     estimate.statistics = made;

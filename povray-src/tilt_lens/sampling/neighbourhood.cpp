@@ -28,6 +28,28 @@ Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& li
         FindBlurred();
 }
 
+SampleVariation Neighbourhood::Around(const BlockEstimate& estimate, std::size_t pixel) const
+{
+    const Area& area = estimate.area;
+    const std::int64_t column = pixel % area.width, row = pixel / area.width;
+    SampleVariation around;
+    int count = 0;
+    for (std::int64_t y = row - settings.neighbourRadius; y <= row + settings.neighbourRadius; y++)
+        for (std::int64_t x = column - settings.neighbourRadius; x <= column + settings.neighbourRadius; x++)
+        {
+            const FirstRound* round = nullptr;
+            if (x >= 0 && x < area.width && y >= 0 && y < area.height)
+                around.Merge(estimate.pixels[y * area.width + x].statistics.Variation());
+            else if ((round = FirstRoundAt(rounds, area.left + x, area.top + y)) != nullptr)
+                around.Merge(round->At(area.left + x, area.top + y).variation);
+            else
+                continue;
+            count++;
+        }
+    DivideBy(around.variance, count);
+    return around;
+}
+
 void Neighbourhood::FindBlurred()
 {
     const Area& area = rounds[4]->area;

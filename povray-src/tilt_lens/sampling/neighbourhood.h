@@ -29,11 +29,8 @@ class Neighbourhood
     /// How the first samples vary of what is blurred so far that it may cover a pixel of the block too, wherever in the
     /// block or just beside it they are: mean variance, greatest deviation.
     const SampleVariation& Blurred(std::size_t pixel) const { return blurred[pixel]; }
-    /// The same of the 3 by 3 pixels around one: by their latest samples in the block, by their first beside it.
-    SampleVariation Around(const BlockEstimate& estimate, std::size_t pixel) const
-    {
-        return VariationAround(estimate, pixel, &rounds);
-    }
+    /// The same of the 3 by 3 pixels around one: by all samples so far in the block, by the first ones beside it.
+    SampleVariation Around(const BlockEstimate& estimate, std::size_t pixel) const;
     /// The first rounds' BlockStatistics; null where they are not known.
     const FirstRounds& Rounds() const { return rounds; }
 
