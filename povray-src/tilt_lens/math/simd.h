@@ -39,6 +39,7 @@ typedef long long LongMask4 __attribute__((vector_size(32)));
 
 /// Of functions that are written once and compiled for each kind of processor, with the function that calls them.
 #define TILT_LENS_INLINED inline __attribute__((always_inline))
+#define TILT_LENS_INLINED_LAMBDA __attribute__((always_inline))
 
 /// Two instructions: what the processor can do was stored when the program began.
 inline bool HasAvx2()

@@ -38,19 +38,19 @@ constexpr Filter kBank[][2] = {
     {kAhead5, kNone}, {kBehind5, kNone}, {kNone, kAhead5}, {kNone, kBehind5},
 };
 
-/// Four neighbouring pixels filtered along steps of 1 (a row) or PaddedBlock::kColumns (a column). What compilers make of
+/// Neighbouring pixels filtered along steps of 1 (a row) or PaddedBlock::kColumns (a column). What compilers make of
 /// plain loops over so short rows takes three times as long.
-template<Filter kFilter>
-Float4 Filtered(const float* at, int step)
+template<class Vector, Filter kFilter>
+TILT_LENS_INLINED Vector Filtered(const float* at, int step)
 {
     constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : settings.filterRadius;
-    Float4 sum = kTaps[kFilter][0] * Load<Float4>(at);
+    Vector sum = kTaps[kFilter][0] * Load<Vector>(at);
     for (int i = 1; i <= reach; i++)
     {
         if (kFilter == kAhead5 || kFilter == kBehind5)
-            sum += kTaps[kFilter][i] * Load<Float4>(at + (kFilter == kAhead5 ? i : -i) * step);
+            sum += kTaps[kFilter][i] * Load<Vector>(at + (kFilter == kAhead5 ? i : -i) * step);
         else
-            sum += kTaps[kFilter][i] * (Load<Float4>(at - i * step) + Load<Float4>(at + i * step));
+            sum += kTaps[kFilter][i] * (Load<Vector>(at - i * step) + Load<Vector>(at + i * step));
     }
     return sum;
 }

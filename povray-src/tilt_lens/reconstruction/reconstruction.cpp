@@ -25,6 +25,9 @@ constexpr int kPixels = kSide * kSide;
 
 using Plane = PaddedBlock::Plane;
 
+template<class Vector>
+constexpr int kWidth = sizeof(Vector) / sizeof(float);
+
 constexpr int At(int x, int y) { return PaddedBlock::At(x, y); }
 
 /// Pixels that something is wanted of: `margin` more than the wanted rows on all sides.
@@ -37,47 +40,47 @@ struct Part
     {
     }
 
-    /// Calls with the place of each four pixels; the last ones of a row may lie beyond it.
-    template<class Visit>
-    void ForEachFour(const Visit& visit) const
+    /// Calls with the place of as many pixels as fill a vector; the last ones of a row may lie beyond it.
+    template<class Vector, class Visit>
+    TILT_LENS_INLINED void ForEach(const Visit& visit) const
     {
         for (int y = top; y < bottom; y++)
-            for (int x = left; x < right; x += 4)
+            for (int x = left; x < right; x += kWidth<Vector>)
                 visit(At(x, y));
     }
 };
 
 /// Means over the pixels around each that is wanted, at most `kRadius` columns and rows away.
-template<int kRadius>
-void MeanAround(const Plane& values, const Rows& rows, Plane& means)
+template<class Vector, int kRadius>
+TILT_LENS_INLINED void MeanAround(const Plane& values, const Rows& rows, Plane& means)
 {
     constexpr float share = 1.0f / ((2 * kRadius + 1) * (2 * kRadius + 1));
     float column[kColumns];
     for (int y = rows.begin; y < rows.end; y++)
     {
-        for (int x = -kRadius; x < kSide + kRadius; x += 4)
+        for (int x = -kRadius; x < kSide + kRadius; x += kWidth<Vector>)
         {
-            Float4 sum = Float4();
+            Vector sum = Vector();
             for (int dy = -kRadius; dy <= kRadius; dy++)
-                sum += Load<Float4>(&values[At(x, y + dy)]);
+                sum += Load<Vector>(&values[At(x, y + dy)]);
             Store(column + x + kRadius, sum);
         }
-        for (int x = 0; x < kSide; x += 4)
+        for (int x = 0; x < kSide; x += kWidth<Vector>)
         {
-            Float4 sum = Float4();
+            Vector sum = Vector();
             for (int dx = 0; dx <= 2 * kRadius; dx++)
-                sum += Load<Float4>(column + x + dx);
+                sum += Load<Vector>(column + x + dx);
             Store(&means[At(x, y)], share * sum);
         }
     }
 }
 
 /// The filters' results along rows, kept for all products with what is done down.
-template<int kChannels>
+template<int kChannels, class Vector>
 class FilteredRows
 {
   public:
-    FilteredRows(const PaddedBlock& around, const Part& risky, const Part& wanted) : around(around)
+    TILT_LENS_INLINED FilteredRows(const PaddedBlock& around, const Part& risky, const Part& wanted) : around(around)
     {
         FilterRows<kFit5>(risky, wanted);
         FilterRows<kFit9>(risky, wanted);
@@ -100,14 +103,14 @@ class FilteredRows
     std::array<std::array<Plane, kChannels>, kFilters - 1> means, differences;
 
     template<Filter kFilter>
-    void FilterRows(const Part& risky, const Part& wanted)
+    TILT_LENS_INLINED void FilterRows(const Part& risky, const Part& wanted)
     {
-        const auto filter = [](const Part& part, const Plane& from, Plane& to)
+        const auto filter = [](const Part& part, const Plane& from, Plane& to) TILT_LENS_INLINED_LAMBDA
         {
             Part higher = part;
             higher.top -= settings.filterRadius;
             higher.bottom += settings.filterRadius;
-            higher.ForEachFour([&](int i) { Store(&to[i], Filtered<kFilter>(&from[i], 1)); });
+            higher.ForEach<Vector>([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&to[i], Filtered<Vector, kFilter>(&from[i], 1)); });
         };
         for (int c = 0; c < kChannels; c++)
         {
@@ -117,60 +120,60 @@ class FilteredRows
     }
 };
 
-/// A candidate of the bank: four pixels of a channel filtered across and down.
-template<int kChannels, Filter kAcross, Filter kDown>
+/// A candidate of the bank: pixels of a channel filtered across and down.
+template<int kChannels, class Vector, Filter kAcross, Filter kDown>
 struct ProductFilter
 {
-    const FilteredRows<kChannels>& rows;
+    const FilteredRows<kChannels, Vector>& rows;
 
     /// The filter's own tap of the pixel.
     static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
     static constexpr float Preference(int) { return 1.0f; }
 
-    Float4 Mean(int c, int i) const { return Filtered<kDown>(&rows.Mean(kAcross, c)[i], kColumns); }
-    Float4 DualBufferDifference(int c, int i) const
+    TILT_LENS_INLINED Vector Mean(int c, int i) const { return Filtered<Vector, kDown>(&rows.Mean(kAcross, c)[i], kColumns); }
+    TILT_LENS_INLINED Vector DualBufferDifference(int c, int i) const
     {
-        return Filtered<kDown>(&rows.DualBufferDifference(kAcross, c)[i], kColumns);
+        return Filtered<Vector, kDown>(&rows.DualBufferDifference(kAcross, c)[i], kColumns);
     }
 };
 
 /// The mean of candidates, weighted by their risks.
-template<int kChannels>
+template<int kChannels, class Vector>
 class RiskWeightedMean
 {
   public:
-    RiskWeightedMean(const PaddedBlock& around, const Rows& rows) :
+    TILT_LENS_INLINED RiskWeightedMean(const PaddedBlock& around, const Rows& rows) :
         around(around), rows(rows), risky(rows, settings.riskRadius), wanted(rows, 0)
     {
-        const Float4 least = Float4() + 1e-30f, most = Float4() + 1e30f;
-        risky.ForEachFour([&](int i)
+        const Vector least = Vector() + 1e-30f, most = Vector() + 1e30f;
+        risky.ForEach<Vector>([&](int i) TILT_LENS_INLINED_LAMBDA
         {
-            const Float4 variance = Min(Load<Float4>(&around.Noise()[i]), most);
-            const Float4 unit = 1.0f / (variance + least);
+            const Vector variance = Min(Load<Vector>(&around.Noise()[i]), most);
+            const Vector unit = 1.0f / (variance + least);
             Store(&units[i], unit);
             Store(&noises[i], unit * variance);
         });
-        MeanAround<settings.riskRadius>(noises, rows, noiseAround);
-        MeanAround<settings.nearRiskRadius>(noises, rows, noiseNear);
+        MeanAround<Vector, settings.riskRadius>(noises, rows, noiseAround);
+        MeanAround<Vector, settings.nearRiskRadius>(noises, rows, noiseNear);
     }
 
-    /// @param candidate  linear in the pixels: its Mean(channel, i) of the four pixels at place i, the same filter's
+    /// @param candidate  linear in the pixels: its Mean(channel, i) of the pixels from place i on, the same filter's
     ///                   DualBufferDifference(channel, i), its CentreTap(i), that is the pixel's own share in it, and
     ///                   Preference(i), its weight over that of a filter with the same risk
     template<class Candidate>
-    void Add(const Candidate& candidate)
+    TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
         FindRisk(candidate);
-        MeanAround<settings.riskRadius>(limited, rows, riskAround);
-        MeanAround<settings.nearRiskRadius>(risk, rows, riskNear);
-        wanted.ForEachFour([&](int i)
+        MeanAround<Vector, settings.riskRadius>(limited, rows, riskAround);
+        MeanAround<Vector, settings.nearRiskRadius>(risk, rows, riskNear);
+        wanted.ForEach<Vector>([&](int i) TILT_LENS_INLINED_LAMBDA
         {
-            const Float4 weight = candidate.Preference(i) * WeightOf(i);
-            Store(&weights[i], Load<Float4>(&weights[i]) + weight);
+            const Vector weight = candidate.Preference(i) * WeightOf(i);
+            Store(&weights[i], Load<Vector>(&weights[i]) + weight);
             for (int c = 0; c < kChannels; c++)
             {
-                Store(&means[c][i], Load<Float4>(&means[c][i]) + weight * candidate.Mean(c, i));
-                Store(&differences[c][i], Load<Float4>(&differences[c][i]) + weight * candidate.DualBufferDifference(c, i));
+                Store(&means[c][i], Load<Vector>(&means[c][i]) + weight * candidate.Mean(c, i));
+                Store(&differences[c][i], Load<Vector>(&differences[c][i]) + weight * candidate.DualBufferDifference(c, i));
             }
         });
     }
@@ -202,30 +205,30 @@ class RiskWeightedMean
     std::array<Plane, kChannels> means{}, differences{};
 
     template<class Candidate>
-    void FindRisk(const Candidate& candidate)
+    TILT_LENS_INLINED void FindRisk(const Candidate& candidate)
     {
-        risky.ForEachFour([&](int i)
+        risky.ForEach<Vector>([&](int i) TILT_LENS_INLINED_LAMBDA
         {
             const auto noiseTaken = 1.0f - 2.0f * candidate.CentreTap(i);
-            Float4 squares = Float4();
+            Vector squares = Vector();
             for (int c = 0; c < kChannels; c++)
             {
-                const Float4 difference = candidate.Mean(c, i) - Load<Float4>(&around.Mean(c)[i]);
+                const Vector difference = candidate.Mean(c, i) - Load<Vector>(&around.Mean(c)[i]);
                 squares += difference * difference;
             }
-            const Float4 noise = Load<Float4>(&noises[i]), all = squares * Load<Float4>(&units[i]) - noiseTaken * noise;
-            const Float4 whole = Min(all, Float4() + settings.greatestFiniteRisk);
+            const Vector noise = Load<Vector>(&noises[i]), all = squares * Load<Vector>(&units[i]) - noiseTaken * noise;
+            const Vector whole = Min(all, Vector() + settings.greatestFiniteRisk);
             Store(&risk[i], whole);
             Store(&limited[i], Min(whole, settings.riskLimit * noise));
         });
     }
 
-    Float4 WeightOf(int i) const
+    TILT_LENS_INLINED Vector WeightOf(int i) const
     {
-        const Float4 before = Load<Float4>(&noiseAround[i]);
-        const Float4 near = Load<Float4>(&riskNear[i]) - settings.chanceRisk * Load<Float4>(&noiseNear[i]);
-        const Float4 after = Max(Max(Load<Float4>(&riskAround[i]), near), 1.0f / settings.greatestRisk * before + 1e-30f);
-        const Float4 root = Max(before / after - 1.0f / settings.greatestRisk, Float4());
+        const Vector before = Load<Vector>(&noiseAround[i]);
+        const Vector near = Load<Vector>(&riskNear[i]) - settings.chanceRisk * Load<Vector>(&noiseNear[i]);
+        const Vector after = Max(Max(Load<Vector>(&riskAround[i]), near), 1.0f / settings.greatestRisk * before + 1e-30f);
+        const Vector root = Max(before / after - 1.0f / settings.greatestRisk, Vector());
         return root * root;
     }
 };
@@ -266,11 +269,11 @@ BlockPlane ResidualVarianceRatio(const std::vector<SquaredDifference>& differenc
 
 /// The spread estimate S = t q + (1 - t) others of each pixel, with its own samples' share t, as a candidate; corrected it is
 /// S + F (q - S), where F is the mean over 9 by 9 pixels.
-template<bool kCorrected>
+template<class Vector, bool kCorrected>
 class SpreadCandidate
 {
   public:
-    SpreadCandidate(const PaddedBlock& around, const PaddedSpread& spread, const Part& risky, const Part& wanted)
+    TILT_LENS_INLINED SpreadCandidate(const PaddedBlock& around, const PaddedSpread& spread, const Part& risky, const Part& wanted)
     {
         for (std::size_t i = 0; i < ownTap.size(); i++)
         {
@@ -284,16 +287,16 @@ class SpreadCandidate
         }
     }
 
-    Float4 Mean(int c, int i) const { return Load<Float4>(&means[c][i]); }
-    Float4 DualBufferDifference(int c, int i) const { return Load<Float4>(&differences[c][i]); }
-    Float4 CentreTap(int i) const
+    TILT_LENS_INLINED Vector Mean(int c, int i) const { return Load<Vector>(&means[c][i]); }
+    TILT_LENS_INLINED Vector DualBufferDifference(int c, int i) const { return Load<Vector>(&differences[c][i]); }
+    TILT_LENS_INLINED Vector CentreTap(int i) const
     {
-        return Load<Float4>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
+        return Load<Vector>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
     }
     /// Geometry speaks for it where the pixel's value is made of others' samples.
-    Float4 Preference(int i) const
+    TILT_LENS_INLINED Vector Preference(int i) const
     {
-        const Float4 others = 1.0f - Load<Float4>(&ownTap[i]), square = others * others;
+        const Vector others = 1.0f - Load<Vector>(&ownTap[i]), square = others * others;
         return settings.spreadWeight * square * square;
     }
 
@@ -301,7 +304,7 @@ class SpreadCandidate
     Plane ownTap;
     std::array<Plane, 3> means, differences;
 
-    void Estimate(const Plane& own, const Plane& others, const Part& part, Plane& estimate) const
+    TILT_LENS_INLINED void Estimate(const Plane& own, const Plane& others, const Part& part, Plane& estimate) const
     {
         Plane missing, rows;
         for (std::size_t i = 0; i < own.size(); i++)
@@ -314,28 +317,28 @@ class SpreadCandidate
         Part higher = part;
         higher.top -= settings.filterRadius;
         higher.bottom += settings.filterRadius;
-        higher.ForEachFour([&](int i) { Store(&rows[i], Filtered<kMean9>(&missing[i], 1)); });
-        part.ForEachFour([&](int i)
-            { Store(&estimate[i], Load<Float4>(&estimate[i]) + Filtered<kMean9>(&rows[i], kColumns)); });
+        higher.ForEach<Vector>([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&rows[i], Filtered<Vector, kMean9>(&missing[i], 1)); });
+        part.ForEach<Vector>([&](int i) TILT_LENS_INLINED_LAMBDA
+            { Store(&estimate[i], Load<Vector>(&estimate[i]) + Filtered<Vector, kMean9>(&rows[i], kColumns)); });
     }
 };
 
-template<int kChannels, std::size_t... kNumber>
-void AddBank(RiskWeightedMean<kChannels>& mean, const FilteredRows<kChannels>& rows, std::index_sequence<kNumber...>)
+template<int kChannels, class Vector, std::size_t... kNumber>
+TILT_LENS_INLINED void AddBank(RiskWeightedMean<kChannels, Vector>& mean, const FilteredRows<kChannels, Vector>& rows, std::index_sequence<kNumber...>)
 {
-    (mean.Add(ProductFilter<kChannels, kBank[kNumber][0], kBank[kNumber][1]>{rows}), ...);
+    (mean.Add(ProductFilter<kChannels, Vector, kBank[kNumber][0], kBank[kNumber][1]>{rows}), ...);
 }
 
-template<int kChannels>
-ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
+template<int kChannels, class Vector>
+TILT_LENS_INLINED ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
 {
-    RiskWeightedMean<kChannels> mean(around, rows);
-    const FilteredRows<kChannels> filteredRows(around, mean.Risky(), mean.Wanted());
+    RiskWeightedMean<kChannels, Vector> mean(around, rows);
+    const FilteredRows<kChannels, Vector> filteredRows(around, mean.Risky(), mean.Wanted());
     AddBank(mean, filteredRows, std::make_index_sequence<std::size(kBank)>());
     if (kChannels == 3 && spread != nullptr)
     {
-        mean.Add(SpreadCandidate<false>(around, *spread, mean.Risky(), mean.Wanted()));
-        mean.Add(SpreadCandidate<true>(around, *spread, mean.Risky(), mean.Wanted()));
+        mean.Add(SpreadCandidate<Vector, false>(around, *spread, mean.Risky(), mean.Wanted()));
+        mean.Add(SpreadCandidate<Vector, true>(around, *spread, mean.Risky(), mean.Wanted()));
     }
     ReconstructedBlock block{};
     std::vector<SquaredDifference> noise(kPixels);
@@ -352,12 +355,27 @@ ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const PaddedSp
     return block;
 }
 
+ReconstructedBlock ReconstructPlain(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
+{
+    return ReconstructChannels<3, Float4>(around, spread, rows);
+}
+
+TILT_LENS_FOR_AVX2 ReconstructedBlock ReconstructByAvx2(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
+{
+    return ReconstructChannels<3, Float8>(around, spread, rows);
+}
+
+ReconstructedBlock ReconstructTransparent(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
+{
+    return ReconstructChannels<5, Float4>(around, spread, rows);
+}
+
 } // namespace
 
 ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread)
 {
     const Part whole(Rows(), 0);
-    const SpreadCandidate<false> estimate(around, spread, whole, whole);
+    const SpreadCandidate<Float4, false> estimate(around, spread, whole, whole);
     ReconstructedBlock block{};
     for (int i = 0; i < kPixels; i++)
     {
@@ -379,7 +397,9 @@ Radiance ReconstructedBlock::MeanOf(std::size_t pixel) const
 
 ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
 {
-    return around.IsTransparent() ? ReconstructChannels<5>(around, spread, rows) : ReconstructChannels<3>(around, spread, rows);
+    if (around.IsTransparent())
+        return ReconstructTransparent(around, spread, rows);
+    return HasAvx2() ? ReconstructByAvx2(around, spread, rows) : ReconstructPlain(around, spread, rows);
 }
 
 } // namespace tilt_lens
