@@ -4,7 +4,7 @@
 #include "tilt_lens/reconstruction/padded_spread.h"
 
 #include <algorithm>
-#include <vector>
+#include <memory>
 
 namespace tilt_lens
 {
@@ -15,41 +15,60 @@ std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent)
     return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent)) : nullptr;
 }
 
+namespace
+{
+
+/// What pixels have received, in either buffer: red, green, blue, and the shares.
+using Received = std::array<std::array<PaddedSpread::Plane, 4>, 2>;
+
+void AddRow(const float* from, int count, float* to)
+{
+    int i = 0;
+    for (; i + 4 <= count; i += 4)
+        Store(to + i, Load<Float4>(to + i) + Load<Float4>(from + i));
+    for (; i < count; i++)
+        to[i] += from[i];
+}
+
+constexpr int kSide = int(settings.blockSide), kBorder = PaddedBlock::kBorder, kReach = SpreadSums::kReach;
+static_assert(kBorder + kReach <= kSide, "samples of the neighbours must be all that reaches the border");
+
+} // namespace
+
 PaddedSpread::PaddedSpread(const Sent& sent)
 {
-    constexpr int side = int(settings.blockSide), border = PaddedBlock::kBorder, reach = SpreadSums::kReach;
-    static_assert(border + reach <= side, "samples of the neighbours must be all that reaches the border");
-    std::vector<SpreadSum> received(PaddedBlock::kRows * PaddedBlock::kColumns);
+    const auto received = std::make_unique<Received>();
     ownShare.fill(1.0f);
     for (int i = 0; i < 9; i++)
     {
         if (sent[i] == nullptr)
             continue;
-        const int left = (i % 3 - 1) * side, top = (i / 3 - 1) * side;
-        for (int y = std::max(-border, top - reach); y < std::min(side + border, top + side + reach); y++)
-            for (int x = std::max(-border, left - reach); x < std::min(side + border, left + side + reach); x++)
-                received[PaddedBlock::At(x, y)].Add(sent[i]->At(x - left, y - top));
-        for (int y = std::max(-border, top); y < std::min(side + border, top + side); y++)
-            for (int x = std::max(-border, left); x < std::min(side + border, left + side); x++)
+        const int left = (i % 3 - 1) * kSide, top = (i / 3 - 1) * kSide;
+        const int begin = std::max(-kBorder, left - kReach), end = std::min(kSide + kBorder, left + kSide + kReach);
+        for (int y = std::max(-kBorder, top - kReach); y < std::min(kSide + kBorder, top + kSide + kReach); y++)
+            for (int buffer = 0; buffer < 2; buffer++)
+                for (int c = 0; c < 4; c++)
+                    AddRow(sent[i]->From(buffer, c, begin - left, y - top), end - begin, &(*received)[buffer][c][PaddedBlock::At(begin, y)]);
+        for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
+            for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
                 if (sent[i]->OwnSamples(x - left, y - top) > 0.0f)
                     ownShare[PaddedBlock::At(x, y)] = sent[i]->OwnShare(x - left, y - top) / sent[i]->OwnSamples(x - left, y - top);
     }
-    for (int y = -border; y < side + border; y++)
-        for (int x = -border; x < side + border; x++)
-            Finish(x, y, received[PaddedBlock::At(x, y)]);
+    for (std::size_t at = 0; at < share.size(); at += 4)
+        Finish((*received)[0], (*received)[1], at);
 }
 
-void PaddedSpread::Finish(int x, int y, const SpreadSum& sum)
+/// Of four pixels.
+void PaddedSpread::Finish(const std::array<Plane, 4>& a, const std::array<Plane, 4>& b, std::size_t at)
 {
-    const Float4 &a = sum.buffer[0], &b = sum.buffer[1], both = a + b;
-    const int at = PaddedBlock::At(x, y);
-    if (!(a[3] > 0.0f && b[3] > 0.0f))
-        return;
-    share[at] = both[3];
+    const Float4 none{}, shareA = Load<Float4>(&a[3][at]), shareB = Load<Float4>(&b[3][at]), both = shareA + shareB;
+    const Mask4 known = (shareA > none) & (shareB > none);
+    Store(&share[at], known ? both : none);
     for (int c = 0; c < 3; c++)
     {
-        mean[c][at] = both[c] / both[3];
-        dualBufferDifference[c][at] = a[c] / a[3] - b[c] / b[3];
+        const Float4 sumA = Load<Float4>(&a[c][at]), sumB = Load<Float4>(&b[c][at]);
+        Store(&mean[c][at], known ? (sumA + sumB) / both : none);
+        Store(&dualBufferDifference[c][at], known ? sumA / shareA - sumB / shareB : none);
     }
 }
 

@@ -28,13 +28,13 @@ class PaddedSpread
     /// @return null where nothing was sent at all
     static std::shared_ptr<const PaddedSpread> Of(const Sent& sent);
 
-    std::array<Plane, 3> mean{}, dualBufferDifference{};  ///< of what other pixels' samples have sent; 0: nothing
-    Plane share{};     ///< that these samples have sent
-    Plane ownShare{};  ///< that a sample of the pixel keeps for it, on average, [0, 1]
+    std::array<Plane, 3> mean, dualBufferDifference;  ///< of what other pixels' samples have sent; 0: nothing
+    Plane share;     ///< that these samples have sent
+    Plane ownShare;  ///< that a sample of the pixel keeps for it, on average, [0, 1]
 
   private:
     explicit PaddedSpread(const Sent& sent);
-    void Finish(int x, int y, const SpreadSum& sum);
+    void Finish(const std::array<Plane, 4>& a, const std::array<Plane, 4>& b, std::size_t at);
 };
 
 } // namespace tilt_lens

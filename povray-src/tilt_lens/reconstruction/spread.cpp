@@ -60,11 +60,12 @@ namespace
 constexpr int kRows = 2 * SpreadSums::kReach + 1;
 /// As many numbers fill vectors: one more, which nobody uses.
 constexpr int kLanes = kRows + 1;
-static_assert(kLanes % 8 == 0, "a vector has eight");
+static_assert(kLanes % SpreadSums::kMostLanes == 0, "vectors hold them without a rest");
 
+/// What follows them is read where a row's last vector reaches beyond it, and not used.
 struct alignas(32) LaneNumbers
 {
-    float of[kLanes];
+    float of[kLanes + SpreadSums::kMostLanes]{};
 };
 
 constexpr LaneNumbers Numbered()
@@ -76,6 +77,9 @@ constexpr LaneNumbers Numbered()
 }
 
 constexpr LaneNumbers kOffsets = Numbered();
+
+/// Of the pixels of a row's last vector, those that belong to the row: as many ones as there are from the place kMostLanes - count on.
+constexpr float kInRow[2 * SpreadSums::kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 
 template<class Vector>
 constexpr int kWidth = sizeof(Vector) / sizeof(float);
@@ -107,6 +111,7 @@ struct Extent
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
+    unsigned int rows = 0;  ///< a bit for each row that has any
     Extent across{}, down{};
 
     template<class Vector>
@@ -126,6 +131,7 @@ struct CirclePixels
         for (int i = 0; i < kLanes; i += kWidth<Vector>)
             FindRows<Vector>(i, circle, column, float(row), {xy / yy, yy, determinant});
         begin[kRows] = end[kRows] = 0;
+        rows &= (1u << kRows) - 1;
         for (int i = 0; i < kRows; i++)
             count += end[i] - begin[i];
         across = {circle.x, std::sqrt(xx)};
@@ -143,17 +149,19 @@ struct CirclePixels
     {
         using Whole = std::conditional_t<std::is_same_v<Vector, Float8>, Mask8, Mask4>;
         const Vector none = Vector(), below = Load<Vector>(kOffsets.of + i) + row + 0.5f - circle.y;
-        const Vector left = 1.0f - below * below / ellipse.yy;
-        const Whole met = left > none;
-        const Vector middle = circle.x + ellipse.lean * below - 0.5f, half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? left : none));
-        const float first = float(column - SpreadSums::kReach), last = float(column + SpreadSums::kReach);
-        const Vector least = Clamp(middle - half, first, last + 1.0f), most = Clamp(middle + half, first - 1.0f, last);
+        const Vector open = 1.0f - below * below / ellipse.yy;  // of the squared half width
+        const Whole met = open > none;
+        const Vector middle = circle.x + ellipse.lean * below - 0.5f, half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? open : none));
+        const float left = float(column - SpreadSums::kReach), right = float(column + SpreadSums::kReach);
+        const Vector least = Clamp(middle - half, left, right + 1.0f), most = Clamp(middle + half, left - 1.0f, right);
         Whole from = __builtin_convertvector(least, Whole), to = __builtin_convertvector(most, Whole);
         // a comparison that holds is -1: rounded up, and down
         from -= __builtin_convertvector(from, Vector) < least;
         to += __builtin_convertvector(to, Vector) > most;
-        Store(begin + i, from & met);
-        Store(end + i, Max<Whole>(to + 1, from) & met);
+        const Whole first = from & met, last = Max<Whole>(to + 1, from) & met;
+        rows |= SignBits(first < last) << i;
+        Store(begin + i, first);
+        Store(end + i, last);
     }
 
     template<class Vector>
@@ -180,22 +188,44 @@ std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixe
                                                (circle.xa * dy - circle.ya * dx) / determinant));
             sum += densities.back();
         }
+    densities.resize(densities.size() + SpreadSums::kMostLanes);  // read, not used
     return densities;
 }
 
-/// Adds a share of the same value to pixels that lie side by side.
-template<class Vector>
-TILT_LENS_INLINED void AddShares(Float4* sums, const Float4* shares, const Float4& value, int count)
+/// The pixels of a circle in one row, by their columns, and their shares relative to the sample's own.
+struct RowShares
 {
-    constexpr int together = sizeof(Vector) / sizeof(Float4);
-    Vector values = Vector();
-    for (int i = 0; i < kWidth<Vector>; i++)
-        values[i] = value[i % 4];
-    int i = 0;
-    for (; i + together <= count; i += together)
-        Store(sums + i, Load<Vector>(sums + i) + Load<Vector>(shares + i) * values);
-    for (; i < count; i++)
-        sums[i] += shares[i] * value;
+    const float* ofColumns;
+    int begin, end;
+    const float* density;  ///< of the lens, from the first pixel on; null: the same at all
+
+    float DensityAt(int column) const { return density != nullptr ? density[column - begin] : 1.0f; }
+
+    /// Of as many pixels as fill a vector; none of what is beyond the row.
+    template<class Vector>
+    TILT_LENS_INLINED Vector From(int column) const
+    {
+        const int count = std::min(end - column, SpreadSums::kMostLanes);
+        const Vector shares = Load<Vector>(kInRow + SpreadSums::kMostLanes - count) * Load<Vector>(ofColumns + column);
+        return density != nullptr ? Load<Vector>(density + (column - begin)) * shares : shares;
+    }
+};
+
+/// @param planes  red, green, blue, and the shares of pixels
+/// @param first  place of column 0 in a plane
+/// @param value  that they get shares of
+template<class Vector, class Planes>
+TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value)
+{
+    for (int x = shares.begin; x < shares.end; x += kWidth<Vector>)
+    {
+        const Vector share = shares.From<Vector>(x);
+        for (int c = 0; c < 4; c++)
+        {
+            float* const sum = &planes[c][first + x];
+            Store(sum, Load<Vector>(sum) + share * value[c]);
+        }
+    }
 }
 
 } // namespace
@@ -232,32 +262,26 @@ template<class Vector>
 TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column,
                                         int row, int buffer)
 {
-    LaneNumbers sendersToColumn, sendersToRow;
-    pixels.across.FindSenders<Vector>(column, columns, sendersToColumn);
-    pixels.down.FindSenders<Vector>(row, rows, sendersToRow);
-    Float4 shares[kRows];  // of the pixels of a row, relative to its own
-    for (int i = 0; i < kRows; i++)
-        shares[i] = sendersToColumn.of[kReach] / sendersToColumn.of[i] - Float4();
-    for (int i = 0; i < kRows; i++)
+    LaneNumbers ofColumns, ofRows;  // shares: of columns relative to the sample's own, of rows those of the value
+    pixels.across.FindSenders<Vector>(column, columns, ofColumns);
+    pixels.down.FindSenders<Vector>(row, rows, ofRows);
+    const float toColumn = ofColumns.of[kReach], toRow = ofRows.of[kReach];
+    for (int i = 0; i < kLanes; i += kWidth<Vector>)
     {
-        const int begin = pixels.begin[i], count = pixels.end[i] - begin;
-        if (count == 0)
-            continue;
-        const Float4 ofRow = sendersToRow.of[kReach] / (sum * sendersToRow.of[i]) * value;
-        const Float4* ofPixels = shares + begin - column + kReach;
-        Float4 changed[kRows];  // where the lens is not even, and where nothing is sent to the sample's own pixel
-        if (density != nullptr || i == kReach)
-        {
-            for (int x = 0; x < count; x++)
-                changed[x] = (density != nullptr ? *density++ : 1.0f) * ofPixels[x];
-            ofPixels = changed;
-        }
-        if (i == kReach && column >= begin && column < pixels.end[i])
-        {
-            own[row * int(settings.blockSide) + column].share += (changed[column - begin] * ofRow)[3];
-            changed[column - begin] = Float4();
-        }
-        AddShares<Vector>(&sums[buffer][(row + i) * kSide + begin + kReach], ofPixels, ofRow, count);
+        Store(ofColumns.of + i, toColumn / Load<Vector>(ofColumns.of + i));
+        Store(ofRows.of + i, toRow / (sum * Load<Vector>(ofRows.of + i)));
+    }
+    LaneNumbers ofOthers = ofColumns;  // nothing is sent to the sample's own pixel
+    ofOthers.of[kReach] = 0.0f;
+    for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
+    {
+        const int i = __builtin_ctz(rest);
+        const RowShares shares{(i == kReach ? ofOthers : ofColumns).of - (column - kReach), pixels.begin[i], pixels.end[i], density};
+        if (i == kReach && column >= shares.begin && column < shares.end)
+            own[row * int(settings.blockSide) + column].share += shares.DensityAt(column) * ofRows.of[i];
+        AddRow<Vector>(sums[buffer], PlaceOf(0, row + i - kReach), shares, ofRows.of[i] * value);
+        if (density != nullptr)
+            density += shares.end - shares.begin;
     }
 }
 

@@ -98,6 +98,8 @@ class SpreadSums
     /// Pixels, along rows and columns, from a sample's own pixel to the farthest that it serves.
     static constexpr int kReach = settings.spreadReach;
     static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
+    /// Pixels that the widest vector holds.
+    static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
     /// @param block  whose pixels send, in the whole picture
     /// @param width, height  of the whole picture, pixels
@@ -113,9 +115,15 @@ class SpreadSums
     /// Of pixel (x, y), -kReach <= x, y < blockSide + kReach; nothing that it sent to itself.
     SpreadSum At(int x, int y) const
     {
-        const int place = (y + kReach) * kSide + x + kReach;
-        return {{sums[0][place], sums[1][place]}};
+        SpreadSum sum;
+        for (int buffer = 0; buffer < 2; buffer++)
+            for (int c = 0; c < 4; c++)
+                sum.buffer[buffer][c] = *From(buffer, c, x, y);
+        return sum;
     }
+    /// One number of it; those of the pixels to the right follow.
+    /// @param c  red, green, blue, and the shares
+    const float* From(int buffer, int c, int x, int y) const { return &sums[buffer][c][PlaceOf(x, y)]; }
     /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnSamples(int x, int y) const { return own[y * int(settings.blockSide) + x].samples; }
@@ -128,10 +136,15 @@ class SpreadSums
         float share = 0.0f, samples = 0.0f;
     };
 
+    /// A number of each pixel; what fills the last vector of the last row is not used.
+    using Plane = std::array<float, kSide * kSide + kMostLanes>;
+
     PictureSpan columns, rows;
-    std::array<Float4, kSide * kSide> sums[2]{};  ///< of each buffer; pixels lie side by side
+    std::array<std::array<Plane, 4>, 2> sums{};
     std::array<Own, settings.blockSide * settings.blockSide> own{};
     bool spread = false;
+
+    static constexpr int PlaceOf(int x, int y) { return (y + kReach) * kSide + x + kReach; }
 
     // Written once and compiled for each kind of processor.
     template<class Vector>
