@@ -41,7 +41,6 @@ class Neighbourhood
     std::vector<SampleVariation> blurred;
 
     void FindBlurred();
-    void AddBlurred(std::int64_t x, std::int64_t y, double reach, const SampleVariation& variation);
 };
 
 } // namespace tilt_lens
