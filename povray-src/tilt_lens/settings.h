@@ -91,7 +91,7 @@ struct Settings
     /// Variance of one sample where a pixel's target is just `variance`: between those of texture and of blurred edges.
     double typicalSampleVariance = 0.003;
     /// Least target over `variance`; and the greatest, of pixels that deviate more than those around.
-    double leastTarget = 0.75, greatestTarget = 1.9;
+    double leastTarget = 0.75, greatestTarget = 1.75;
     /// @}
 
     /// @name Emitter sampling (section 7)

@@ -139,6 +139,39 @@ TEST(Neighbourhood, BlurCoversPixelsUpToTwiceItsRadius)
         }
 }
 
+/// Each pixel is blurred by another radius, and the block beside it, too.
+TEST(Neighbourhood, WhatIsBlurredIsTheMeanAndTheGreatestOfAllThatCoverAPixel)
+{
+    const auto blurred = [](const SampleId& id, SampleResult& result)
+    {
+        result = Grey(Noise(id, 1));
+        result.blurRadius = 9.0 * Noise({id.x, id.y, 0}, 2);
+    };
+    constexpr int side = int(settings.blockSide);
+    const BlockEstimate own = FirstEstimate(kMiddle, 4, blurred);
+    const BlockEstimate right = FirstEstimate({2 * settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide}, 4, blurred);
+    const FirstRound ownRound(own), rightRound(right);
+    FirstRounds rounds = Alone(ownRound);
+    rounds[5] = &rightRound;
+    const Neighbourhood around(rounds, Limits(4, 1024, 1e-4));
+    for (int y = 0; y < side; y++)
+        for (int x = 0; x < side; x++)
+        {
+            SampleVariation all;
+            for (int v = 0; v < side; v++)
+                for (int u = 0; u <= side; u++)  // one column beside the block
+                {
+                    const FirstRoundPixel& other = (u < side ? ownRound : rightRound).At(kMiddle.left + u, kMiddle.top + v);
+                    const int reach = int(2.0 * other.blurRadius);
+                    if (std::abs(u - x) <= reach && std::abs(v - y) <= reach)
+                        all.Merge(other.variation);
+                }
+            const SampleVariation& found = around.Blurred(y * settings.blockSide + x);
+            ASSERT_NEAR(found.variance[0], all.variance[0] / (side * (side + 1)), 1e-12) << x << ", " << y;
+            ASSERT_EQ(found.maxSquaredDeviation, all.maxSquaredDeviation) << x << ", " << y;
+        }
+}
+
 TEST(Neighbourhood, LooksAtFirstSamplesBesideTheBlock)
 {
     const BlockEstimate own = FirstEstimate(kMiddle, 8, Constant);
@@ -161,7 +194,6 @@ TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
     limits.denoise = true;
     // dim noise around 0.7: known beside its brightness
     Prepared block(limits, [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); });
-    UpdateBlockStatistics(block.estimate, 8);
     const double undetected = 3e-3;
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < block.estimate.pixels.size(); i++)
@@ -183,6 +215,28 @@ TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
     }
     EXPECT_GT(converged, kMiddle.Size() / 2);
     EXPECT_LT(block.estimate.pixels[100].residualVarianceRatio, 0.5);
+}
+
+/// What the samples of a pixel missed counts as its noise, so that filters may bring it from those around.
+TEST(BlockStatistics, NoiseIncludesUndetectedError)
+{
+    const auto noisyColumn = [](const SampleId& id, SampleResult& result)
+    {
+        result = Grey(id.x == kMiddle.left + 5 ? Noise(id, 1) : 0.5);
+        result.blurRadius = id.x == kMiddle.left + 5 ? 2.0 : 0.0;
+    };
+    Prepared block(Limits(8, 1024, 1e-4), noisyColumn);
+    block.Update(8);
+    UpdateBlockStatistics(block.estimate, 8);
+    for (int x = 0; x < int(settings.blockSide); x++)
+    {
+        const double noise = block.estimate.statistics->Noise()[8 * settings.blockSide + x];
+        EXPECT_EQ(noise > 0.0, x >= 1 && x <= 9) << x;  // up to twice the blur away
+        if (std::abs(x - 5) > settings.neighbourRadius)
+        {
+            EXPECT_FLOAT_EQ(noise, block.estimate.pixels[8 * settings.blockSide + x].undetectedNoise) << x;
+        }
+    }
 }
 
 TEST(DenoiserForecast, IsLeftOutWhereItSavesTooFewRays)

@@ -348,6 +348,41 @@ TEST(SamplingStatistics, AddsUpAndKnowsItsQuantiles)
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }
 
+/// Pixels at the rim of a small lamp's disc see it through a small part of the lens, so that most of them miss it with all first
+/// samples. They must not stay black beside others that do not.
+TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
+{
+    constexpr double blur = 12.0, lamp = 3.0, brightness = 0.5, middle = 32.0;
+    Lens lens;
+    const LensFootprint footprint(lens, Aperture::Disc(), 64.0, 64.0);
+    const auto trace = [&](const SampleId& id, SampleResult& result)
+    {
+        const SequencePoint s = SequencePointOf(id);
+        const double radius = std::sqrt(s.lensU), angle = 2.0 * M_PI * s.lensV, a = radius * std::cos(angle), b = radius * std::sin(angle);
+        const double x = id.x + s.pixelX + blur * a, y = id.y + s.pixelY + blur * b;  // where the ray meets the plane of the lamp
+        result = Grey(std::hypot(x - middle, y - middle) < lamp ? brightness : 0.0);
+        result.blurRadius = blur;
+        result.circle = {float(x), float(y), float(blur), 0.0f, 0.0f, float(blur), &footprint};
+    };
+    SamplingLimits limits = Limits(4, 64, 1e-3);
+    limits.denoise = true;
+    const Area all{0, 0, 64, 64};
+    const std::vector<Result> results = ResultsOf(limits, all, 64, 64, trace);
+    int rim = 0, black = 0;
+    for (int y = 0; y < 64; y++)
+        for (int x = 0; x < 64; x++)
+        {
+            // half of the lamp is seen at a distance of `blur`
+            const double distance = std::hypot(x + 0.5 - middle, y + 0.5 - middle);
+            if (distance < blur - 1.0 || distance > blur + 1.0)
+                continue;
+            rim++;
+            black += results[y * 64 + x].mean[0] < 0.1 * brightness * (lamp / blur) * (lamp / blur) * 0.5;
+        }
+    EXPECT_GT(rim, 100);
+    EXPECT_LE(20 * black, rim) << black << " of " << rim;
+}
+
 // the figures of docs/sampling.md, section 10
 TEST(BlockCache, MemoryOfABlock)
 {

@@ -31,7 +31,7 @@ class BlockStatistics
     {
         kMean = 0,                  ///< five channels
         kDualBufferDifference = 5,  ///< five channels: difference of the means of the pixel's two buffers
-        kNoise = 10,                ///< variance of the mean, estimated, summed over the channels
+        kNoise = 10,                ///< variance of the mean and its undetected error, estimated, summed over the channels
         kSamples = 11,              ///< taken
         kPlanes
     };

@@ -98,6 +98,7 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
         return;
     const Neighbourhood around(FirstRoundsOf(neighbours), limits);
     BlockEstimate estimate = *afterFirstRound;
+    estimate.statisticsSamples = 0;  // they know no undetected error yet
     std::uint32_t samples = limits.FirstRound();
     while (UpdateConvergence(estimate, around, limits, samples))
     {

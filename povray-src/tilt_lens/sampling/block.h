@@ -32,7 +32,7 @@ namespace tilt_lens
 struct PixelResult
 {
     double variance = 0.0;  ///< of the mean, largest channel; relative to the square of what is above 1
-    double undetected = 0.0;  ///< of that, what the samples do not show and no filter takes off
+    double undetected = 0.0;  ///< of that, what the samples do not show
     Radiance mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;

@@ -27,7 +27,8 @@ struct PixelEstimate
     PixelStatistics statistics;
     double varianceRatio = 1.0;  ///< of the mean's variance to that of as many independent samples
     double variance = 0.0;       ///< of the mean, largest channel; relative to the square of what is above 1
-    double undetected = 0.0;     ///< of that, what the samples do not show and no filter takes off
+    double undetected = 0.0;     ///< of that, what the samples do not show
+    double undetectedNoise = 0.0;  ///< the same, summed over the channels and not relative
     double target = 0.0;         ///< the variance that it may keep, when it was decided last
     double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< after the reconstruction, by the last forecast
     bool active = true;          ///< takes part in the next round

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -19,10 +20,11 @@ namespace tilt_lens
 namespace
 {
 
-/// Variance of a pixel's mean, and its part that is undetected error; each channel relative to its SquaredScale.
+/// Of a pixel's mean.
 struct MeanVariance
 {
-    Radiance whole{}, undetected{};
+    Radiance whole{}, undetected{};  ///< variance, and its part that is undetected error; each channel relative to its SquaredScale
+    double undetectedNoise = 0.0;    ///< this part, summed over the channels and not relative
 };
 
 MeanVariance EstimatedVariance(const PixelEstimate& pixel, const SampleVariation& around, const SampleVariation& blurred,
@@ -36,7 +38,8 @@ MeanVariance EstimatedVariance(const PixelEstimate& pixel, const SampleVariation
         undetected[c] *= pixel.varianceRatio;
         whole[c] = pixel.varianceRatio * ofSample / own.Samples() + undetected[c];
     }
-    return {RelativeTo(own.Mean(), whole), RelativeTo(own.Mean(), undetected)};
+    return {RelativeTo(own.Mean(), whole), RelativeTo(own.Mean(), undetected),
+            std::accumulate(undetected.begin(), undetected.end(), 0.0)};
 }
 
 /// Whether any of the 3 by 3 pixels around one, as far as they are in the block, is active.
@@ -86,6 +89,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
             variance = EstimatedVariance(pixel, around.Around(estimate, i), around.Blurred(i), shrinkage);
         pixel.variance = LargestChannel(variance.whole);
         pixel.undetected = LargestChannel(variance.undetected);
+        pixel.undetectedNoise = variance.undetectedNoise;
         const double deviation = std::sqrt(pixel.variance / pixel.varianceRatio * samples);
         candidates.push_back({i, variance.whole, target(deviation / around.MeanDeviation()) / confidence});
     }

@@ -82,7 +82,7 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
     {
         const PixelStatistics& pixel = estimate.pixels[i].statistics;
         made->Set(i % area.width, i / area.width, pixel.Mean(), uniform ? Radiance{} : pixel.DualBufferDifference(),
-                  ratio[i] * variance[i] / pixel.Samples(), pixel.Samples());
+                  ratio[i] * variance[i] / pixel.Samples() + estimate.pixels[i].undetectedNoise, pixel.Samples());
     }
     made->RepeatEdges(area.width, area.height);
     estimate.statistics = made;
