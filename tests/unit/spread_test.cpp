@@ -97,6 +97,20 @@ CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float ra
     return {x, y, radius, 0.0f, 0.0f, radius, &lens};
 }
 
+/// What a pixel has received: red, green, blue, and the shares.
+Float4 SentTo(const SpreadSums& sums, int buffer, int x, int y)
+{
+    Float4 sent;
+    for (int c = 0; c < 4; c++)
+        sent[c] = *sums.From(buffer, c, x, y);
+    return sent;
+}
+
+Float4 SentTo(const SpreadSums& sums, int x, int y)
+{
+    return SentTo(sums, 0, x, y) + SentTo(sums, 1, x, y);
+}
+
 TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
 {
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
@@ -110,7 +124,7 @@ TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
             for (int y = -kReach; y < kSide + kReach; y++)
                 for (int x = -kReach; x < kSide + kReach; x++)
                 {
-                    const Float4 both = sums->At(x, y).buffer[0] + sums->At(x, y).buffer[1];
+                    const Float4 both = SentTo(*sums, x, y);
                     share += both[3];
                     red += both[0];
                     EXPECT_TRUE(both[3] == 0.0f || std::max(std::abs(x - 3), std::abs(y - 15)) <= kReach);
@@ -163,7 +177,7 @@ TEST(SpreadSums, SharesAreOneOverTheNumberOfPixelsThatCouldHaveSentThem)
             for (int u = column - kReach; u <= column + kReach; u++)
             {
                 const bool own = u == column && v == row;
-                const double share = own ? sums->OwnShare(u, v) : sums->At(u, v).buffer[0][3] + sums->At(u, v).buffer[1][3];
+                const double share = own ? sums->OwnShare(u, v) : SentTo(*sums, u, v)[3];
                 const double expected = distance(u, v) <= 1.0 ? senders(column, row) / (count * senders(u, v)) : 0.0;
                 ASSERT_NEAR(share, expected, 1e-4 * expected) << u << ", " << v << " of " << x << ", " << y << ": " << a << ", " << b;
             }
@@ -195,7 +209,7 @@ TEST(SpreadSums, AreTheSameWithAvx2AndWithout)
         for (int y = -kReach; y < kSide + kReach; y++)
             for (int x = -kReach; x < kSide + kReach; x++)
                 for (int c = 0; c < 8; c++)
-                    ASSERT_EQ(sums->At(x, y).buffer[c / 4][c % 4], plain->At(x, y).buffer[c / 4][c % 4]) << x << ", " << y;
+                    ASSERT_EQ(*sums->From(c / 4, c % 4, x, y), *plain->From(c / 4, c % 4, x, y)) << x << ", " << y;
         for (int i = 0; i < kSide * kSide; i++)
             ASSERT_EQ(sums->OwnShare(i % kSide, i / kSide), plain->OwnShare(i % kSide, i / kSide));
     }
@@ -206,7 +220,7 @@ TEST(SpreadSums, AreTheSameWithAvx2AndWithout)
 double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
-    SpreadSum received;
+    Float4 received = Float4();
     for (int i = 0; i < 9; i++)
     {
         const int left = i % 3 * kSide, top = i / 3 * kSide;
@@ -224,10 +238,9 @@ double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
             }
         const int x = pixelX - left, y = pixelY - top;
         if (std::min(x, y) >= -kReach && std::max(x, y) < kSide + kReach)
-            received.Add(sums.At(x, y));
+            received += SentTo(sums, x, y);
     }
-    const Float4 all = received.buffer[0] + received.buffer[1];
-    return all[0] / all[3];
+    return received[0] / received[3];
 }
 
 TEST(SpreadSums, AllPartsOfTheLensCountAlikeHoweverWideTheCircle)

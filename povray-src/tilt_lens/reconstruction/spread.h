@@ -79,18 +79,6 @@ struct PictureSpan
     float begin, end;
 };
 
-/// Sums of what other pixels' samples have sent to a pixel.
-struct SpreadSum
-{
-    Float4 buffer[2] = {};  ///< red, green, blue, and the shares; each of two halves of the samples
-
-    void Add(const SpreadSum& other)
-    {
-        buffer[0] += other.buffer[0];
-        buffer[1] += other.buffer[1];
-    }
-};
-
 /// Of the pixels of a block: what the samples of their first round send to the pixels at most kReach away.
 class SpreadSums
 {
@@ -112,16 +100,8 @@ class SpreadSums
     /// The same on processors without AVX2, with the same sums to the last bit.
     void AddPlain(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
 
-    /// Of pixel (x, y), -kReach <= x, y < blockSide + kReach; nothing that it sent to itself.
-    SpreadSum At(int x, int y) const
-    {
-        SpreadSum sum;
-        for (int buffer = 0; buffer < 2; buffer++)
-            for (int c = 0; c < 4; c++)
-                sum.buffer[buffer][c] = *From(buffer, c, x, y);
-        return sum;
-    }
-    /// One number of it; those of the pixels to the right follow.
+    /// Of pixel (x, y), -kReach <= x, y < blockSide + kReach, and of those to the right of it: sums of what other pixels' samples have sent.
+    /// @param buffer  of the samples, which are two halves
     /// @param c  red, green, blue, and the shares
     const float* From(int buffer, int c, int x, int y) const { return &sums[buffer][c][PlaceOf(x, y)]; }
     /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
