@@ -354,12 +354,13 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
 {
     constexpr double blur = 12.0, lamp = 3.0, brightness = 0.5, middle = 32.0;
     Lens lens;
-    const LensFootprint footprint(lens, Aperture::Disc(), 64.0, 64.0);
+    const Aperture disc = Aperture::Disc();
+    const LensFootprint footprint(lens, disc, 64.0, 64.0);
     const auto trace = [&](const SampleId& id, SampleResult& result)
     {
         const SequencePoint s = SequencePointOf(id);
-        const double radius = std::sqrt(s.lensU), angle = 2.0 * M_PI * s.lensV, a = radius * std::cos(angle), b = radius * std::sin(angle);
-        const double x = id.x + s.pixelX + blur * a, y = id.y + s.pixelY + blur * b;  // where the ray meets the plane of the lamp
+        const AperturePoint lensPoint = disc(s.lensU, s.lensV);
+        const double x = id.x + s.pixelX + blur * lensPoint.a, y = id.y + s.pixelY + blur * lensPoint.b;  // in the plane of the lamp
         result = Grey(std::hypot(x - middle, y - middle) < lamp ? brightness : 0.0);
         result.blurRadius = blur;
         result.circle = {float(x), float(y), float(blur), 0.0f, 0.0f, float(blur), &footprint};

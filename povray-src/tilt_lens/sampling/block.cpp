@@ -72,10 +72,9 @@ void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
         limits.Denoises() ? std::make_shared<SpreadSums>(area, width, height) : nullptr;
     TakeSamples(*estimate, samples, spread.get(), trace);
     UpdateVarianceRatios(*estimate, samples);
-    if (limits.Denoises())
-        UpdateBlockStatistics(*estimate, samples);
     auto round = std::make_unique<FirstRound>(*estimate);
-    round->statistics = estimate->statistics;
+    if (limits.Denoises())
+        round->statistics = StatisticsOf(*estimate);
     if (spread && spread->IsSpread())
         round->spread = spread;
     afterFirstRound = std::move(estimate);
@@ -98,7 +97,6 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
         return;
     const Neighbourhood around(FirstRoundsOf(neighbours), limits);
     BlockEstimate estimate = *afterFirstRound;
-    estimate.statisticsSamples = 0;  // they know no undetected error yet
     std::uint32_t samples = limits.FirstRound();
     while (UpdateConvergence(estimate, around, limits, samples))
     {

@@ -69,10 +69,8 @@ std::vector<double> VarianceAround(const BlockEstimate& estimate)
 
 } // namespace
 
-void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
+std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate)
 {
-    if (samples == estimate.statisticsSamples)
-        return;
     const Area& area = estimate.area;
     const bool uniform = estimate.IsUniform();  // then there is no noise to estimate
     const std::vector<double> none(uniform ? area.Size() : 0);
@@ -85,7 +83,14 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
                   ratio[i] * variance[i] / pixel.Samples() + estimate.pixels[i].undetectedNoise, pixel.Samples());
     }
     made->RepeatEdges(area.width, area.height);
-    estimate.statistics = made;
+    return made;
+}
+
+void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
+{
+    if (samples == estimate.statisticsSamples)
+        return;
+    estimate.statistics = StatisticsOf(estimate);
     estimate.statisticsSamples = samples;
 }
 

@@ -7,6 +7,7 @@
 #ifndef TILT_LENS_DENOISER_FORECAST_H
 #define TILT_LENS_DENOISER_FORECAST_H
 
+#include <memory>
 #include <vector>
 
 #include "tilt_lens/sampling/block_estimate.h"
@@ -26,7 +27,10 @@ struct Candidate
     bool HasConverged() const { return LargestChannel(variance) <= target; }
 };
 
-/// Makes the block's statistics for the reconstruction from the samples so far.
+/// The block's statistics for the reconstruction, from the samples so far.
+std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate);
+
+/// Makes them the estimate's own.
 /// @param samples  of an active pixel: of so many they are made only once
 void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
 
