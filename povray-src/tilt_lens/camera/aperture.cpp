@@ -91,7 +91,7 @@ TILT_LENS_INLINED void FindPosition(const Number& u, const Number& v, double edg
 template<class Vector>
 TILT_LENS_INLINED void FindFourPositions(const double* u, const double* v, double edges, double* positions, double* radii)
 {
-    for (int i = 0; i < 4; i += sizeof(Vector) / sizeof(double))
+    for (int i = 0; i < 4; i += kVectorWidth<Vector>)
     {
         Vector position, radius;
         FindPosition(Load<Vector>(u + i), Load<Vector>(v + i), edges, position, radius);
@@ -115,7 +115,7 @@ const auto findFourPositions = HasAvx2() ? FindFourByAvx2 : FindFourPlainly;
 template<class Vector>
 TILT_LENS_INLINED void MapToDisc(const double* u, const double* v, double* a, double* b, int count)
 {
-    for (int i = 0; i < count; i += sizeof(Vector) / sizeof(double))
+    for (int i = 0; i < count; i += kVectorWidth<Vector>)
     {
         Vector pointA, pointB;
         OnDisc(Load<Vector>(u + i), Load<Vector>(v + i), pointA, pointB);

@@ -62,7 +62,7 @@ class BoxRay
     TILT_LENS_INLINED unsigned int Enter(const EightBoxes& boxes, float limit, float* begin) const
     {
         unsigned int met = 0;
-        for (std::size_t first = 0; first < 8; first += sizeof(Vector) / sizeof(float))
+        for (std::size_t first = 0; first < 8; first += kVectorWidth<Vector>)
             met |= EnterSome(boxes, limit, begin, first) << first;
         return met;
     }

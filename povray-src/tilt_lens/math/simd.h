@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace tilt_lens
 {
@@ -24,11 +25,15 @@ typedef double Double2 __attribute__((vector_size(16)));
 typedef double Double4 __attribute__((vector_size(32)));
 typedef float Float4 __attribute__((vector_size(16)));
 typedef float Float2 __attribute__((vector_size(8)));  ///< what converts to a Double2
-typedef long long Mask2 __attribute__((vector_size(16)));
+typedef decltype(Double2() < Double2()) Mask2;
 typedef int Mask4 __attribute__((vector_size(16)));
 typedef float Float8 __attribute__((vector_size(32)));
 typedef int Mask8 __attribute__((vector_size(32)));
-typedef long long LongMask4 __attribute__((vector_size(32)));
+typedef decltype(Double4() < Double4()) LongMask4;
+
+/// How many numbers lie side by side in it.
+template<class Vector>
+constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector&>()[0]);
 
 /// Of functions that are called where HasAvx2() only. What they inline is compiled for AVX2, too, without contracted operations.
 #if defined(__x86_64__) || defined(__i386__)
@@ -71,6 +76,10 @@ TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
         std::memcpy(to, &vector, sizeof(vector));
 }
 
+/// What a comparison of numbers or of vectors gives: bool, or a mask with all bits set in the lanes where it holds.
+template<class Number>
+using MaskOf = decltype(std::declval<Number>() < std::declval<Number>());
+
 /// @name Lane by lane, or of two numbers; b where either is no number.
 /// @{
 template<class Vector>
@@ -89,10 +98,12 @@ TILT_LENS_INLINED Vector Max(const Vector& a, const Vector& b)
 template<class Vector>
 TILT_LENS_INLINED Vector SquareRoot(Vector value)
 {
-    for (std::size_t lane = 0; lane < sizeof(value) / sizeof(value[0]); lane++)
+    for (std::size_t lane = 0; lane < kVectorWidth<Vector>; lane++)
         value[lane] = std::sqrt(value[lane]);
     return value;
 }
+
+inline double SquareRoot(double value) { return std::sqrt(value); }
 
 /// One bit for each lane.
 TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)
@@ -114,6 +125,25 @@ TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const Mask8& mask)
 #else
     const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
     return SignBits(halves[0]) | SignBits(halves[1]) << 4;
+#endif
+}
+
+TILT_LENS_INLINED unsigned int SignBits(const Mask2& mask)
+{
+#ifdef __SSE2__
+    return __builtin_ia32_movmskpd(reinterpret_cast<const Double2&>(mask));
+#else
+    return (mask[0] < 0 ? 1u : 0u) | (mask[1] < 0 ? 2u : 0u);
+#endif
+}
+
+TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const LongMask4& mask)
+{
+#ifdef __SSE2__
+    return __builtin_ia32_movmskpd256(reinterpret_cast<const Double4&>(mask));
+#else
+    const Mask2* const halves = reinterpret_cast<const Mask2*>(&mask);
+    return SignBits(halves[0]) | SignBits(halves[1]) << 2;
 #endif
 }
 

@@ -26,7 +26,7 @@ constexpr int kPixels = kSide * kSide;
 using Plane = PaddedBlock::Plane;
 
 template<class Vector>
-constexpr int kWidth = sizeof(Vector) / sizeof(float);
+constexpr int kWidth = kVectorWidth<Vector>;
 
 constexpr int At(int x, int y) { return PaddedBlock::At(x, y); }
 

@@ -82,7 +82,7 @@ constexpr LaneNumbers kOffsets = Numbered();
 constexpr float kInRow[2 * SpreadSums::kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 
 template<class Vector>
-constexpr int kWidth = sizeof(Vector) / sizeof(float);
+constexpr int kWidth = kVectorWidth<Vector>;
 
 /// A circle of confusion along one axis of the picture.
 struct Extent

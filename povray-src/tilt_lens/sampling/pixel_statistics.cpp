@@ -50,7 +50,7 @@ template<class Vector>
 TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
                                     RunMaxima& maxima)
 {
-    constexpr std::size_t lanes = sizeof(Vector) / sizeof(double), vectors = 4 / lanes;
+    constexpr std::size_t lanes = kVectorWidth<Vector>, vectors = 4 / lanes;
     ChannelSums<Vector> four[vectors];
     ChannelSums<double> last;
     for (std::size_t k = 0; k < vectors; k++)
