@@ -5,6 +5,7 @@
 
 #include "tilt_lens/sampling/camera_rays.h"
 
+#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -98,6 +99,48 @@ TEST(CameraRays, AreThoseOfSamplesThatAreSentAtEmitters)
     const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
     ASSERT_FALSE(emitters.TargetsOf(27, 24).targets.empty());
     ExpectRaysOneByOne(lens, emitters);
+}
+
+/// A double Gauss, wide open, at the picture's edge: its rims refuse some samples, and some pixels see nothing.
+TEST(CameraRays, OfALensOfGlassAreThoseOfTheSamplesOneByOne)
+{
+    Statement statement;
+    statement.prescription = std::make_shared<const Prescription>(ReadPrescription(
+        "29.475 3.76 1.67 25.2\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23\n40.77 3.275 1.699 23\n12.75 5.705 1 18\n0 4.5 0 17.1\n"
+        "-14.495 1.18 1.603 17\n40.77 6.065 1.658 20\n-20.385 0.19 1 20\n437.065 3.22 1.717 20\n-39.73 0 1 20\n"));
+    statement.sceneUnit = 1.0;
+    statement.focalPoint = {0.0, 0.0, 3000.0};
+    statement.shiftUp = 9.0;
+    const Lens lens = Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
+    const GlassCamera glass(lens, Aperture::Disc(), 1.0);
+    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {});
+    std::uint32_t refusedInAll = 0;
+    for (const std::uint32_t y : {0u, 24u, 47u})
+    {
+        CameraRayBatch batch(lens, emitters, &glass, 5);
+        const PixelSampler sampler(27, y, 5);
+        for (const SampleRun& run : Runs(27, y))
+        {
+            batch.Make(run);
+            std::uint32_t refused = 0;
+            for (std::uint32_t i = 0; i < run.count; i++)
+            {
+                const SequencePoint point = sampler(run[i].index);
+                CameraRay one;
+                one.Draw(glass, run[i], point, FilmPointAt(27 + point.pixelX, y + point.pixelY, kWidth, kHeight));
+                CameraRays expected{};
+                expected.Put(0, one);
+                refused += one.refused;
+                ASSERT_EQ(batch.Rays().samples.weight[run.Place() + i], one.sample.weight);
+                if (one.sample.weight == 0.0)
+                    continue;
+                ASSERT_EQ(NumbersOf(batch.Rays(), run.Place() + i), NumbersOf(expected, 0)) << y << ", sample " << run[i].index;
+            }
+            EXPECT_EQ(batch.Refused(), refused);
+            refusedInAll += refused;
+        }
+    }
+    EXPECT_GT(refusedInAll, 100u);
 }
 
 /// Squares of these would be infinite or 0: such lengths are found another way.

@@ -211,6 +211,91 @@ TEST(GlassCamera, DrawsDirectionsEvenly)
     }
 }
 
+/// Four side by side are those that are drawn one by one, to the last bit, whichever of them are wanted.
+TEST(GlassCamera, DrawsFourAsOneByOne)
+{
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    int refused = 0;
+    for (const Named& named : Cameras())
+        for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
+        {
+            const GlassCamera camera = named.camera.Made(aperture, 0.7);
+            for (unsigned int group = 0; group < 300; group++)
+            {
+                FourGlassPoints points;
+                for (int i = 0; i < 4; i++)
+                {
+                    points.x[i] = 1.1 * part(random) - 0.55, points.y[i] = 1.1 * part(random) - 0.55;
+                    points.u[i] = part(random), points.v[i] = part(random);
+                    points.seed[i] = 4 * group + i;
+                }
+                points.wanted = group % 16;
+                FourGlassSamples samples;
+                camera.Draw(points, samples);
+                for (int i = 0; i < 4; i++)
+                {
+                    if ((points.wanted >> i & 1u) == 0)
+                    {
+                        EXPECT_EQ(samples.weight[i], 0.0);
+                        EXPECT_EQ(samples.refused[i], 0u);
+                        continue;
+                    }
+                    const GlassSample one = camera.Draw({points.x[i], points.y[i]}, points.u[i], points.v[i], points.seed[i]);
+                    ASSERT_EQ(samples.weight[i], one.weight) << named.name;
+                    EXPECT_EQ(samples.refused[i], one.refused);
+                    refused += one.refused;
+                    EXPECT_EQ(samples.w[i], one.ray.w);
+                    const Vec3 &origin = one.ray.origin, &direction = one.ray.direction;
+                    const double numbers[3][2] = {{origin.x, direction.x}, {origin.y, direction.y}, {origin.z, direction.z}};
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        EXPECT_EQ(samples.origin[axis][i], numbers[axis][0]);
+                        EXPECT_EQ(samples.direction[axis][i], numbers[axis][1]);
+                    }
+                }
+            }
+        }
+    EXPECT_GT(refused, 300);
+}
+
+/// A point of the unit disc leads to that point of the ellipse of directions, through the glass, and into the world's axes.
+TEST(GlassCamera, DrawsThePointOfTheEllipse)
+{
+    const Aperture disc = Aperture::Disc();
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    for (const Named& named : Cameras())
+    {
+        const Lens lens = named.camera.Solved();
+        const GlassCamera camera = named.camera.Made();
+        const Vec3 axisX = Normalized(lens.lensX), axisY = Normalized(lens.lensY);
+        int compared = 0;
+        for (int i = 0; i < 300; i++)
+        {
+            const FilmPoint film{part(random) - 0.5, part(random) - 0.5};
+            const double u = part(random), v = part(random);
+            const GlassSample sample = camera.Draw(film, u, v, i);
+            if (sample.weight == 0.0 || sample.refused != 0)
+                continue;
+            compared++;
+            const Vec3 place = camera.FilmInLens(film);
+            const PupilEllipse bounds = camera.BoundsAt(film);
+            const PupilPoint axis = RadialAxis(place);
+            const AperturePoint point = disc(u, v);
+            const double along = bounds.radial * point.a, across = bounds.tangential * point.b;
+            auto ray = RayTowards(place, {bounds.centre.l + along * axis.l - across * axis.m, bounds.centre.m + along * axis.m + across * axis.l});
+            ASSERT_TRUE(ray);
+            ASSERT_EQ(TraceThrough(*lens.glass, disc, *ray), Passage::Passed);
+            const auto world = [&](const Vec3& a) { return a.x * axisX + a.y * axisY + a.z * lens.normal; };
+            EXPECT_LT(Length(sample.ray.origin - lens.millimetre * world(ray->origin)), 1e-12 * lens.millimetre) << named.name;
+            EXPECT_LT(Length(Normalized(sample.ray.direction) - world(ray->direction)), 1e-13) << named.name;
+            EXPECT_NEAR(sample.weight, camera.Brightness(film), 1e-15);
+        }
+        EXPECT_GT(compared, 100) << named.name;
+    }
+}
+
 TEST(GlassCamera, RefusesFewRays)
 {
     for (const Named& named : Cameras())

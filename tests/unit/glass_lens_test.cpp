@@ -240,6 +240,53 @@ TEST(GlassLens, LeadsBackTheSameWay)
     }
 }
 
+/// Through, past, and against rims and stop, where some of the four end and others do not.
+TEST(GlassLens, TracesFourSideBySideAsOneByOne)
+{
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> part(-1.0, 1.0);
+    for (const Prescription& prescription : {DoubleGauss(), Aspheric(), Singlet(20.0, -20.0, 18.0, 1.9, 1.0, 38.0)})
+    {
+        const GlassLens lens(prescription);
+        const double film = -lens.Cardinal().separation - 1.1 * lens.Cardinal().focalLength;
+        int passed = 0, ended = 0;
+        for (int group = 0; group < 1000; group++)
+        {
+            FourGlassRays four;
+            FourStopPoints stops;
+            GlassRay rays[4];
+            for (int i = 0; i < 4; i++)
+            {
+                const Vec3 from{15.0 * part(random), 10.0 * part(random), film};
+                rays[i] = {from, Towards(from, {12.0 * part(random), 12.0 * part(random), lens.Cardinal().rearVertex})};
+                four.origin[0][i] = from.x, four.origin[1][i] = from.y, four.origin[2][i] = from.z;
+                const Vec3& direction = rays[i].direction;
+                four.direction[0][i] = direction.x, four.direction[1][i] = direction.y, four.direction[2][i] = direction.z;
+            }
+            const unsigned int passes = lens.Trace(four, stops);
+            for (int i = 0; i < 4; i++)
+            {
+                StopPoint stop;
+                const bool expected = lens.Trace(rays[i], stop) == Passage::Passed;
+                ASSERT_EQ((passes >> i & 1u) != 0, expected);
+                (expected ? passed : ended)++;
+                if (!expected)
+                    continue;
+                EXPECT_EQ(four.origin[0][i], rays[i].origin.x);
+                EXPECT_EQ(four.origin[1][i], rays[i].origin.y);
+                EXPECT_EQ(four.origin[2][i], rays[i].origin.z);
+                EXPECT_EQ(four.direction[0][i], rays[i].direction.x);
+                EXPECT_EQ(four.direction[1][i], rays[i].direction.y);
+                EXPECT_EQ(four.direction[2][i], rays[i].direction.z);
+                EXPECT_EQ(stops.a[i], stop.a);
+                EXPECT_EQ(stops.b[i], stop.b);
+            }
+        }
+        EXPECT_GT(passed, 100);
+        EXPECT_GT(ended, 100);
+    }
+}
+
 TEST(GlassLens, TellsHowARayEnds)
 {
     const GlassLens lens(Singlet(20.0, -20.0, 18.0, 1.9, 1.0, 38.0));

@@ -53,12 +53,16 @@ inline double FocusVergence(const Lens& lens, const Vec3& chief)
     return lens.fieldCurvature == 0.0 ? w : w + FieldVergence(lens, chief);
 }
 
-struct LensRay
+/// A ray, or rays side by side.
+template<class Number>
+struct LensRayOf
 {
-    Vec3 origin;     ///< relative to the lens centre, world axes, scene units
-    Vec3 direction;  ///< not normalised: parameter 1/w is the plane of sharp focus
-    double w;        ///< as above
+    VecOf<Number> origin;     ///< relative to the lens centre, world axes, scene units
+    VecOf<Number> direction;  ///< not normalised: parameter 1/w is the plane of sharp focus
+    Number w;                 ///< as above
 };
+
+using LensRay = LensRayOf<double>;
 
 /// @param ideal     film point of the ideal lens
 /// @param vergence  added to w for each unit of the chief ray along the lens's axis

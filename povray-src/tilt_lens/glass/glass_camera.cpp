@@ -14,18 +14,6 @@
 namespace tilt_lens
 {
 
-namespace
-{
-
-/// Places of the table in a row and in a column of the frame; odd, so that the middle is one. Between them the share that is
-/// open is linear: where it bends by 4 over the frame, 1/8 of that over the squared number of steps is missed, 1/2000.
-constexpr int kTableSide = 33;
-
-/// The least part of a ray's direction that lies along the camera's axis, where that scales the direction.
-constexpr double kLeastAlong = 0.01;
-
-} // namespace
-
 GlassCamera::GlassCamera(const Lens& itsLens, const Aperture& itsAperture, double itsNatural) :
     lens(itsLens),
     glass(itsLens.glass),
@@ -141,61 +129,12 @@ PupilEllipse GlassCamera::BoundsOf(const Node& node, const Vec3& place) const
 
 PupilEllipse GlassCamera::BoundsAt(const FilmPoint& film) const { return BoundsOf(Between(film), FilmInLens(film)); }
 
-double GlassCamera::BrightnessOf(const Node& node) const
+double GlassCamera::Brightness(const FilmPoint& film) const
 {
-    const double falloff = natural == 0.0 ? 1.0 : 1.0 - natural + natural * node.natural / middleNatural;
-    return falloff * node.open / middleOpen;
+    const Node node = Between(film);
+    return BrightnessOf(node.open, node.natural);
 }
-
-double GlassCamera::Brightness(const FilmPoint& film) const { return BrightnessOf(Between(film)); }
 
 double GlassCamera::OpenShare(const FilmPoint& film) const { return Between(film).open; }
-
-/// As long as the film point's chief ray along the camera's axis, so that parameters of hits compare with those of ideal rays.
-LensRay GlassCamera::ToWorld(const FilmPoint& film, const GlassRay& ray) const
-{
-    const auto world = [&](const Vec3& v) { return v.x * axisX + v.y * axisY + v.z * lens.normal; };
-    const Vec3 direction = world(ray.direction);
-    const double scale = Dot(lens.direction, lens.axis) / std::max(Dot(direction, lens.axis), kLeastAlong);
-    return {lens.millimetre * world(ray.origin), scale * direction, lens.focusMiddle + film.x * lens.focusRight + film.y * lens.focusUp};
-}
-
-GlassSample GlassCamera::DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const
-{
-    const Node node = Between(film);
-    GlassSample sample{{}, 0.0, 0};
-    if (!(node.open > 0.0))
-        return sample;
-    const Vec3 place = FilmInLens(film);
-    const PupilEllipse bounds = BoundsOf(node, place);
-    const PupilPoint radial = RadialAxis(place);
-    UniformNumbers uniform(seed);
-    for (; sample.refused <= kTries; sample.refused++)
-    {
-        const AperturePoint point = disc(u, v);
-        const double along = bounds.radial * point.a, across = bounds.tangential * point.b;
-        std::optional<GlassRay> ray =
-            RayTowards(place, {bounds.centre.l + along * radial.l - across * radial.m, bounds.centre.m + along * radial.m + across * radial.l});
-        if (ray && TraceThrough(colour, aperture, *ray) == Passage::Passed)
-        {
-            sample.ray = ToWorld(film, *ray);
-            sample.weight = BrightnessOf(node);
-            return sample;
-        }
-        u = uniform();
-        v = uniform();
-    }
-    return sample;
-}
-
-std::optional<LensRay> GlassCamera::MiddleRay(const FilmPoint& film) const
-{
-    const Node node = Between(film);
-    const Vec3 place = FilmInLens(film);
-    std::optional<GlassRay> ray = RayTowards(place, BoundsOf(node, place).centre);
-    if (!(node.open > 0.0) || !ray || TraceThrough(*glass, aperture, *ray) != Passage::Passed)
-        return {};
-    return ToWorld(film, *ray);
-}
 
 } // namespace tilt_lens

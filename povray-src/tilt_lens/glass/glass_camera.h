@@ -39,6 +39,22 @@ struct GlassSample
     std::uint32_t refused;  ///< rays before it that the lens let not through
 };
 
+/// Film points, and what draws their samples' directions, side by side.
+struct FourGlassPoints
+{
+    double x[4], y[4];      ///< film points
+    double u[4], v[4];      ///< in [0, 1)
+    std::uint32_t seed[4];  ///< of the random numbers that directions are drawn again with
+    unsigned int wanted;    ///< a bit for each of them that a sample is wanted of, the lowest for the first
+};
+
+/// Their samples; as GlassSample and LensRay have them.
+struct FourGlassSamples
+{
+    double origin[3][4], direction[3][4], w[4], weight[4];
+    std::uint32_t refused[4];
+};
+
 /// Immutable: threads share it.
 class GlassCamera
 {
@@ -49,8 +65,11 @@ class GlassCamera
     /// @throws std::invalid_argument  the lens leaves (almost) no light in the middle of the picture
     GlassCamera(const Lens& lens, const Aperture& aperture, double natural);
 
-    /// @param u, v  in [0, 1)
-    /// @param seed  of the random numbers that directions are drawn again with
+    /// Of light of the d line.
+    void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(*glass, points, samples); }
+
+    /// One of them.
+    /// @param u, v, seed  as FourGlassPoints has them
     GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(*glass, film, u, v, seed); }
 
     /// The same for light of one colour, of a lens with dispersion. How much of it the rims cover is taken as for the d line, so that
@@ -80,6 +99,10 @@ class GlassCamera
     PupilEllipse BoundsAt(const FilmPoint& film) const;
 
   private:
+    /// Places of the table in a row and in a column of the frame; odd, so that the middle is one. Between them the share that is
+    /// open is linear: where it bends by 4 over the frame, 1/8 of that over the squared number of steps is missed, 1/2000.
+    static constexpr int kTableSide = 33;
+
     /// A place of the frame. The ellipse's centre counts from the paraxial aim, so that it changes little from place to place.
     struct Node
     {
@@ -104,9 +127,32 @@ class GlassCamera
     Node NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const;
     Node Between(const FilmPoint& film) const;
     PupilEllipse BoundsOf(const Node& node, const Vec3& place) const;
-    double BrightnessOf(const Node& node) const;
+    /// @param open, natural  of a Node
+    template<class Number>
+    TILT_LENS_INLINED Number BrightnessOf(const Number& open, const Number& itsNatural) const
+    {
+        const Number even = Number() + 1.0, falloff = natural == 0.0 ? even : 1.0 - natural + natural * itsNatural / middleNatural;
+        return falloff * open / middleOpen;
+    }
+
+    template<class Number>
+    LensRayOf<Number> ToWorld(const Number& x, const Number& y, const GlassRayOf<Number>& ray) const;
+    struct FourPupils;
+    template<class Vector>
+    struct Interpolation;
+    template<class Vector>
+    void FindPupils(const FourGlassPoints& points, FourPupils& pupils) const;
+    template<class Vector>
+    static unsigned int Aim(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays);
+    template<class Vector>
+    unsigned int DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
+                          FourGlassRays& drawn, std::uint32_t (&refused)[4]) const;
+    template<class Vector>
+    void DrawBy(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
+    void DrawPlainly(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
+    void DrawByAvx2(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
+    void DrawThrough(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
     GlassSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
-    LensRay ToWorld(const FilmPoint& film, const GlassRay& ray) const;
 };
 
 } // namespace tilt_lens

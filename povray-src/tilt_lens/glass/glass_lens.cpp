@@ -15,10 +15,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Newton's steps to an aspherical surface, and how exact they must be, as a part of the ray's height or of 1 mm.
-constexpr int kMostSteps = 30;
-constexpr double kNearEnough = 1e-13;
-
 /// Steps that find the widest ray to 1e-12 of the first surface.
 constexpr int kHalvings = 40;
 
@@ -64,7 +60,7 @@ GlassLens::GlassLens(const Prescription& prescription) : cardinal(CardinalPoints
     for (std::size_t i = 0; i < prescription.rows.size(); i++)
     {
         const PrescriptionRow& row = prescription.rows[i];
-        Surface surface{z, row.radius == 0.0 ? 0.0 : -1.0 / row.radius, row.index / IndexBefore(prescription, i),
+        GlassSurface surface{z, row.radius == 0.0 ? 0.0 : -1.0 / row.radius, row.index / IndexBefore(prescription, i),
                         0.25 * row.diameter * row.diameter, i == prescription.stop, row.conic == 0.0 && row.aspheric.empty(), row.conic, {}};
         for (const double coefficient : row.aspheric)
             surface.aspheric.push_back(-coefficient);
@@ -106,151 +102,32 @@ void GlassLens::StopDown(double fNumber)
     StopPoint stop{1.0, 0.0};
     TraceFromScene(ray, stop, false);
     stopRadius = std::min(widestStop, stopRadius * std::fabs(stop.a));
-    for (Surface& surface : surfaces)
+    for (GlassSurface& surface : surfaces)
         if (surface.stop)
             surface.squaredRim = stopRadius * stopRadius;
 }
 
-namespace
+template<bool towardsScene>
+inline Passage GlassLens::Cross(const GlassSurface& surface, GlassRay& ray, StopPoint& point, bool rims) const
 {
-
-inline double SquaredHeight(const GlassRay& ray) { return ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y; }
-
-/// Of the way that a ray goes.
-template <bool towardsScene>
-inline double Signed(double value)
-{
-    return towardsScene ? value : -value;
-}
-
-/// Snell's law. False where all light is reflected.
-/// @param cosine  of the normal, of length 1, and the direction
-/// @param ratio   index on the side of the film over that of the scene
-template <bool towardsScene>
-inline bool Refract(double ratio, double cosine, const Vec3& normal, Vec3& direction)
-{
-    if (!towardsScene)
-        ratio = 1.0 / ratio;
-    const double left = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
-    if (!(left >= 0.0))
-        return false;
-    direction = ratio * direction + (Signed<towardsScene>(std::sqrt(left)) - ratio * cosine) * normal;
-    return true;
-}
-
-} // namespace
-
-/// Sphere or plane: c |p|^2 = 2 p.z for a point p counted from the vertex, so that along the ray c t^2 - 2 half t + constant = 0. The
-/// root near the vertex is meant; the square root itself is the cosine of the ray and the normal (-c p.x, -c p.y, 1 - c p.z).
-template <bool towardsScene>
-inline Passage GlassLens::CrossSphere(const Surface& surface, GlassRay& ray, bool rims)
-{
-    const double c = surface.curvature;
-    const Vec3& d = ray.direction;
-    const Vec3 p{ray.origin.x, ray.origin.y, ray.origin.z - surface.z};
-    const double constant = c * Dot(p, p) - 2.0 * p.z, half = d.z - c * Dot(p, d);
-    const double square = half * half - c * constant;
-    if (!(square >= 0.0))
-        return Passage::Missed;
-    const double cosine = Signed<towardsScene>(std::sqrt(square)), step = constant / (half + cosine), depth = p.z + step * d.z;
-    ray.origin = {p.x + step * d.x, p.y + step * d.y, surface.z + depth};
-    const Vec3 normal{-c * ray.origin.x, -c * ray.origin.y, 1.0 - c * depth};
-    if (!(normal.z > 0.0))  // beyond where the sphere turns back
-        return Passage::Missed;
-    if (rims && SquaredHeight(ray) > surface.squaredRim)
-        return Passage::Rim;
-    return Refract<towardsScene>(surface.ratio, cosine, normal, ray.direction) ? Passage::Passed : Passage::Reflected;
-}
-
-/// The ray's origin moves to the conic; the normal, of any length, points to the scene. False where there is none, or the ray comes
-/// from beyond where the surface turns back.
-bool GlassLens::IntersectConic(const Surface& surface, GlassRay& ray, Vec3& normal)
-{
-    const double c = surface.curvature;
-    const Vec3& d = ray.direction;
-    // on the plane through the vertex
-    const double way = (surface.z - ray.origin.z) / d.z;
-    const double x = ray.origin.x + way * d.x, y = ray.origin.y + way * d.y;
-    // c (x^2 + y^2 + (1 + conic) z^2) = 2 z along the ray: square t^2 - 2 half t + constant = 0, the root near the vertex
-    const double constant = c * (x * x + y * y), half = d.z - c * (x * d.x + y * d.y);
-    const double square = c * (1.0 + surface.conic * d.z * d.z);
-    const double root = half * half - square * constant;
-    if (!(root >= 0.0))
-        return false;
-    const double step = constant / (half + std::copysign(std::sqrt(root), d.z));
-    const double depth = step * d.z;
-    ray.origin = {x + step * d.x, y + step * d.y, surface.z + depth};
-    normal = {-c * ray.origin.x, -c * ray.origin.y, 1.0 - c * (1.0 + surface.conic) * depth};
-    return normal.z > 0.0;
-}
-
-/// From the conic's point by Newton's steps along the ray.
-bool GlassLens::IntersectAspheric(const Surface& surface, GlassRay& ray, Vec3& normal)
-{
-    const double c = surface.curvature;
-    for (int i = 0; i < kMostSteps; i++)
+    if (surface.stop)
     {
-        const double x = ray.origin.x, y = ray.origin.y, square = x * x + y * y;
-        const double inner = 1.0 - (1.0 + surface.conic) * c * c * square;
-        if (!(inner > 0.0))
-            return false;
-        const double root = std::sqrt(inner);
-        double sag = c * square / (1.0 + root), slope = c / root;  // slope: of the sag by the height, over the height
-        double power = square;
-        for (std::size_t j = 0; j < surface.aspheric.size(); j++)
-        {
-            slope += (2.0 * j + 4.0) * surface.aspheric[j] * power;
-            power *= square;
-            sag += surface.aspheric[j] * power;
-        }
-        normal = {-slope * x, -slope * y, 1.0};
-        const double step = (surface.z + sag - ray.origin.z) / Dot(normal, ray.direction);
-        ray.origin = ray.origin + step * ray.direction;
-        if (std::fabs(step) <= kNearEnough * (1.0 + std::sqrt(square)))
-            return true;
+        const bool passes = CrossStop(surface, ray);
+        point = {StopScale() * ray.origin.x, StopScale() * ray.origin.y};
+        return passes ? Passage::Passed : Passage::Stopped;
     }
-    return false;
-}
-
-template <bool towardsScene>
-Passage GlassLens::CrossOther(const Surface& surface, GlassRay& ray, bool rims)
-{
-    Vec3 normal;
-    if (!IntersectConic(surface, ray, normal) || (!surface.aspheric.empty() && !IntersectAspheric(surface, ray, normal)))
+    const Crossing<double> crossing = surface.sphere ? CrossSphere<towardsScene>(surface, ray) : CrossAsphere<towardsScene>(surface, ray);
+    if (!crossing.met)
         return Passage::Missed;
-    if (rims && SquaredHeight(ray) > surface.squaredRim)
+    if (rims && !crossing.withinRim)
         return Passage::Rim;
-    normal = normal / std::sqrt(Dot(normal, normal));
-    const double cosine = Dot(ray.direction, normal);
-    if (!(Signed<towardsScene>(cosine) > 0.0))
-        return Passage::Missed;
-    return Refract<towardsScene>(surface.ratio, cosine, normal, ray.direction) ? Passage::Passed : Passage::Reflected;
-}
-
-inline Passage GlassLens::CrossStop(const Surface& surface, GlassRay& ray, StopPoint& point) const
-{
-    ray.origin = ray.origin + ((surface.z - ray.origin.z) / ray.direction.z) * ray.direction;
-    const double scale = std::copysign(1.0 / stopRadius, cardinal.entranceRadius);
-    point = {scale * ray.origin.x, scale * ray.origin.y};
-    return SquaredHeight(ray) <= surface.squaredRim ? Passage::Passed : Passage::Stopped;
-}
-
-template <bool towardsScene>
-inline Passage GlassLens::Cross(const Surface& surface, GlassRay& ray, StopPoint& point, bool rims) const
-{
-    if (surface.sphere && !surface.stop)
-        return CrossSphere<towardsScene>(surface, ray, rims);
-    // by a copy, so that the ray can stay in registers
-    GlassRay crossed = ray;
-    const Passage passage = surface.stop ? CrossStop(surface, crossed, point) : CrossOther<towardsScene>(surface, crossed, rims);
-    ray = crossed;
-    return passage;
+    return crossing.refracted ? Passage::Passed : Passage::Reflected;
 }
 
 Passage GlassLens::Trace(GlassRay& ray, StopPoint& stop, bool rims) const
 {
     GlassRay traced = ray;
-    for (const Surface& surface : surfaces)
+    for (const GlassSurface& surface : surfaces)
     {
         const Passage passage = Cross<true>(surface, traced, stop, rims);
         if (passage != Passage::Passed)
@@ -271,11 +148,102 @@ Passage GlassLens::TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims) con
     return ray.direction.z < 0.0 ? Passage::Passed : Passage::Missed;
 }
 
+namespace
+{
+
+using Surfaces = std::vector<GlassSurface>;
+
+template<class Vector>
+TILT_LENS_INLINED GlassRayOf<Vector> LoadRays(const FourGlassRays& rays, std::size_t first)
+{
+    const auto load = [&](const double (&of)[3][4]) TILT_LENS_INLINED_LAMBDA
+        { return VecOf<Vector>{Load<Vector>(of[0] + first), Load<Vector>(of[1] + first), Load<Vector>(of[2] + first)}; };
+    return {load(rays.origin), load(rays.direction)};
+}
+
+template<class Vector>
+TILT_LENS_INLINED void StoreRays(const GlassRayOf<Vector>& ray, FourGlassRays& rays, std::size_t first)
+{
+    const auto store = [&](const VecOf<Vector>& from, double (&to)[3][4]) TILT_LENS_INLINED_LAMBDA
+        { Store(to[0] + first, from.x), Store(to[1] + first, from.y), Store(to[2] + first, from.z); };
+    store(ray.origin, rays.origin);
+    store(ray.direction, rays.direction);
+}
+
+/// Rays side by side to a conic or an aspherical surface, one after the other.
+template<class Vector>
+TILT_LENS_INLINED MaskOf<Vector> CrossOneByOne(const GlassSurface& surface, bool rims, GlassRayOf<Vector>& rays)
+{
+    Vector passes{};
+    for (std::size_t i = 0; i < kVectorWidth<Vector>; i++)
+    {
+        GlassRay ray{{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]}, {rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]}};
+        const Crossing<double> crossing = CrossAsphere<true>(surface, ray);
+        passes[i] = crossing.met && (crossing.withinRim || !rims) && crossing.refracted;
+        rays.origin.x[i] = ray.origin.x, rays.origin.y[i] = ray.origin.y, rays.origin.z[i] = ray.origin.z;
+        rays.direction.x[i] = ray.direction.x, rays.direction.y[i] = ray.direction.y, rays.direction.z[i] = ray.direction.z;
+    }
+    return passes > 0.0;
+}
+
+template<class Vector>
+TILT_LENS_INLINED unsigned int TraceSideBySide(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays,
+                                              FourStopPoints& stop)
+{
+    unsigned int passed = 0;
+    for (std::size_t first = 0; first < 4; first += kVectorWidth<Vector>)
+    {
+        GlassRayOf<Vector> ray = LoadRays<Vector>(rays, first);
+        MaskOf<Vector> passes = Vector() == Vector();
+        const MaskOf<Vector> beyondRims = rims ? Vector() != Vector() : passes;
+        for (const GlassSurface& surface : surfaces)
+        {
+            if (surface.stop)
+            {
+                passes &= CrossStop(surface, ray);
+                Store(stop.a + first, stopScale * ray.origin.x);
+                Store(stop.b + first, stopScale * ray.origin.y);
+            }
+            else if (surface.sphere)
+            {
+                const Crossing<Vector> crossing = CrossSphere<true>(surface, ray);
+                passes &= crossing.met & (crossing.withinRim | beyondRims) & crossing.refracted;
+            }
+            else
+                passes &= CrossOneByOne(surface, rims, ray);
+        }
+        StoreRays(ray, rays, first);
+        passed |= SignBits(passes & (ray.direction.z > 0.0)) << first;
+    }
+    return passed;
+}
+
+unsigned int TracePlainly(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays,
+                                              FourStopPoints& stop)
+{
+    return TraceSideBySide<Double2>(surfaces, stopScale, rims, rays, stop);
+}
+
+TILT_LENS_FOR_AVX2 unsigned int TraceByAvx2(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays,
+                                              FourStopPoints& stop)
+{
+    return TraceSideBySide<Double4>(surfaces, stopScale, rims, rays, stop);
+}
+
+const auto traceSideBySide = HasAvx2() ? TraceByAvx2 : TracePlainly;
+
+} // namespace
+
+unsigned int GlassLens::Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims) const
+{
+    return traceSideBySide(surfaces, StopScale(), rims, rays, stop);
+}
+
 double GlassLens::RearRadius() const { return std::sqrt(surfaces.front().squaredRim); }
 
 GlassLens::Front GlassLens::FrontBox() const
 {
-    const Surface& front = surfaces.back();
+    const GlassSurface& front = surfaces.back();
     // where the surface bends away and back, its sag at the rim does not tell its extent; the ball around the vertex does
     const double radius = std::sqrt(front.squaredRim);
     return {radius, front.z - radius, front.z + radius};

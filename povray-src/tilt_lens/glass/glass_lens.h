@@ -14,8 +14,10 @@
 #ifndef TILT_LENS_GLASS_LENS_H
 #define TILT_LENS_GLASS_LENS_H
 
+#include <cmath>
 #include <vector>
 
+#include "tilt_lens/glass/glass_surface.h"
 #include "tilt_lens/glass/prescription.h"
 #include "tilt_lens/math/vec3.h"
 
@@ -41,10 +43,10 @@ struct CardinalPoints
 /// @throws PrescriptionError  a lens that does not collect light
 CardinalPoints CardinalPointsOf(const Prescription& prescription);
 
-/// A ray: its direction has length 1.
-struct GlassRay
+/// Four rays side by side.
+struct FourGlassRays
 {
-    Vec3 origin, direction;
+    double origin[3][4], direction[3][4];
 };
 
 /// How a ray ended.
@@ -62,6 +64,12 @@ enum class Passage
 struct StopPoint
 {
     double a, b;
+};
+
+/// The same of four rays.
+struct FourStopPoints
+{
+    double a[4], b[4];
 };
 
 class GlassLens
@@ -88,6 +96,11 @@ class GlassLens
     /// @param rims         false: only the stop ends rays
     Passage Trace(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
+    /// The same for four rays side by side, to the last bit.
+    /// @param[in,out] rays  those that do not pass end somewhere, and may be no numbers
+    /// @return  a bit for each ray that passes, the lowest for the first
+    unsigned int Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims = true) const;
+
     /// The way back, from the scene to the film: through the same surfaces in the other order, direction.z < 0.
     Passage TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
@@ -99,32 +112,15 @@ class GlassLens
     Front FrontBox() const;
 
   private:
-    /// In order from the film to the scene.
-    struct Surface
-    {
-        double z;             ///< of its vertex
-        double curvature;     ///< 1/mm, positive where the centre lies towards the scene
-        double ratio;         ///< index on the side of the film over that of the scene
-        double squaredRim;    ///< of the clear radius
-        bool stop, sphere;    ///< or plane, else a conic or an aspherical surface
-        double conic;
-        std::vector<double> aspheric;  ///< in this frame: of height towards the scene
-    };
-
-    std::vector<Surface> surfaces;
+    std::vector<GlassSurface> surfaces;  ///< in order from the film to the scene
     CardinalPoints cardinal;
     double stopRadius = 0.0, widestStop = 0.0;
 
     double WidestRay() const;
-    static bool IntersectConic(const Surface& surface, GlassRay& ray, Vec3& normal);
-    static bool IntersectAspheric(const Surface& surface, GlassRay& ray, Vec3& normal);
-    template <bool towardsScene>
-    static Passage CrossSphere(const Surface& surface, GlassRay& ray, bool rims);
-    template <bool towardsScene>
-    static Passage CrossOther(const Surface& surface, GlassRay& ray, bool rims);
-    template <bool towardsScene>
-    Passage Cross(const Surface& surface, GlassRay& ray, StopPoint& point, bool rims) const;
-    Passage CrossStop(const Surface& surface, GlassRay& ray, StopPoint& point) const;
+    /// What a height at the stop is multiplied with for a StopPoint.
+    double StopScale() const { return std::copysign(1.0 / stopRadius, cardinal.entranceRadius); }
+    template<bool towardsScene>
+    Passage Cross(const GlassSurface& surface, GlassRay& ray, StopPoint& point, bool rims) const;
 };
 
 } // namespace tilt_lens

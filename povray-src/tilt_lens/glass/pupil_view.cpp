@@ -19,7 +19,7 @@ constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
 /// Rays in a row and in a column that are tried where the pupil's middle is covered: over twice the paraxial pupil, then over the
-/// last surface, which all rays cross.
+/// last surface, which all rays cross. Whole fours.
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
@@ -33,6 +33,12 @@ constexpr double kCoveredMargin = 0.08;
 
 constexpr double kPi = 3.14159265358979323846;
 
+/// Four of them.
+struct FourPupilPoints
+{
+    double l[4], m[4];
+};
+
 /// The lens and the place from which it is looked at.
 struct Seen
 {
@@ -40,13 +46,33 @@ struct Seen
     const Aperture& aperture;
     const Vec3& film;
 
-    Passage Look(const PupilPoint& direction, bool rims = true) const
+    bool Passes(const PupilPoint& direction) const
     {
         std::optional<GlassRay> ray = RayTowards(film, direction);
-        return ray ? TraceThrough(lens, aperture, *ray, rims) : Passage::Missed;
+        return ray && TraceThrough(lens, aperture, *ray) == Passage::Passed;
     }
 
-    bool Passes(const PupilPoint& direction) const { return Look(direction) == Passage::Passed; }
+    /// @param rims  false: only the stop ends rays
+    /// @return  a bit for each of the directions that passes
+    unsigned int Passing(const FourPupilPoints& directions, bool rims = true) const
+    {
+        FourGlassRays rays;
+        unsigned int passing = 0;
+        for (int i = 0; i < 4; i++)
+        {
+            const PupilPoint direction{directions.l[i], directions.m[i]};
+            const double square = SquaredAlong(direction);
+            rays.origin[0][i] = film.x, rays.origin[1][i] = film.y, rays.origin[2][i] = film.z;
+            rays.direction[0][i] = direction.l, rays.direction[1][i] = direction.m, rays.direction[2][i] = std::sqrt(square);
+            passing |= (square > 0.0 ? 1u : 0u) << i;
+        }
+        FourStopPoints stop;
+        passing &= lens.Trace(rays, stop, rims);
+        for (int i = 0; i < 4 && !aperture.IsDisc(); i++)
+            if ((passing >> i & 1u) != 0 && !(aperture.Density({stop.a[i], stop.b[i]}) > 0.0))
+                passing &= ~(1u << i);
+        return passing;
+    }
 
     /// Half the paraxial pupil's size, about.
     double Size() const
@@ -63,15 +89,22 @@ struct Seen
     {
         PupilPoint sum{0.0, 0.0};
         int passed = 0;
-        for (int i = 0; i < side; i++)
-            for (int j = 0; j < side; j++)
+        for (int i = 0; i < side * side; i += 4)
+        {
+            FourPupilPoints at;
+            for (int j = 0; j < 4; j++)
             {
-                const PupilPoint at{middle.l + half * (2.0 * (i + 0.5) / side - 1.0), middle.m + half * (2.0 * (j + 0.5) / side - 1.0)};
-                if (!Passes(at))
-                    continue;
-                sum = {sum.l + at.l, sum.m + at.m};
-                passed++;
+                at.l[j] = middle.l + half * (2.0 * (i / side + 0.5) / side - 1.0);
+                at.m[j] = middle.m + half * (2.0 * (i % side + j + 0.5) / side - 1.0);
             }
+            const unsigned int passing = Passing(at);
+            for (int j = 0; j < 4; j++)
+                if ((passing >> j & 1u) != 0)
+                {
+                    sum = {sum.l + at.l[j], sum.m + at.m[j]};
+                    passed++;
+                }
+        }
         if (passed == 0)
             return {};
         return PupilPoint{sum.l / passed, sum.m / passed};
@@ -103,27 +136,6 @@ struct Spoke
     double open, stop;
 };
 
-/// Between a step that passes and one that does not.
-double Border(const Seen& seen, const PupilPoint& from, const PupilPoint& along, double passes, double ends, bool rims, Passage& end)
-{
-    const auto look = [&](double step) { return seen.Look({from.l + step * along.l, from.m + step * along.m}, rims); };
-    for (Passage at = look(ends); at == Passage::Passed && ends < 4.0; at = look(ends))
-    {
-        passes = ends;
-        ends *= 1.5;
-    }
-    end = look(ends);
-    for (int i = 0; i < kHalvings; i++)
-    {
-        const double middle = 0.5 * (passes + ends);
-        const Passage at = look(middle);
-        (at == Passage::Passed ? passes : ends) = middle;
-        if (at != Passage::Passed)
-            end = at;
-    }
-    return 0.5 * (passes + ends);
-}
-
 using Spokes = std::array<Spoke, kSpokes>;
 
 PupilPoint Along(int spoke)
@@ -132,17 +144,95 @@ PupilPoint Along(int spoke)
     return {std::cos(angle), std::sin(angle)};
 }
 
+/// Four spokes side by side: for each a step that passes and one that does not, or whose end is not found yet.
+class FourSpokes
+{
+  public:
+    FourSpokes(const Seen& itsSeen, const PupilPoint& itsFrom, int first) : seen(itsSeen), from(itsFrom)
+    {
+        for (int i = 0; i < 4; i++)
+            along[i] = Along(first + i);
+    }
+
+    void Begin(int i, double itsPasses, double itsEnds)
+    {
+        passes[i] = itsPasses;
+        ends[i] = itsEnds;
+    }
+
+    /// Lengthens the steps until they do not pass, and then halves what lies between.
+    void FindBorders(bool rims)
+    {
+        for (unsigned int open = 0xf; open != 0;)
+        {
+            open &= Passing(ends, rims);
+            for (int i = 0; i < 4; i++)
+                if ((open >> i & 1u) != 0)
+                {
+                    if (ends[i] >= 4.0)  // no direction has such cosines
+                        open &= ~(1u << i);
+                    passes[i] = ends[i];
+                    ends[i] *= 1.5;
+                }
+        }
+        for (int halving = 0; halving < kHalvings; halving++)
+        {
+            const std::array<double, 4> middle{Border(0), Border(1), Border(2), Border(3)};
+            const unsigned int passing = Passing(middle, rims);
+            for (int i = 0; i < 4; i++)
+                ((passing >> i & 1u) != 0 ? passes : ends)[i] = middle[i];
+        }
+    }
+
+    double Border(int i) const { return 0.5 * (passes[i] + ends[i]); }
+
+    /// A bit for each spoke that ends at a rim: the stop alone lets the step pass that does not.
+    unsigned int EndAtRims() const { return Passing(ends, false); }
+
+  private:
+    const Seen& seen;
+    const PupilPoint& from;
+    std::array<PupilPoint, 4> along;
+    std::array<double, 4> passes, ends;
+
+    unsigned int Passing(const std::array<double, 4>& steps, bool rims) const
+    {
+        FourPupilPoints at;
+        for (int i = 0; i < 4; i++)
+        {
+            at.l[i] = from.l + steps[i] * along[i].l;
+            at.m[i] = from.m + steps[i] * along[i].m;
+        }
+        return seen.Passing(at, rims);
+    }
+};
+
+/// A spoke is sought from the length of the one four before it.
 Spokes SpokesFrom(const Seen& seen, const PupilPoint& inside)
 {
     Spokes spokes;
-    double last = seen.Size();
-    for (int i = 0; i < kSpokes; i++)
+    std::array<double, 4> last;
+    last.fill(seen.Size());
+    for (int first = 0; first < kSpokes; first += 4)
     {
-        Passage end;
-        spokes[i].open = spokes[i].stop = Border(seen, inside, Along(i), 0.0, 1.1 * last, true, end);
-        last = std::max(spokes[i].open, 1e-6);
-        if (end != Passage::Stopped)
-            spokes[i].stop = Border(seen, inside, Along(i), spokes[i].open, 1.1 * last, false, end);
+        FourSpokes four(seen, inside, first);
+        for (int i = 0; i < 4; i++)
+            four.Begin(i, 0.0, 1.1 * last[i]);
+        four.FindBorders(true);
+        const unsigned int atRims = four.EndAtRims();
+        for (int i = 0; i < 4; i++)
+        {
+            const double open = four.Border(i);
+            spokes[first + i] = {open, open};
+            last[i] = std::max(open, 1e-6);
+            four.Begin(i, open, 1.1 * last[i]);
+        }
+        if (atRims == 0)
+            continue;
+        four.FindBorders(false);
+        for (int i = 0; i < 4; i++)
+            if ((atRims >> i & 1u) != 0)
+                spokes[first + i].stop = four.Border(i);
     }
     return spokes;
 }

@@ -20,11 +20,14 @@
 namespace tilt_lens
 {
 
-/// Direction cosines along the lens's two axes.
-struct PupilPoint
+/// Direction cosines along the lens's two axes: of one direction, or of some side by side.
+template<class Number>
+struct PupilPointOf
 {
-    double l, m;
+    Number l, m;
 };
+
+using PupilPoint = PupilPointOf<double>;
 
 /// An ellipse of directions around those that pass. Its axes lie towards the lens's axis and across that.
 struct PupilEllipse
@@ -42,26 +45,35 @@ struct PupilView
 };
 
 /// Towards the film point's place beside the axis: the unit vector that the ellipse's radial axis has.
-inline PupilPoint RadialAxis(const Vec3& film)
+template<class Number>
+TILT_LENS_INLINED PupilPointOf<Number> RadialAxis(const VecOf<Number>& film)
 {
-    const double distance = std::sqrt(film.x * film.x + film.y * film.y);
-    return distance > 0.0 ? PupilPoint{film.x / distance, film.y / distance} : PupilPoint{1.0, 0.0};
+    const Number distance = SquareRoot(film.x * film.x + film.y * film.y), zero{}, one = zero + 1.0;
+    return {distance > 0.0 ? film.x / distance : one, distance > 0.0 ? film.y / distance : zero};
 }
 
 /// Towards the middle of the paraxial exit pupil.
-inline PupilPoint ParaxialAim(const CardinalPoints& points, const Vec3& film)
+template<class Number>
+TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points, const VecOf<Number>& film)
 {
     if (!std::isfinite(points.exitPupil))
-        return {0.0, 0.0};
-    const Vec3 way{-film.x, -film.y, points.exitPupil - film.z};
-    const double length = std::copysign(std::sqrt(Dot(way, way)), way.z);  // a pupil behind the film is looked away from
+        return {Number(), Number()};
+    const VecOf<Number> way{-film.x, -film.y, points.exitPupil - film.z};
+    const Number distance = SquareRoot(Dot(way, way)), length = way.z < 0.0 ? -distance : distance;  // away from a pupil behind the film
     return {way.x / length, way.y / length};
+}
+
+/// Of a direction with these cosines: the squared one along the lens's axis; none has them where this is not above 0.
+template<class Number>
+TILT_LENS_INLINED Number SquaredAlong(const PupilPointOf<Number>& direction)
+{
+    return 1.0 - direction.l * direction.l - direction.m * direction.m;
 }
 
 /// A ray from a film point; nothing for cosines that no direction has.
 inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
 {
-    const double square = 1.0 - direction.l * direction.l - direction.m * direction.m;
+    const double square = SquaredAlong(direction);
     if (!(square > 0.0))
         return {};
     return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};

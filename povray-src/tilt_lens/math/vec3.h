@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+#include "tilt_lens/math/simd.h"
+
 namespace tilt_lens
 {
 
@@ -19,7 +21,7 @@ struct VecOf
 {
     using Scalar = Number;
 
-    Number x = 0.0, y = 0.0, z = 0.0;
+    Number x{}, y{}, z{};
 };
 
 /// A factor: it takes any number that converts, since the vector alone decides the type.
@@ -29,20 +31,20 @@ using ScalarOf = typename VecOf<Number>::Scalar;
 using Vec3 = VecOf<double>;
 
 template <typename N>
-inline VecOf<N> operator+(const VecOf<N>& a, const VecOf<N>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+TILT_LENS_INLINED VecOf<N> operator+(const VecOf<N>& a, const VecOf<N>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 template <typename N>
-inline VecOf<N> operator-(const VecOf<N>& a, const VecOf<N>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+TILT_LENS_INLINED VecOf<N> operator-(const VecOf<N>& a, const VecOf<N>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 template <typename N>
-inline VecOf<N> operator-(const VecOf<N>& a) { return {-a.x, -a.y, -a.z}; }
+TILT_LENS_INLINED VecOf<N> operator-(const VecOf<N>& a) { return {-a.x, -a.y, -a.z}; }
 template <typename N>
-inline VecOf<N> operator*(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x * s, a.y * s, a.z * s}; }
+TILT_LENS_INLINED VecOf<N> operator*(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x * s, a.y * s, a.z * s}; }
 template <typename N>
-inline VecOf<N> operator*(const ScalarOf<N>& s, const VecOf<N>& a) { return a * s; }
+TILT_LENS_INLINED VecOf<N> operator*(const ScalarOf<N>& s, const VecOf<N>& a) { return a * s; }
 template <typename N>
-inline VecOf<N> operator/(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x / s, a.y / s, a.z / s}; }
+TILT_LENS_INLINED VecOf<N> operator/(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x / s, a.y / s, a.z / s}; }
 
 template <typename N>
-inline N Dot(const VecOf<N>& a, const VecOf<N>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+TILT_LENS_INLINED N Dot(const VecOf<N>& a, const VecOf<N>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 template <typename N>
 inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)

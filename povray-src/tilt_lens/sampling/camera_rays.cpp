@@ -4,6 +4,7 @@
 #include "tilt_lens/sampling/camera_rays.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "tilt_lens/math/simd.h"
 
@@ -34,29 +35,37 @@ struct RayStarts
     }
 };
 
+/// Takes the directions of rays side by side.
+/// @return  where their lengths are usual ones; elsewhere what it has taken is not right
+template<class Vector>
+TILT_LENS_INLINED MaskOf<Vector> PutDirections(const VecOf<Vector>& along, std::uint32_t i, CameraRays& rays)
+{
+    const Vector squared = Dot(along, along), length = SquareRoot(squared);
+    Store(rays.direction[0] + i, along.x / length);
+    Store(rays.direction[1] + i, along.y / length);
+    Store(rays.direction[2] + i, along.z / length);
+    Store(rays.length + i, length);
+    return (squared > kLeastSquared) & (squared < kGreatestSquared);
+}
+
 /// RayFromIdeal() and the length of its direction, for samples side by side and a lens that maps planes onto planes: the same
 /// operations in the same order.
 /// @return  whether all lengths are usual ones; if not, the rays are not right
 template<class Vector>
 TILT_LENS_INLINED bool FindPlainRays(const Lens& lens, const Quads& quads, CameraRays& rays)
 {
-    constexpr std::uint32_t lanes = sizeof(Vector) / sizeof(double);
-    auto usual = Vector() == Vector();
+    constexpr std::uint32_t lanes = kVectorWidth<Vector>;
+    MaskOf<Vector> usual = Vector() == Vector();
     for (std::uint32_t i = quads.begin; i < quads.end; i += lanes)
     {
         RayStarts<Vector> starts{Load<Vector>(rays.samples.x + i), Load<Vector>(rays.samples.y + i),
                                  Load<Vector>(rays.samples.a + i), Load<Vector>(rays.samples.b + i), Vector()};
         starts.w = lens.focusMiddle + starts.x * lens.focusRight + starts.y * lens.focusUp;
-        Vector x, y, z;
-        starts.FindAlong(lens.direction.x, lens.right.x, lens.up.x, lens.lensX.x, lens.lensY.x, rays.origin[0] + i, x);
-        starts.FindAlong(lens.direction.y, lens.right.y, lens.up.y, lens.lensX.y, lens.lensY.y, rays.origin[1] + i, y);
-        starts.FindAlong(lens.direction.z, lens.right.z, lens.up.z, lens.lensX.z, lens.lensY.z, rays.origin[2] + i, z);
-        const Vector squared = x * x + y * y + z * z, length = SquareRoot(squared);
-        usual &= (squared > kLeastSquared) & (squared < kGreatestSquared);
-        Store(rays.direction[0] + i, x / length);
-        Store(rays.direction[1] + i, y / length);
-        Store(rays.direction[2] + i, z / length);
-        Store(rays.length + i, length);
+        VecOf<Vector> along;
+        starts.FindAlong(lens.direction.x, lens.right.x, lens.up.x, lens.lensX.x, lens.lensY.x, rays.origin[0] + i, along.x);
+        starts.FindAlong(lens.direction.y, lens.right.y, lens.up.y, lens.lensX.y, lens.lensY.y, rays.origin[1] + i, along.y);
+        starts.FindAlong(lens.direction.z, lens.right.z, lens.up.z, lens.lensX.z, lens.lensY.z, rays.origin[2] + i, along.z);
+        usual &= PutDirections(along, i, rays);
         Store(rays.w + i, starts.w);
     }
     return All(usual);
@@ -80,6 +89,44 @@ void FindRaysOneByOne(const Lens& lens, const SampleRun& run, CameraRays& rays)
         rays.Put(i, CameraRay(lens, rays.samples[i]));
 }
 
+template<class Vector>
+TILT_LENS_INLINED bool PutFourDirections(const double (&direction)[3][4], std::uint32_t first, CameraRays& rays)
+{
+    MaskOf<Vector> usual = Vector() == Vector();
+    for (std::uint32_t i = 0; i < 4; i += kVectorWidth<Vector>)
+        usual &= PutDirections(VecOf<Vector>{Load<Vector>(direction[0] + i), Load<Vector>(direction[1] + i), Load<Vector>(direction[2] + i)},
+                               first + i, rays);
+    return All(usual);
+}
+
+bool PutFourPlainly(const double (&direction)[3][4], std::uint32_t first, CameraRays& rays)
+{
+    return PutFourDirections<Double2>(direction, first, rays);
+}
+
+TILT_LENS_FOR_AVX2 bool PutFourByAvx2(const double (&direction)[3][4], std::uint32_t first, CameraRays& rays)
+{
+    return PutFourDirections<Double4>(direction, first, rays);
+}
+
+const auto putFourDirections = HasAvx2() ? PutFourByAvx2 : PutFourPlainly;
+
+/// Four samples of a lens of glass.
+void PutFour(const FourGlassSamples& four, std::uint32_t first, CameraRays& rays)
+{
+    const bool usual = putFourDirections(four.direction, first, rays);
+    for (std::uint32_t i = 0; i < 4; i++)
+    {
+        const std::uint32_t place = first + i;
+        for (int axis = 0; axis < 3; axis++)
+            rays.origin[axis][place] = four.origin[axis][i];
+        rays.w[place] = four.w[i];
+        rays.samples.weight[place] = four.weight[i];
+        if (!usual)
+            rays.PutDirection(place, {four.direction[0][i], four.direction[1][i], four.direction[2][i]});
+    }
+}
+
 } // namespace
 
 void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays)
@@ -97,6 +144,8 @@ void CameraRayBatch::Make(const SampleRun& run)
         pixel = run.first;
         sampler = PixelSampler(pixel.x, pixel.y, seed);
         targets = emitters.TargetsOf(pixel.x, pixel.y);
+        if (glass != nullptr)
+            glassSeeds = GlassSeeds(pixel.x, pixel.y);
     }
     sampler.FindGroup(run.first.index, points);
     if (glass != nullptr)
@@ -108,15 +157,36 @@ void CameraRayBatch::Make(const SampleRun& run)
 void CameraRayBatch::MakeOfGlass(const SampleRun& run)
 {
     refused = 0;
-    for (std::uint32_t i = 0; i < run.count; i++)
+    emitters.BeginSamples(run, points, rays.samples);
+    const std::uint32_t end = run.Place() + run.count;
+    if (glass->HasColours())
+        for (std::uint32_t i = run.Place(); i < end; i++)
+        {
+            ofGlass[i].Draw(*glass, run[i - run.Place()], points[i], {rays.samples.x[i], rays.samples.y[i]});
+            rays.samples.weight[i] = ofGlass[i].sample.weight;
+        }
+    else
+        for (std::uint32_t first = Quads(run).begin; first < end; first += 4)
+            DrawFour(run, first);
+}
+
+/// @param first  place in the group of the first of the four
+void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
+{
+    FourGlassPoints four;
+    four.wanted = 0;
+    for (std::uint32_t i = 0; i < 4; i++)
     {
-        const std::uint32_t place = run.Place() + i;
-        const SequencePoint point = points[place];
-        CameraRay& ray = ofGlass[place];
-        ray.Draw(*glass, run[i], point, emitters.FilmPointOf(run.first.x + point.pixelX, run.first.y + point.pixelY));
-        refused += ray.refused;
-        rays.Put(place, ray);
+        const std::uint32_t place = first + i, begin = run.first.index - run.Place();
+        four.x[i] = rays.samples.x[place], four.y[i] = rays.samples.y[place];
+        four.u[i] = points.lensU[place], four.v[i] = points.lensV[place];
+        four.seed[i] = glassSeeds.Hash(begin + place);
+        four.wanted |= (place >= run.Place() && place < run.Place() + run.count ? 1u : 0u) << i;
     }
+    FourGlassSamples samples;
+    glass->Draw(four, samples);
+    PutFour(samples, first, rays);
+    refused = std::accumulate(samples.refused, samples.refused + 4, refused);
 }
 
 CameraRay CameraRayBatch::One(std::uint32_t place) const

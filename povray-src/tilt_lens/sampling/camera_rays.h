@@ -18,25 +18,26 @@
 namespace tilt_lens
 {
 
+/// Seeds of the random numbers that a pixel's samples of a lens of glass are drawn again with (Hash()): others than those of their rays.
+inline PixelSampler GlassSeeds(std::uint32_t x, std::uint32_t y) { return PixelSampler(x, y, 0x476c61); }
+
 /// A sample and its ray.
 struct CameraRay
 {
     CameraSample sample;  ///< film point, lens point and weight
     LensRay ray;          ///< relative to the lens centre, world axes, scene units
-    double length;        ///< of the ray's direction
-    Vec3 direction;       ///< the ray's, normalised
     std::uint32_t refused = 0;  ///< rays before it that a lens of glass let not through
 
     CameraRay() = default;
     /// Completes a ray from its start.
-    CameraRay(const Lens& lens, const CameraSample& start) : sample(start) { Take(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)); }
+    CameraRay(const Lens& lens, const CameraSample& start) : sample(start), ray(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) {}
 
     /// A sample of a lens of glass and its ray; of one with dispersion only the sample, whose rays DrawColour() finds.
     void Draw(const GlassCamera& glass, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
     {
         lensU = point.lensU;
         lensV = point.lensV;
-        glassSeed = PixelHash(id.x, id.y, kGlassSeed, id.index);
+        glassSeed = GlassSeeds(id.x, id.y).Hash(id.index);
         if (glass.HasColours())
             sample = {film.x, film.y, {0.0, 0.0}, glass.Brightness(film), 0.0};
         else
@@ -51,11 +52,9 @@ struct CameraRay
     }
 
     /// The same for light of one colour; see MakeColourRay().
-    void FindRay(const Lens& lens, double hue) { Take(MakeColourRay(lens, sample.x, sample.y, sample.point.a, sample.point.b, hue)); }
+    void FindRay(const Lens& lens, double hue) { ray = MakeColourRay(lens, sample.x, sample.y, sample.point.a, sample.point.b, hue); }
 
   private:
-    static constexpr std::uint32_t kGlassSeed = 0x476c61;  ///< sets its random numbers apart from a sample's others
-
     double lensU = 0.0, lensV = 0.0;  ///< what a sample of a lens of glass is drawn with
     std::uint32_t glassSeed = 0;
 
@@ -64,14 +63,7 @@ struct CameraRay
         sample = {film.x, film.y, {0.0, 0.0}, drawn.weight, 0.0};
         refused = drawn.refused;
         if (drawn.weight != 0.0)
-            Take(drawn.ray);
-    }
-
-    void Take(const LensRay& found)
-    {
-        ray = found;
-        length = Length(ray.direction);
-        direction = {ray.direction.x / length, ray.direction.y / length, ray.direction.z / length};
+            ray = drawn.ray;
     }
 };
 
@@ -85,10 +77,17 @@ struct CameraRays
     void Put(std::uint32_t i, const CameraRay& ray)
     {
         samples.Put(i, ray.sample);
-        const Vec3 &from = ray.ray.origin, &along = ray.direction;
+        const Vec3& from = ray.ray.origin;
         origin[0][i] = from.x, origin[1][i] = from.y, origin[2][i] = from.z;
-        direction[0][i] = along.x, direction[1][i] = along.y, direction[2][i] = along.z;
-        length[i] = ray.length, w[i] = ray.ray.w;
+        PutDirection(i, ray.ray.direction);
+        w[i] = ray.ray.w;
+    }
+
+    /// @param along  of any length
+    void PutDirection(std::uint32_t i, const Vec3& along)
+    {
+        length[i] = Length(along);
+        direction[0][i] = along.x / length[i], direction[1][i] = along.y / length[i], direction[2][i] = along.z / length[i];
     }
 };
 
@@ -124,7 +123,7 @@ class CameraRayBatch
     const std::uint32_t seed;
     bool empty = true;  ///< nothing has been made
     SampleId pixel{};   ///< of the last run
-    PixelSampler sampler{0, 0, 0};
+    PixelSampler sampler{0, 0, 0}, glassSeeds{0, 0, 0};
     EmitterSampler::Targets targets;
     SequencePoints points{};
     CameraRays rays{};
@@ -132,6 +131,7 @@ class CameraRayBatch
     std::uint32_t refused = 0;
 
     void MakeOfGlass(const SampleRun& run);
+    void DrawFour(const SampleRun& run, std::uint32_t first);
 };
 
 } // namespace tilt_lens

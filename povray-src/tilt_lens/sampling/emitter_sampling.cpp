@@ -23,7 +23,7 @@ template<class Vector>
 TILT_LENS_INLINED void BeginPlain(double column, double row, double width, double height, const Quads& quads,
                                   const SequencePoints& points, CameraSamples& samples)
 {
-    for (std::uint32_t i = quads.begin; i < quads.end; i += sizeof(Vector) / sizeof(double))
+    for (std::uint32_t i = quads.begin; i < quads.end; i += kVectorWidth<Vector>)
     {
         Store(samples.x + i, (column + Load<Vector>(points.pixelX + i)) / width - 0.5);
         Store(samples.y + i, 0.5 - (row + Load<Vector>(points.pixelY + i)) / height);
@@ -65,9 +65,14 @@ void EmitterSampler::Generate(const Targets& targets, const SampleRun& run, cons
 {
     if (!targets.targets.empty() || !vignetting.None())
         return GenerateOneByOne(targets, run, points, samples);
+    BeginSamples(run, points, samples);
     const Quads quads(run);
-    beginPlain(run.first.x, run.first.y, width, height, quads, points, samples);
     aperture.Map(points.lensU + quads.begin, points.lensV + quads.begin, samples.a + quads.begin, samples.b + quads.begin, quads.Count());
+}
+
+void EmitterSampler::BeginSamples(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
+{
+    beginPlain(run.first.x, run.first.y, width, height, Quads(run), points, samples);
 }
 
 void EmitterSampler::GenerateOneByOne(const Targets& targets, const SampleRun& run, const SequencePoints& points,

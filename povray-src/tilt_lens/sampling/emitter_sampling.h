@@ -81,9 +81,6 @@ class EmitterSampler
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
 
-    /// Of the picture that it was made for; pixels.
-    FilmPoint FilmPointOf(double column, double row) const { return FilmPointAt(column, row, width, height); }
-
     /// The emitters that one pixel's samples are sent at.
     struct Targets
     {
@@ -102,7 +99,7 @@ class EmitterSampler
     /// @param point    of the pixel's sequence
     CameraSample Generate(const Targets& targets, const SampleId& id, const SequencePoint& point) const
     {
-        const FilmPoint film = FilmPointOf(id.x + point.pixelX, id.y + point.pixelY);
+        const FilmPoint film = FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height);
         CameraSample sample{film.x, film.y, {0.0, 0.0}, 1.0, 0.0};
         if (!targets.targets.empty() && id.index < usable)
             SampleEmitters(targets, id, point, sample);
@@ -113,7 +110,12 @@ class EmitterSampler
         return sample;
     }
 
-    /// The same for some samples of a group.
+    /// Of plain samples of a group all but their lens points.
+    /// @param points   of the group
+    /// @param samples  takes them at their places in the group
+    void BeginSamples(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
+
+    /// Generate() for some samples of a group.
     /// @param points   of the group
     /// @param samples  takes them at their places in the group
     void Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;

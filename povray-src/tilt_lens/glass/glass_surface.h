@@ -1,0 +1,115 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file glass_surface.h
+/// One surface of a lens of glass: where rays meet it, and Snell's law there. Spheres and planes, of which most lenses are made, are
+/// written once for one ray and for rays side by side in vector registers (simd.h); both have the same results to the last bit.
+///
+/// Frame: that of glass_lens.h.
+///
+/// Source of the transfer to a surface without a case for planes: W. J. Smith, Modern Optical Engineering, chapter 10.
+
+#ifndef TILT_LENS_GLASS_SURFACE_H
+#define TILT_LENS_GLASS_SURFACE_H
+
+#include <vector>
+
+#include "tilt_lens/math/simd.h"
+#include "tilt_lens/math/vec3.h"
+
+namespace tilt_lens
+{
+
+/// A ray, or rays side by side: directions have length 1.
+template<class Number>
+struct GlassRayOf
+{
+    VecOf<Number> origin, direction;
+};
+
+using GlassRay = GlassRayOf<double>;
+
+/// Squared distance of the origin from the lens's axis.
+template<class Number>
+TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
+{
+    return ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y;
+}
+
+struct GlassSurface
+{
+    double z;             ///< of its vertex
+    double curvature;     ///< 1/mm, positive where the centre lies towards the scene
+    double ratio;         ///< index on the side of the film over that of the scene
+    double squaredRim;    ///< of the clear radius
+    bool stop, sphere;    ///< or plane, else a conic or an aspherical surface
+    double conic;
+    std::vector<double> aspheric;  ///< of height towards the scene
+};
+
+/// How rays cross a surface, each in its lane.
+template<class Number>
+struct Crossing
+{
+    MaskOf<Number> met;        ///< the surface
+    MaskOf<Number> withinRim;  ///< of its clear opening
+    MaskOf<Number> refracted;  ///< else all light is reflected
+};
+
+/// The number of the way that a ray goes.
+template<bool towardsScene, class Number>
+TILT_LENS_INLINED Number Signed(const Number& value)
+{
+    return towardsScene ? value : -value;
+}
+
+/// Snell's law.
+/// @param cosine     of the normal, of length 1, and the direction
+/// @param direction  becomes that behind the surface
+/// @return  false where all light is reflected
+template<bool towardsScene, class Number>
+TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Number& cosine, const VecOf<Number>& normal, VecOf<Number>& direction)
+{
+    const double ratio = towardsScene ? surface.ratio : 1.0 / surface.ratio;
+    const Number left = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    const Number along = Signed<towardsScene>(SquareRoot(left)) - ratio * cosine;
+    direction = {ratio * direction.x + along * normal.x, ratio * direction.y + along * normal.y, ratio * direction.z + along * normal.z};
+    return left >= 0.0;
+}
+
+/// Sphere or plane: c |p|^2 = 2 p.z for a point p counted from the vertex, so that along the ray c t^2 - 2 half t + constant = 0. The
+/// root near the vertex is meant; the square root itself is the cosine of the ray and the normal (-c p.x, -c p.y, 1 - c p.z). A sphere
+/// is not met beyond where it turns back.
+/// @param ray  becomes that behind the surface, where it is met and refracts
+template<bool towardsScene, class Number>
+TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)
+{
+    const double c = surface.curvature;
+    const VecOf<Number>& d = ray.direction;
+    const VecOf<Number> p{ray.origin.x, ray.origin.y, ray.origin.z - surface.z};
+    const Number constant = c * Dot(p, p) - 2.0 * p.z, half = d.z - c * Dot(p, d), square = half * half - c * constant;
+    const Number cosine = Signed<towardsScene>(SquareRoot(square)), step = constant / (half + cosine), depth = p.z + step * d.z;
+    ray.origin = {p.x + step * d.x, p.y + step * d.y, surface.z + depth};
+    const VecOf<Number> normal{-c * ray.origin.x, -c * ray.origin.y, 1.0 - c * depth};
+    const MaskOf<Number> met = (square >= 0.0) & (normal.z > 0.0), withinRim = SquaredHeight(ray) <= surface.squaredRim;
+    return {met, withinRim, Refract<towardsScene>(surface, cosine, normal, ray.direction)};
+}
+
+/// To the stop's plane.
+/// @return  whether they pass its opening
+template<class Number>
+TILT_LENS_INLINED MaskOf<Number> CrossStop(const GlassSurface& surface, GlassRayOf<Number>& ray)
+{
+    const Number way = (surface.z - ray.origin.z) / ray.direction.z;
+    const VecOf<Number>&o = ray.origin, &d = ray.direction;
+    ray.origin = {o.x + way * d.x, o.y + way * d.y, o.z + way * d.z};
+    return SquaredHeight(ray) <= surface.squaredRim;
+}
+
+/// A conic or an aspherical surface.
+template<bool towardsScene>
+Crossing<double> CrossAsphere(const GlassSurface& surface, GlassRay& ray);
+
+} // namespace tilt_lens
+
+#endif
