@@ -113,6 +113,7 @@ def measure_scenes(lab, args, results, runs):
 def measure(lab, args):
     done = subprocess.run([lab.ours, "--version"], capture_output=True, text=True, check=False)
     version = next((line.strip() for line in (done.stdout + done.stderr).splitlines() if "patch series" in line), "?")
+    version += f", program {lab.hashes[lab.ours][:12]}"    # the same patches may be built with other sources of ours
     results, runs = {}, []
     if {"stock", "tilted"} & set(args.parts):
         measure_scenes(lab, args, results, runs)

@@ -26,8 +26,8 @@ configure_file("${CMAKE_CURRENT_LIST_DIR}/config.h.in" "${POVRAY_GENERATED}/conf
 # Printed in the list of libraries at the start of a render; unknown is spelt "" as upstream does.
 file(CONFIGURE OUTPUT "${POVRAY_GENERATED}/jversion.h" CONTENT "#define JVERSION \"${JPEG_VERSION}\"\n")
 
-# The name of this build, printed in the version lines and noted in state files. It is a definition of the files that use it
-# and no line of config.h: a changed patch must not recompile everything.
+# The name of this build, printed in the version lines. It is a definition of the files that use it and no line of config.h: a
+# changed patch must not recompile everything.
 if(TILT_LENS_PATCHES)
     patched_source_series_hash(series_hash "${TILT_LENS_SERIES}")
     string(SUBSTRING "${series_hash}" 0 12 series_hash)
@@ -35,3 +35,13 @@ if(TILT_LENS_PATCHES)
 else()
     set(TILT_LENS_BUILD_NAME "povray-tilt-lens ${PROJECT_VERSION}, without its patch series")
 endif()
+
+# A hash of our source files, noted in state files with the name: no other program may continue a picture.
+file(GLOB_RECURSE own_sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/povray-src/*.cpp" "${CMAKE_SOURCE_DIR}/povray-src/*.h")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${own_sources})
+set(TILT_LENS_SOURCES_HASH "")
+foreach(source IN LISTS own_sources)
+    file(SHA256 "${source}" hash)
+    string(APPEND TILT_LENS_SOURCES_HASH "${hash}\n")
+endforeach()
+string(SHA256 TILT_LENS_SOURCES_HASH "${TILT_LENS_SOURCES_HASH}")

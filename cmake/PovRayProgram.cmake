@@ -76,5 +76,6 @@ if(TILT_LENS_PATCHES AND povray_own_core)
 endif()
 
 set_source_files_properties("${POVRAY_SOURCE}/source/backend/povray.cpp" "${POVRAY_SOURCE}/vfe/unix/unixconsole.cpp"
-    "${POVRAY_OWN}/source/frontend/state_key.cpp"
     PROPERTIES COMPILE_DEFINITIONS "TILT_LENS_BUILD_NAME=\"${TILT_LENS_BUILD_NAME}\"")
+set_source_files_properties("${POVRAY_OWN}/source/frontend/state_key.cpp"
+    PROPERTIES COMPILE_DEFINITIONS "TILT_LENS_PROGRAM=\"${TILT_LENS_BUILD_NAME}, sources ${TILT_LENS_SOURCES_HASH}\"")

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The program finds its include files, fonts, ini and permissions: built, installed, and moved."""
 
+import hashlib
 import shutil
 import unittest
 
@@ -49,6 +50,12 @@ class Program(ProgramTest):
         self.assertIn("povray-tilt-lens", said)
         self.assertIn("patch series", said)
         self.assertNotIn(str(REPOSITORY), said)
+
+    def test_state_files_name_its_sources(self):
+        """Another program's picture must not be continued, even where only a file of ours differs."""
+        sources = sorted((path for ending in ("cpp", "h") for path in (REPOSITORY / "povray-src").rglob(f"*.{ending}")), key=str)
+        hashes = "".join(hashlib.sha256(path.read_bytes()).hexdigest() + "\n" for path in sources)
+        self.assertIn(b", sources " + hashlib.sha256(hashes.encode()).hexdigest().encode(), POVRAY.read_bytes())
 
     def test_all_picture_formats_and_the_preview_are_in(self):
         said = self.povray(POVRAY, "--version").stderr

@@ -255,7 +255,7 @@ Start ReadStart(IStream& stream)
 
 std::string StateKey(POVMS_Object& options)
 {
-    std::string key = std::string("the program=") + TILT_LENS_BUILD_NAME + "\n";
+    std::string key = std::string("the program=") + TILT_LENS_PROGRAM + "\n";
     for (const Option& option : kOptions)
         key += std::string(option.name) + "=" + Value(options, option) + "\n";
     const char* const preview = std::getenv("TILT_LENS_PREVIEW");
