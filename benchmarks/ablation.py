@@ -29,6 +29,7 @@ NEVER, ALWAYS = "1e30", "0"
 
 # Rule, the section of docs/sampling.md, and the settings that take it out.
 RULES = (
+    ("longer first rounds", 1, "farShare=2"),
     ("shrinkage of the sample variance", 3, f"shrinkageSamples={ALWAYS}"),
     ("prior of the variance ratio", 3, f"varianceRatioPrior={ALWAYS}"),
     ("undetected error of what is blurred over a pixel", 4, f"blurReach={ALWAYS}"),
@@ -53,6 +54,7 @@ RULES = (
 )
 # The same, of the emitter sampling: samples change.
 EMITTER_RULES = (
+    ("longer first rounds", 1, "farShare=2"),
     ("choice of the film point", 7, f"lensPointBlur={ALWAYS}"),
     ("half of the samples at emitters, not a quarter", 7, "emitterShare=0.25"),
     ("several emitters of a pixel", 7, "emittersOfPixel=1"),

@@ -22,6 +22,8 @@ using Field = std::variant<double Settings::*, float Settings::*, std::uint32_t 
 
 #define FIELD(name) {#name, Field(&Settings::name)}
 const std::map<std::string, Field> fields = {
+    FIELD(farShare),
+    FIELD(farFactor),
     FIELD(shrinkageSamples),
     FIELD(varianceRatioPrior),
     FIELD(blurReach),

@@ -46,6 +46,10 @@ struct Settings
     /// Samples of a pixel's first round where a scene does not state MIN (section 1): where the picture is reconstructed and samples
     /// are sent at emitters; and elsewhere, because small lamps are missed by four too often.
     static constexpr std::uint32_t firstSamples = 4, firstSamplesAlone = 8;
+    /// Up to so many samples the first round of a block is doubled (section 1) while this share of its pixels need more than so many
+    /// times the samples that they have.
+    static constexpr std::uint32_t mostFirstSamples = 16;
+    double farShare = 0.25, farFactor = 4.0;
     /// @}
 
     /// @name Steps and limits of computing

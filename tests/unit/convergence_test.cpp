@@ -203,7 +203,7 @@ TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
         const double variance = own + (i < settings.blockSide ? undetected : 0.0);
         candidates.push_back({i, {variance, variance, variance, 0.0, 0.0}, 0.9 * own});
     }
-    ApplyDenoiserForecast(candidates, block.estimate, block.around, limits, 8);
+    ApplyDenoiserForecast(candidates, block.estimate, block.around, 8);
     std::size_t converged = 0;
     for (const Candidate& one : candidates)
     {
@@ -246,7 +246,7 @@ TEST(DenoiserForecast, IsLeftOutWhereItSavesTooFewRays)
     Prepared block(limits, [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); });
     std::vector<Candidate> candidates = {{100, {4e-4, 4e-4, 4e-4, 0.0, 0.0}, 3e-4}};
     const Radiance before = candidates[0].variance;
-    ApplyDenoiserForecast(candidates, block.estimate, block.around, limits, 8);
+    ApplyDenoiserForecast(candidates, block.estimate, block.around, 8);
     EXPECT_EQ(candidates[0].variance, before);
 }
 

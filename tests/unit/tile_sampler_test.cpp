@@ -384,6 +384,38 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
 }
 
+/// Samples of each pixel of a block's first round, where so many of its columns are noise.
+std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
+{
+    std::uint32_t most = 0;
+    const Tracer trace([&](const SampleRun& run, SampleResult* results)
+    {
+        for (std::uint32_t i = 0; i < run.count; i++)
+            results[i] = Grey(run.first.x < noisyColumns ? Noise(run[i], 1) : 0.7);
+        if (run.ofFirstRound)
+            most = std::max(most, run.first.index + run.count);
+    });
+    ResultsOf(limits, {0, 0, settings.blockSide, settings.blockSide}, settings.blockSide, settings.blockSide, trace);
+    return most;
+}
+
+TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
+{
+    SamplingLimits limits = Limits(4, 64, 1e-4);
+    limits.denoise = true;
+    const std::uint32_t few = std::uint32_t(settings.farShare * settings.blockSide) - 1;
+    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), settings.mostFirstSamples);
+    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide / 2), settings.mostFirstSamples);
+    EXPECT_EQ(FirstRoundOf(limits, few), 4u);
+    EXPECT_EQ(FirstRoundOf(limits, 0), 4u);
+    limits.variance = 1e-2;  // noise of variance 1/12 needs 8 samples
+    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), 4u);
+    limits = Limits(4, 8, 1e-4);
+    limits.denoise = true;
+    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), 8u);
+    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);  // nothing is reconstructed
+}
+
 // the figures of docs/sampling.md, section 10
 TEST(BlockCache, MemoryOfABlock)
 {

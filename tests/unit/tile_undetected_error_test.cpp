@@ -97,7 +97,7 @@ std::uint32_t MissedBy(bool denoise)
 // The reconstruction averages noise that a pixel has; what it has not met is still to be looked for.
 TEST(TileSamplerUndetectedError, IsNotLeftToTheReconstruction)
 {
-    EXPECT_EQ(MissedBy(true), MissedBy(false));
+    EXPECT_LE(MissedBy(true), MissedBy(false));  // fewer where first rounds are longer
 }
 
 /// A black line along a row of pixels that fills a sixteenth of each.

@@ -9,10 +9,10 @@
 namespace tilt_lens
 {
 
-std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent)
+std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent, std::uint32_t samples)
 {
     const bool any = std::any_of(sent.begin(), sent.end(), [](const SpreadSums* one) { return one != nullptr; });
-    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent)) : nullptr;
+    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent, samples)) : nullptr;
 }
 
 namespace
@@ -21,13 +21,13 @@ namespace
 /// What pixels have received, in either buffer: red, green, blue, and the shares.
 using Received = std::array<std::array<PaddedSpread::Plane, 4>, 2>;
 
-void AddRow(const float* from, int count, float* to)
+void AddRow(const float* from, int count, float weight, float* to)
 {
     int i = 0;
     for (; i + 4 <= count; i += 4)
-        Store(to + i, Load<Float4>(to + i) + Load<Float4>(from + i));
+        Store(to + i, Load<Float4>(to + i) + weight * Load<Float4>(from + i));
     for (; i < count; i++)
-        to[i] += from[i];
+        to[i] += weight * from[i];
 }
 
 constexpr int kSide = int(settings.blockSide), kBorder = PaddedBlock::kBorder, kReach = SpreadSums::kReach;
@@ -35,7 +35,7 @@ static_assert(kBorder + kReach <= kSide, "samples of the neighbours must be all 
 
 } // namespace
 
-PaddedSpread::PaddedSpread(const Sent& sent)
+PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t samples)
 {
     const auto received = std::make_unique<Received>();
     ownShare.fill(1.0f);
@@ -43,12 +43,13 @@ PaddedSpread::PaddedSpread(const Sent& sent)
     {
         if (sent[i] == nullptr)
             continue;
+        const float weight = samples / sent[i]->SamplesOfPixel();
         const int left = (i % 3 - 1) * kSide, top = (i / 3 - 1) * kSide;
         const int begin = std::max(-kBorder, left - kReach), end = std::min(kSide + kBorder, left + kSide + kReach);
         for (int y = std::max(-kBorder, top - kReach); y < std::min(kSide + kBorder, top + kSide + kReach); y++)
             for (int buffer = 0; buffer < 2; buffer++)
                 for (int c = 0; c < 4; c++)
-                    AddRow(sent[i]->From(buffer, c, begin - left, y - top), end - begin, &(*received)[buffer][c][PaddedBlock::At(begin, y)]);
+                    AddRow(sent[i]->From(buffer, c, begin - left, y - top), end - begin, weight, &(*received)[buffer][c][PaddedBlock::At(begin, y)]);
         for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
             for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
                 if (sent[i]->OwnSamples(x - left, y - top) > 0.0f)

@@ -8,6 +8,7 @@
 #define TILT_LENS_PADDED_SPREAD_H
 
 #include <array>
+#include <cstdint>
 #include <memory>
 
 #include "tilt_lens/reconstruction/block_statistics.h"
@@ -25,15 +26,17 @@ class PaddedSpread
     using Sent = std::array<const SpreadSums*, 9>;
 
     /// @param sent  by the pixels of the block, which is in the middle, and of its eight neighbours, row by row; null: nothing
+    /// @param samples  of a pixel in the first round of the block. Those of neighbours count as if they had taken as many: a surface is
+    ///     not seen more where more rays have met it.
     /// @return null where nothing was sent at all
-    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent);
+    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t samples);
 
     std::array<Plane, 3> mean, dualBufferDifference;  ///< of what other pixels' samples have sent; 0: nothing
     Plane share;     ///< that these samples have sent
     Plane ownShare;  ///< that a sample of the pixel keeps for it, on average, [0, 1]
 
   private:
-    explicit PaddedSpread(const Sent& sent);
+    PaddedSpread(const Sent& sent, std::uint32_t samples);
     void Finish(const std::array<Plane, 4>& a, const std::array<Plane, 4>& b, std::size_t at);
 };
 

@@ -107,6 +107,8 @@ class SpreadSums
     /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnSamples(int x, int y) const { return own[y * int(settings.blockSide) + x].samples; }
+    /// Samples of each pixel of the block.
+    float SamplesOfPixel() const { return own[0].samples; }
     /// Whether any sample has served another pixel.
     bool IsSpread() const { return spread; }
 

@@ -27,11 +27,11 @@ void Spread(const SampleId& id, const SampleResult& result, const Area& block, S
 
 /// A round of one pixel.
 /// @param results  place for those of a run
-void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::uint32_t y, std::uint32_t until,
+void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::uint32_t y, std::uint32_t until, bool ofFirstRound,
                SpreadSums* spread, const Tracer& tracer, SampleResult* results)
 {
-    pixel.BeginRound(until);
-    SampleRun run{{x, y, pixel.Samples()}, 0, pixel.Samples() == 0};
+    pixel.BeginRound(until, ofFirstRound);
+    SampleRun run{{x, y, pixel.Samples()}, 0, ofFirstRound};
     for (; run.first.index < until; run.first.index += run.count)
     {
         run.count = std::min(settings.cameraRaysOfBatch - run.first.index % settings.cameraRaysOfBatch, until - run.first.index);
@@ -41,6 +41,21 @@ void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::u
             Spread(run[i], results[i], area, *spread);
     }
     pixel.EndRound();
+}
+
+/// Whether so many pixels will take several more rounds that the first may as well be longer. What is seen of it by others, and what
+/// its samples send to other pixels, is then of more samples.
+bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& limits)
+{
+    if (!limits.Denoises() || estimate.firstSamples < 2)  // one sample tells no variance
+        return false;
+    const double far = settings.farFactor * limits.variance * estimate.firstSamples;
+    const auto pixels = std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [far](const PixelEstimate& pixel)
+    {
+        const PixelStatistics& own = pixel.statistics;
+        return pixel.varianceRatio * LargestChannel(RelativeTo(own.Mean(), own.Variation().variance)) > far;
+    });
+    return pixels >= settings.farShare * estimate.pixels.size();
 }
 
 } // namespace
@@ -56,8 +71,8 @@ void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, SpreadSums
             PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
             PixelStatistics& own = pixel.statistics;
             while (pixel.active && own.Samples() < until)
-                TakeRound(own, area, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), spread, trace,
-                          results.data());
+                TakeRound(own, area, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until),
+                          until <= estimate.firstSamples, spread, trace, results.data());
         }
 }
 
@@ -66,12 +81,17 @@ void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
     const std::lock_guard<std::mutex> lock(busy);
     if (phase != Phase::Unsampled)
         return;
-    const std::uint32_t samples = limits.FirstRound();
     auto estimate = std::make_unique<BlockEstimate>(area);
+    std::uint32_t& samples = estimate->firstSamples;
     const std::shared_ptr<SpreadSums> spread =
         limits.Denoises() ? std::make_shared<SpreadSums>(area, width, height) : nullptr;
-    TakeSamples(*estimate, samples, spread.get(), trace);
-    UpdateVarianceRatios(*estimate, samples);
+    do
+    {
+        samples = samples == 0 ? limits.FirstRound() : 2 * samples;
+        TakeSamples(*estimate, samples, spread.get(), trace);
+        UpdateVarianceRatios(*estimate, samples);
+    }
+    while (2 * samples <= std::min(limits.max, settings.mostFirstSamples) && IsFarFromConvergence(*estimate, limits));
     auto round = std::make_unique<FirstRound>(*estimate);
     if (limits.Denoises())
         round->statistics = StatisticsOf(*estimate);
@@ -97,7 +117,7 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
         return;
     const Neighbourhood around(FirstRoundsOf(neighbours), limits);
     BlockEstimate estimate = *afterFirstRound;
-    std::uint32_t samples = limits.FirstRound();
+    std::uint32_t samples = estimate.firstSamples;
     while (UpdateConvergence(estimate, around, limits, samples))
     {
         samples = std::min(2 * samples, limits.max);

@@ -64,6 +64,7 @@ class Block
     const BlockStatistics* Statistics() const { return statistics.get(); }
     /// What the samples of its first round have sent to other pixels; null: nothing.
     const SpreadSums* Spread() const { return firstRound->spread.get(); }
+    std::uint32_t FirstSamples() const { return firstRound->samples; }  ///< of each pixel in the first round
     /// @}
 
   private:

@@ -15,7 +15,7 @@ bool BlockEstimate::IsUniform() const
         { return IsNonZero(pixel.statistics.Variation().variance); });
 }
 
-FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), uniform(estimate.IsUniform())
+FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), samples(estimate.firstSamples), uniform(estimate.IsUniform())
 {
     for (const PixelEstimate& pixel : estimate.pixels)
     {

@@ -40,6 +40,7 @@ using Quadrants = std::array<double, 4>;
 struct BlockEstimate
 {
     Area area;
+    std::uint32_t firstSamples = 0;             ///< of each pixel in the first round
     std::vector<PixelEstimate> pixels;          ///< row by row
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by the dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: nothing is denoised
@@ -68,6 +69,7 @@ struct FirstRoundPixel
 struct FirstRound
 {
     Area area;
+    std::uint32_t samples;                ///< of each pixel
     std::vector<FirstRoundPixel> pixels;  ///< row by row
     bool uniform;                         ///< no sample differs from the others of its pixel
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: nothing is denoised

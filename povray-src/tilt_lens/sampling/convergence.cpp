@@ -94,7 +94,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         candidates.push_back({i, variance.whole, target(deviation / around.MeanDeviation()) / confidence});
     }
     if (limits.Denoises())
-        ApplyDenoiserForecast(candidates, estimate, around, limits, samples);
+        ApplyDenoiserForecast(candidates, estimate, around, samples);
 
     for (const Candidate& one : candidates)
     {

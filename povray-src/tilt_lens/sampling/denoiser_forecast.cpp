@@ -51,7 +51,7 @@ BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, 
         }
     known[4] = estimate.statistics.get();
     if (!estimate.spread)
-        estimate.spread = PaddedSpread::Of(sent);
+        estimate.spread = PaddedSpread::Of(sent, estimate.firstSamples);
     return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
 
@@ -95,7 +95,7 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
 }
 
 void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& estimate, const Neighbourhood& around,
-                           const SamplingLimits& limits, std::uint32_t samples)
+                           std::uint32_t samples)
 {
     if (std::all_of(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.HasConverged(); }))
         return;
@@ -108,7 +108,7 @@ void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& es
     });
     if (saved * samples < settings.forecastCost * settings.blockSide * settings.blockSide)
         return;
-    const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == limits.FirstRound());
+    const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == estimate.firstSamples);
     for (Candidate& one : candidates)
     {
         PixelEstimate& pixel = estimate.pixels[one.pixel];

@@ -37,7 +37,7 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
 /// Takes from the candidates' variances what the reconstruction will take: of what their own samples show, not of what is
 /// undetected.
 void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& estimate, const Neighbourhood& around,
-                           const SamplingLimits& limits, std::uint32_t samples);
+                           std::uint32_t samples);
 
 } // namespace tilt_lens
 

@@ -105,11 +105,11 @@ void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
 
 } // namespace
 
-void PixelStatistics::BeginRound(std::uint32_t until)
+void PixelStatistics::BeginRound(std::uint32_t until, bool ofFirstRound)
 {
     AddTo(sum[0], sum[1]);
     sum[1].fill(0.0);
-    roundBegin = samples;
+    blurIsKnown = ofFirstRound;
     firstBuffer = samples == 0 ? until / 2 : samples;
     if (samples == 0)
     {
@@ -133,7 +133,7 @@ void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t cou
     RunMaxima maxima;
     if (addRadiances(results, count, bufferSum, totals, maxima))
     {
-        if (roundBegin == 0)
+        if (blurIsKnown)
             blurRadius = std::max(blurRadius, maxima.blurRadius);
         for (std::uint32_t i = 0; maxima.expectedEmission > 0.0 && i < count; i++)
             AddEmitterSample(results[i]);
@@ -148,7 +148,7 @@ void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t cou
             notFinite++;
         }
         AddOne(result.radiance, bufferSum, totals);
-        if (roundBegin == 0)
+        if (blurIsKnown)
             blurRadius = std::max(blurRadius, result.blurRadius);
         AddEmitterSample(result);
     }

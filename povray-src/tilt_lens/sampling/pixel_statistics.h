@@ -49,7 +49,9 @@ class PixelStatistics
 {
   public:
     /// The samples up to number `until` (not included) are to come.
-    void BeginRound(std::uint32_t until);
+    /// @param ofFirstRound  their blur radii are known
+    void BeginRound(std::uint32_t until, bool ofFirstRound);
+    void BeginRound(std::uint32_t until) { BeginRound(until, samples == 0); }
     /// The next samples. One that is not finite counts as black, and is counted.
     void Add(const SampleResult* results, std::uint32_t count);
     void Add(const SampleResult& result) { Add(&result, 1); }
@@ -75,7 +77,7 @@ class PixelStatistics
     SampleVariation variation;
     std::uint32_t samples = 0;
     std::uint32_t firstBuffer = 0;  ///< samples in the first buffer
-    std::uint32_t roundBegin = 0;   ///< samples before this round
+    bool blurIsKnown = false;       ///< of the samples of this round
     std::uint32_t emitterSamples = 0, notFinite = 0;
     double blurRadius = 0.0, expectedEmission = 0.0;
 

@@ -33,7 +33,7 @@ void TileSampler::RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& 
         { return one ? one->Statistics() : nullptr; });
     std::transform(around.begin(), around.end(), spread.begin(), [](const std::shared_ptr<const Block>& one)
         { return one ? one->Spread() : nullptr; });
-    const std::shared_ptr<const PaddedSpread> received = PaddedSpread::Of(spread);
+    const std::shared_ptr<const PaddedSpread> received = PaddedSpread::Of(spread, block->FirstSamples());
     const PaddedBlock padded(statistics);
     if (cache.limits.max == 1 && !received)
         return;
