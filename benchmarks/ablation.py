@@ -54,7 +54,6 @@ RULES = (
 )
 # The same, of the emitter sampling: samples change.
 EMITTER_RULES = (
-    ("longer first rounds", 1, "farShare=2"),
     ("choice of the film point", 7, f"lensPointBlur={ALWAYS}"),
     ("half of the samples at emitters, not a quarter", 7, "emitterShare=0.25"),
     ("several emitters of a pixel", 7, "emittersOfPixel=1"),
