@@ -30,7 +30,7 @@ PixelStatistics StatisticsOf(const std::vector<double>& values)
     PixelStatistics pixel;
     for (std::size_t until = 4; pixel.Samples() < values.size(); until *= 2)
     {
-        pixel.BeginRound(until);
+        pixel.BeginRound(until, pixel.Samples() == 0);
         while (pixel.Samples() < until)
             pixel.Add(Result(values[pixel.Samples()]));
         pixel.EndRound();
@@ -94,8 +94,8 @@ TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
             PixelStatistics together, single;
             for (const std::uint32_t until : {8u, 16u, 32u})
             {
-                together.BeginRound(until);
-                single.BeginRound(until);
+                together.BeginRound(until, together.Samples() == 0);
+                single.BeginRound(until, single.Samples() == 0);
                 for (std::uint32_t i = single.Samples(); i < until; i++)
                     single.Add(results[i]);
                 for (std::uint32_t i = together.Samples(); i < until; i = together.Samples())
@@ -118,7 +118,7 @@ TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
 TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)
 {
     PixelStatistics pixel;
-    pixel.BeginRound(8);
+    pixel.BeginRound(8, pixel.Samples() == 0);
     for (int i = 0; i < 8; i++)
     {
         SampleResult result = Result(i % 2 ? 0.25 : 3.0);
@@ -137,7 +137,7 @@ TEST(PixelStatistics, TheBlurIsTheLargestOfTheFirstRound)
     PixelStatistics pixel;
     for (const std::uint32_t until : {4u, 8u})
     {
-        pixel.BeginRound(until);
+        pixel.BeginRound(until, pixel.Samples() == 0);
         while (pixel.Samples() < until)
         {
             SampleResult result = Result(0.5);

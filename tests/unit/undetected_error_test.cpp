@@ -19,7 +19,7 @@ namespace
 PixelStatistics Equal(std::uint32_t samples, double value, double expectedEmission = 0.0)
 {
     PixelStatistics pixel;
-    pixel.BeginRound(samples);
+    pixel.BeginRound(samples, true);
     for (std::uint32_t i = 0; i < samples; i++)
     {
         SampleResult result;
@@ -58,7 +58,7 @@ TEST(UndetectedError, IsOfWhatOthersHitAndThePixelShowsLessOf)
     EXPECT_LT(UndetectedError(Equal(64, 0.5), around, none)[1], error[1] / 8.0) << "more samples would have hit it";
 
     PixelStatistics noisy;
-    noisy.BeginRound(8);
+    noisy.BeginRound(8, true);
     for (int i = 0; i < 8; i++)
     {
         SampleResult result;

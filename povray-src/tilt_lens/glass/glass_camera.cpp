@@ -101,26 +101,6 @@ void GlassCamera::FillUnseen()
     }
 }
 
-GlassCamera::Node GlassCamera::Between(const FilmPoint& film) const
-{
-    const auto [at, right, down] = PlaceOf(kTableSide, film);
-    const Node* const upper = &nodes[at];
-    const Node* const lower = upper + kTableSide;
-    const double weights[4] = {(1.0 - right) * (1.0 - down), right * (1.0 - down), (1.0 - right) * down, right * down};
-    const Node* const corners[4] = {upper, upper + 1, lower, lower + 1};
-    Node mean;
-    for (int i = 0; i < 4; i++)
-    {
-        mean.l += weights[i] * corners[i]->l;
-        mean.m += weights[i] * corners[i]->m;
-        mean.radial += weights[i] * corners[i]->radial;
-        mean.tangential += weights[i] * corners[i]->tangential;
-        mean.open += weights[i] * corners[i]->open;
-        mean.natural += weights[i] * corners[i]->natural;
-    }
-    return mean;
-}
-
 PupilEllipse GlassCamera::BoundsOf(const Node& node, const Vec3& place) const
 {
     const PupilPoint aim = ParaxialAim(glass->Cardinal(), place);

@@ -21,20 +21,6 @@ namespace
 /// The least part of a ray's direction that lies along the camera's axis, where that scales the direction.
 constexpr double kLeastAlong = 0.01;
 
-template<class Vector>
-TILT_LENS_INLINED VecOf<Vector> LoadVectors(const double (&from)[3][4], std::size_t first)
-{
-    return {Load<Vector>(from[0] + first), Load<Vector>(from[1] + first), Load<Vector>(from[2] + first)};
-}
-
-template<class Vector>
-TILT_LENS_INLINED void StoreVectors(double (&to)[3][4], std::size_t first, const VecOf<Vector>& vectors)
-{
-    Store(to[0] + first, vectors.x);
-    Store(to[1] + first, vectors.y);
-    Store(to[2] + first, vectors.z);
-}
-
 /// x axisX + y axisY + z axisZ
 template<class Number>
 TILT_LENS_INLINED VecOf<Number> AlongAxes(const VecOf<Number>& v, const Vec3& axisX, const Vec3& axisY, const Vec3& axisZ)
@@ -65,7 +51,7 @@ struct GlassCamera::FourPupils
     unsigned int seen = 0;                        ///< a bit for each film point that sees something
 };
 
-/// Between() for film points side by side.
+/// The means of the table's four places around film points, side by side.
 template<class Vector>
 struct GlassCamera::Interpolation
 {
@@ -102,6 +88,14 @@ struct GlassCamera::Interpolation
         return mean;
     }
 };
+
+GlassCamera::Node GlassCamera::Between(const FilmPoint& film) const
+{
+    const double x[] = {film.x, film.x}, y[] = {film.y, film.y};
+    const Interpolation<Double2> mean(nodes, x, y);
+    return {mean(&Node::l)[0], mean(&Node::m)[0], mean(&Node::radial)[0], mean(&Node::tangential)[0], mean(&Node::open)[0],
+            mean(&Node::natural)[0]};
+}
 
 /// As long as the film point's chief ray along the camera's axis, so that parameters of hits compare with those of ideal rays.
 template<class Number>
@@ -176,14 +170,13 @@ TILT_LENS_INLINED unsigned int GlassCamera::DrawRays(const GlassLens& colour, co
     for (int tries = 0; waiting != 0 && tries <= kTries; tries++)
     {
         FourGlassRays rays;
-        FourStopPoints stop;
         disc.Map(u.data(), v.data(), a.data(), b.data(), 4);
-        const unsigned int passed = Aim<Vector>(pupils, a.data(), b.data(), rays) & colour.Trace(rays, stop);
+        const unsigned int passed = Aim<Vector>(pupils, a.data(), b.data(), rays) & TraceThrough(colour, aperture, rays);
         for (int i = 0; i < 4; i++)
         {
             if ((waiting >> i & 1u) == 0)
                 continue;
-            if ((passed >> i & 1u) != 0 && (aperture.IsDisc() || aperture.Density({stop.a[i], stop.b[i]}) > 0.0))
+            if ((passed >> i & 1u) != 0)
             {
                 Copy(i, rays, drawn);
                 waiting &= ~(1u << i);

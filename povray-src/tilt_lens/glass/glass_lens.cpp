@@ -153,23 +153,6 @@ namespace
 
 using Surfaces = std::vector<GlassSurface>;
 
-template<class Vector>
-TILT_LENS_INLINED GlassRayOf<Vector> LoadRays(const FourGlassRays& rays, std::size_t first)
-{
-    const auto load = [&](const double (&of)[3][4]) TILT_LENS_INLINED_LAMBDA
-        { return VecOf<Vector>{Load<Vector>(of[0] + first), Load<Vector>(of[1] + first), Load<Vector>(of[2] + first)}; };
-    return {load(rays.origin), load(rays.direction)};
-}
-
-template<class Vector>
-TILT_LENS_INLINED void StoreRays(const GlassRayOf<Vector>& ray, FourGlassRays& rays, std::size_t first)
-{
-    const auto store = [&](const VecOf<Vector>& from, double (&to)[3][4]) TILT_LENS_INLINED_LAMBDA
-        { Store(to[0] + first, from.x), Store(to[1] + first, from.y), Store(to[2] + first, from.z); };
-    store(ray.origin, rays.origin);
-    store(ray.direction, rays.direction);
-}
-
 /// Rays side by side to a conic or an aspherical surface, one after the other.
 template<class Vector>
 TILT_LENS_INLINED MaskOf<Vector> CrossOneByOne(const GlassSurface& surface, bool rims, GlassRayOf<Vector>& rays)
@@ -193,7 +176,7 @@ TILT_LENS_INLINED unsigned int TraceSideBySide(const Surfaces& surfaces, double 
     unsigned int passed = 0;
     for (std::size_t first = 0; first < 4; first += kVectorWidth<Vector>)
     {
-        GlassRayOf<Vector> ray = LoadRays<Vector>(rays, first);
+        GlassRayOf<Vector> ray{LoadVectors<Vector>(rays.origin, first), LoadVectors<Vector>(rays.direction, first)};
         MaskOf<Vector> passes = Vector() == Vector();
         const MaskOf<Vector> beyondRims = rims ? Vector() != Vector() : passes;
         for (const GlassSurface& surface : surfaces)
@@ -212,20 +195,20 @@ TILT_LENS_INLINED unsigned int TraceSideBySide(const Surfaces& surfaces, double 
             else
                 passes &= CrossOneByOne(surface, rims, ray);
         }
-        StoreRays(ray, rays, first);
+        StoreVectors(rays.origin, first, ray.origin);
+        StoreVectors(rays.direction, first, ray.direction);
         passed |= SignBits(passes & (ray.direction.z > 0.0)) << first;
     }
     return passed;
 }
 
-unsigned int TracePlainly(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays,
-                                              FourStopPoints& stop)
+unsigned int TracePlainly(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays, FourStopPoints& stop)
 {
     return TraceSideBySide<Double2>(surfaces, stopScale, rims, rays, stop);
 }
 
 TILT_LENS_FOR_AVX2 unsigned int TraceByAvx2(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays,
-                                              FourStopPoints& stop)
+                                            FourStopPoints& stop)
 {
     return TraceSideBySide<Double4>(surfaces, stopScale, rims, rays, stop);
 }

@@ -66,12 +66,7 @@ struct Seen
             rays.direction[0][i] = direction.l, rays.direction[1][i] = direction.m, rays.direction[2][i] = std::sqrt(square);
             passing |= (square > 0.0 ? 1u : 0u) << i;
         }
-        FourStopPoints stop;
-        passing &= lens.Trace(rays, stop, rims);
-        for (int i = 0; i < 4 && !aperture.IsDisc(); i++)
-            if ((passing >> i & 1u) != 0 && !(aperture.Density({stop.a[i], stop.b[i]}) > 0.0))
-                passing &= ~(1u << i);
-        return passing;
+        return passing & TraceThrough(lens, aperture, rays, rims);
     }
 
     /// Half the paraxial pupil's size, about.

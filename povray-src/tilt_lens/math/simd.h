@@ -105,16 +105,24 @@ TILT_LENS_INLINED Vector SquareRoot(Vector value)
 
 inline double SquareRoot(double value) { return std::sqrt(value); }
 
-/// One bit for each lane.
+/// One bit for each lane: what processors without an instruction for it do.
+template<class Mask>
+TILT_LENS_INLINED unsigned int SignBitsOneByOne(const Mask& mask)
+{
+    unsigned int bits = 0;
+    for (std::size_t i = 0; i < kVectorWidth<Mask>; i++)
+        bits |= (mask[i] < 0 ? 1u : 0u) << i;
+    return bits;
+}
+
+/// @name One bit for each lane.
+/// @{
 TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)
 {
 #ifdef __SSE2__
     return __builtin_ia32_movmskps(reinterpret_cast<const Float4&>(mask));
 #else
-    unsigned int bits = 0;
-    for (int i = 0; i < 4; i++)
-        bits |= (mask[i] < 0 ? 1u : 0u) << i;
-    return bits;
+    return SignBitsOneByOne(mask);
 #endif
 }
 
@@ -123,8 +131,7 @@ TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const Mask8& mask)
 #ifdef __SSE2__
     return __builtin_ia32_movmskps256(reinterpret_cast<const Float8&>(mask));
 #else
-    const Mask4* const halves = reinterpret_cast<const Mask4*>(&mask);
-    return SignBits(halves[0]) | SignBits(halves[1]) << 4;
+    return SignBitsOneByOne(mask);
 #endif
 }
 
@@ -133,7 +140,7 @@ TILT_LENS_INLINED unsigned int SignBits(const Mask2& mask)
 #ifdef __SSE2__
     return __builtin_ia32_movmskpd(reinterpret_cast<const Double2&>(mask));
 #else
-    return (mask[0] < 0 ? 1u : 0u) | (mask[1] < 0 ? 2u : 0u);
+    return SignBitsOneByOne(mask);
 #endif
 }
 
@@ -142,10 +149,10 @@ TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const LongMask4& mask)
 #ifdef __SSE2__
     return __builtin_ia32_movmskpd256(reinterpret_cast<const Double4&>(mask));
 #else
-    const Mask2* const halves = reinterpret_cast<const Mask2*>(&mask);
-    return SignBits(halves[0]) | SignBits(halves[1]) << 2;
+    return SignBitsOneByOne(mask);
 #endif
 }
+/// @}
 
 /// Whether a comparison of 16 or 32 bytes holds in all lanes.
 template<class Mask>

@@ -52,6 +52,23 @@ inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// @name Vectors side by side, from and to the place of the first in arrays of their x, y and z.
+/// @{
+template<class Vector, std::size_t size>
+TILT_LENS_INLINED VecOf<Vector> LoadVectors(const double (&from)[3][size], std::size_t first)
+{
+    return {Load<Vector>(from[0] + first), Load<Vector>(from[1] + first), Load<Vector>(from[2] + first)};
+}
+
+template<class Vector, std::size_t size>
+TILT_LENS_INLINED void StoreVectors(double (&to)[3][size], std::size_t first, const VecOf<Vector>& vectors)
+{
+    Store(to[0] + first, vectors.x);
+    Store(to[1] + first, vectors.y);
+    Store(to[2] + first, vectors.z);
+}
+/// @}
+
 /// Length without overflow or underflow: scenes span 1e-9 to 1e12 units.
 inline double Length(const Vec3& a)
 {

@@ -35,19 +35,6 @@ struct RayStarts
     }
 };
 
-/// Takes the directions of rays side by side.
-/// @return  where their lengths are usual ones; elsewhere what it has taken is not right
-template<class Vector>
-TILT_LENS_INLINED MaskOf<Vector> PutDirections(const VecOf<Vector>& along, std::uint32_t i, CameraRays& rays)
-{
-    const Vector squared = Dot(along, along), length = SquareRoot(squared);
-    Store(rays.direction[0] + i, along.x / length);
-    Store(rays.direction[1] + i, along.y / length);
-    Store(rays.direction[2] + i, along.z / length);
-    Store(rays.length + i, length);
-    return (squared > kLeastSquared) & (squared < kGreatestSquared);
-}
-
 /// RayFromIdeal() and the length of its direction, for samples side by side and a lens that maps planes onto planes: the same
 /// operations in the same order.
 /// @return  whether all lengths are usual ones; if not, the rays are not right
@@ -65,7 +52,10 @@ TILT_LENS_INLINED bool FindPlainRays(const Lens& lens, const Quads& quads, Camer
         starts.FindAlong(lens.direction.x, lens.right.x, lens.up.x, lens.lensX.x, lens.lensY.x, rays.origin[0] + i, along.x);
         starts.FindAlong(lens.direction.y, lens.right.y, lens.up.y, lens.lensX.y, lens.lensY.y, rays.origin[1] + i, along.y);
         starts.FindAlong(lens.direction.z, lens.right.z, lens.up.z, lens.lensX.z, lens.lensY.z, rays.origin[2] + i, along.z);
-        usual &= PutDirections(along, i, rays);
+        const Vector squared = Dot(along, along), length = SquareRoot(squared);
+        usual &= (squared > kLeastSquared) & (squared < kGreatestSquared);
+        StoreVectors(rays.direction, i, along / length);
+        Store(rays.length + i, length);
         Store(rays.w + i, starts.w);
     }
     return All(usual);
@@ -89,41 +79,19 @@ void FindRaysOneByOne(const Lens& lens, const SampleRun& run, CameraRays& rays)
         rays.Put(i, CameraRay(lens, rays.samples[i]));
 }
 
-template<class Vector>
-TILT_LENS_INLINED bool PutFourDirections(const double (&direction)[3][4], std::uint32_t first, CameraRays& rays)
-{
-    MaskOf<Vector> usual = Vector() == Vector();
-    for (std::uint32_t i = 0; i < 4; i += kVectorWidth<Vector>)
-        usual &= PutDirections(VecOf<Vector>{Load<Vector>(direction[0] + i), Load<Vector>(direction[1] + i), Load<Vector>(direction[2] + i)},
-                               first + i, rays);
-    return All(usual);
-}
-
-bool PutFourPlainly(const double (&direction)[3][4], std::uint32_t first, CameraRays& rays)
-{
-    return PutFourDirections<Double2>(direction, first, rays);
-}
-
-TILT_LENS_FOR_AVX2 bool PutFourByAvx2(const double (&direction)[3][4], std::uint32_t first, CameraRays& rays)
-{
-    return PutFourDirections<Double4>(direction, first, rays);
-}
-
-const auto putFourDirections = HasAvx2() ? PutFourByAvx2 : PutFourPlainly;
-
 /// Four samples of a lens of glass.
 void PutFour(const FourGlassSamples& four, std::uint32_t first, CameraRays& rays)
 {
-    const bool usual = putFourDirections(four.direction, first, rays);
     for (std::uint32_t i = 0; i < 4; i++)
     {
         const std::uint32_t place = first + i;
+        rays.samples.weight[place] = four.weight[i];
+        if (four.weight[i] == 0.0)
+            continue;
         for (int axis = 0; axis < 3; axis++)
             rays.origin[axis][place] = four.origin[axis][i];
         rays.w[place] = four.w[i];
-        rays.samples.weight[place] = four.weight[i];
-        if (!usual)
-            rays.PutDirection(place, {four.direction[0][i], four.direction[1][i], four.direction[2][i]});
+        rays.PutDirection(place, {four.direction[0][i], four.direction[1][i], four.direction[2][i]});
     }
 }
 
@@ -175,9 +143,10 @@ void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
 {
     FourGlassPoints four;
     four.wanted = 0;
+    const std::uint32_t begin = run.first.index - run.Place();  // of the group
     for (std::uint32_t i = 0; i < 4; i++)
     {
-        const std::uint32_t place = first + i, begin = run.first.index - run.Place();
+        const std::uint32_t place = first + i;
         four.x[i] = rays.samples.x[place], four.y[i] = rays.samples.y[place];
         four.u[i] = points.lensU[place], four.v[i] = points.lensV[place];
         four.seed[i] = glassSeeds.Hash(begin + place);

@@ -51,7 +51,6 @@ class PixelStatistics
     /// The samples up to number `until` (not included) are to come.
     /// @param ofFirstRound  their blur radii are known
     void BeginRound(std::uint32_t until, bool ofFirstRound);
-    void BeginRound(std::uint32_t until) { BeginRound(until, samples == 0); }
     /// The next samples. One that is not finite counts as black, and is counted.
     void Add(const SampleResult* results, std::uint32_t count);
     void Add(const SampleResult& result) { Add(&result, 1); }
