@@ -23,6 +23,6 @@ def compare(lab, scenes):
 
 def display(lab, names):
     """Parts of the gallery's scenes, as many pixels as there is time for."""
-    scenes = [suite.of_gallery(name, gallery.copy(lab, name), lab.quick) for name in names]
+    scenes = [suite.of_gallery(name, gallery.copy(lab, name)) for name in names]
     found, runs = compare(lab, scenes)
     return {"part": [*scenes[0].size, scenes[0].part.columns, scenes[0].part.rows], **found}, runs

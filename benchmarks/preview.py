@@ -12,7 +12,7 @@ REPETITIONS = 3
 def measure(lab):
     """A row with the CPU seconds of the whole run, and those of the rays with the reconstruction."""
     lab.say("one sample in each pixel")
-    scene = suite.of_gallery(SCENE, gallery.copy(lab, SCENE), lab.quick)
+    scene = suite.of_gallery(SCENE, gallery.copy(lab, SCENE))
     whole = scene.shot(TILT_LENS, 1, size=suite.DISPLAY_SIZE, part=None, declare=suite.limits(1, 1, 1e-3))
     run, = lab.interleaved([(lab.ours, whole)], 1 if lab.quick else REPETITIONS)
     return [{"scene": SCENE, "cpu": run["cpu"], "rays": run["rays"]}]

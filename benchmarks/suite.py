@@ -53,15 +53,15 @@ DISPLAY = {"miniature_town": "town", "miniature_harbour": "harbour", "miniature_
            "facade_by_shift": "facade", "chess_by_swing": "chess", "watch_on_table": "watch", "city_lights": "city lights",
            "forest_reverse_tilt": "forest"}
 DISPLAY_SIZE = (1280, 720)
-STRIP, QUICK_STRIP = (160, 720), (64, 360)      # in the middle of the picture
-QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")     # scenes that are parsed in a second
+STRIP = (64, 360)               # in the middle of the picture
+QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")     # scenes that are parsed in a second or two
+SLOWLY_PARSED = ("miniature_railway", "miniature_stadium")      # in eight seconds, for each frame of the accumulation buffer
 
 
-def of_gallery(name, folder, quick):
-    size = QUICK_STRIP if quick else STRIP
-    part = Part((DISPLAY_SIZE[0] - size[0])//2, (DISPLAY_SIZE[1] - size[1])//2, *DISPLAY_SIZE)
-    return Scene(name, DISPLAY[name], (2, 512), frames=256, size=size, quick_frames=64, targets=(16, 37, 100, 400), part=part,
-                 folder=folder)
+def of_gallery(name, folder):
+    part = Part((DISPLAY_SIZE[0] - STRIP[0])//2, (DISPLAY_SIZE[1] - STRIP[1])//2, *DISPLAY_SIZE)
+    return Scene(name, DISPLAY[name], (2, 256), frames=128 if name in SLOWLY_PARSED else 256, size=STRIP, quick_frames=64,
+                 targets=(16, 37, 100, 400), part=part, folder=folder)
 
 
 # Settings for the best of stock: a minimum that prevents most early stops, and a variance that fits it.
@@ -72,8 +72,7 @@ STOCK_CONFIDENCE = [(32, 400, 1e-3, 0.99), (64, 1600, 3e-4, 0.99), (32, 400, 3e-
 VARIANCES = (3e-2, 1e-2, 4e-3, 1.5e-3, 6e-4, 2.5e-4, 1e-4, 4e-5, 1.5e-5, 6e-6, 2.5e-6, 1e-6, 4e-7)
 # Least number of samples, variances.
 OURS = {"quick": [(4, VARIANCES)], "full": [(4, VARIANCES), (2, VARIANCES[:5]), (8, VARIANCES[:8]), (16, VARIANCES[2:6])],
-        "part quick": [(4, VARIANCES), (2, VARIANCES[:4])],
-        "part full": [(4, VARIANCES), (1, VARIANCES[:4]), (2, VARIANCES[:6]), (8, VARIANCES[:8]), (16, VARIANCES[2:6])]}
+        "part": [(4, VARIANCES), (2, VARIANCES[:4])]}
 
 
 def limits(least, most, variance, confidence=0.9):
@@ -84,7 +83,8 @@ def stock_shots(scene, quick):
     """(name, shot) of stock focal blur; first those that define the errors compared at."""
     settings = [(samples, samples, 0, 0.9) for samples in (scene.targets[:3] if quick else scene.targets)]
     adaptive = STOCK_SPARING + STOCK_ADAPTIVE if scene.part else STOCK_ADAPTIVE
-    settings += [(*setting, 0.9) for setting in adaptive if not quick or setting[0] <= (32 if scene.part else 64)]
+    most = 32 if quick and scene.part else 64 if quick or scene.part else 128     # minimum for the least error compared at
+    settings += [(*setting, 0.9) for setting in adaptive if setting[0] <= most]
     settings += [] if quick else STOCK_CONFIDENCE
     return [(str(setting[0]) if setting[2] == 0 else "{},{} {:g} {:g}".format(*setting),
              scene.shot(STOCK, declare=limits(*setting))) for setting in settings]
@@ -93,4 +93,4 @@ def stock_shots(scene, quick):
 def ours_chains(scene, tilted, quick):
     """Lists of (name, shot) of tilt_lens, each from the roughest to the finest."""
     return [[(f"{least} {variance:g}", scene.shot(TILT_LENS, tilted, declare=limits(least, 16384, variance)))
-             for variance in variances] for least, variances in OURS[("part " if scene.part else "") + ("quick" if quick else "full")]]
+             for variance in variances] for least, variances in OURS["part" if scene.part else "quick" if quick else "full"]]

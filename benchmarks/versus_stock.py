@@ -14,7 +14,7 @@ from benchmarks.lab import STOCK, TILT_LENS
 def repetitions(scene, record, quick):
     """Short runs are repeated more often."""
     cpu = scene.seconds(record)
-    if scene.part and quick:
+    if scene.part:
         return 1
     return 1 if cpu > (3 if quick else 8) else 2 if quick or cpu > 2 else 3
 
