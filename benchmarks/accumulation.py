@@ -6,11 +6,12 @@ point of the lens. The unpatched program has no other way to tilt the plane of s
 import concurrent.futures
 import dataclasses
 import math
+import os
 import shutil
 
 from benchmarks.lab import ACCUMULATE, TILT_LENS, Failed, cpu_of_rays, digest, run_measured
 
-PROCESSES = 16      # the program idles between frames
+PROCESSES = os.cpu_count() or 1     # more would take the caches from each other, and longer
 
 
 # Frames are OpenEXR: a PNG would clip lights before they are averaged.
@@ -35,10 +36,14 @@ def cpu_of_frames(lab, shot, count, folder):
         return [sum(sums) for sums in zip(*(part.result() for part in parts))]
 
 
+def frames_of(lab, scene, tilted):
+    """How many frames there are at the most; fewer where the accumulation buffer is only drawn, untilted."""
+    return min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames//4
+
+
 def measure(lab, scene, tilted):
     """(CPU seconds of the rays, RMSE) for each number of frames."""
-    # untilted it is only drawn
-    count = min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames//4
+    count = frames_of(lab, scene, tilted)
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)
     key = digest("accumulation of OpenEXR", lab.hashes[lab.stock], shot.settings(), shot.sources(), reference.name, count)

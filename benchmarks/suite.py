@@ -55,12 +55,12 @@ DISPLAY = {"miniature_town": "town", "miniature_harbour": "harbour", "miniature_
 DISPLAY_SIZE = (1280, 720)
 STRIP = (64, 360)               # in the middle of the picture
 QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")     # scenes that are parsed in a second or two
-SLOWLY_PARSED = ("miniature_railway", "miniature_stadium")      # in eight seconds, for each frame of the accumulation buffer
+QUICKLY_PARSED = ("chess_by_swing", "watch_on_table", "city_lights")      # in a second, and that for each frame
 
 
 def of_gallery(name, folder):
     part = Part((DISPLAY_SIZE[0] - STRIP[0])//2, (DISPLAY_SIZE[1] - STRIP[1])//2, *DISPLAY_SIZE)
-    return Scene(name, DISPLAY[name], (2, 256), frames=128 if name in SLOWLY_PARSED else 256, size=STRIP, quick_frames=64,
+    return Scene(name, DISPLAY[name], (2, 256), frames=256 if name in QUICKLY_PARSED else 64, size=STRIP, quick_frames=64,
                  targets=(16, 37, 100, 400), part=part, folder=folder)
 
 

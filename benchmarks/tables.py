@@ -69,7 +69,9 @@ def ratio_cell(line):
 def ratios(comparisons):
     """A table of scenes by errors; its last line is the geometric mean of each column."""
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
-    rows = [[TITLES[scene], *[ratio_cell(line) for line in lines]] for scene, lines in comparisons.items()]
+    cells = [{line["target"]: ratio_cell(line) for line in lines} for lines in comparisons.values()]
+    rows = [[TITLES[scene], *[found.get(target, "not compared") for target in targets]]
+            for scene, found in zip(comparisons, cells)]
     means = [geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines
                             if line["target"] == target and line["ratio"]) for target in targets]
     rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
