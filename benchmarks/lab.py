@@ -164,10 +164,9 @@ class Lab:
         """Options that read the scene's radiosity from a file, which stock makes first; none for most scenes."""
         if b"Gather" not in shot.sources():
             return []
-        path = self.work / "references" / f"{shot.scene}-{digest(shot.sources())}.rca"
+        wide = dataclasses.replace(shot, form=PINHOLE, tilted=0, size=(300, 225), threads=1, options=(), declare=(("Gather", 1),))
+        path = self.work / "references" / f"{shot.scene}-{digest(wide.settings(), shot.sources())}.rca"
         if not path.is_file():
-            wide = dataclasses.replace(shot, form=PINHOLE, tilted=0, size=(300, 225), threads=1, options=(),
-                                       declare=(("Gather", 1),))
             path.parent.mkdir(parents=True, exist_ok=True)
             run_measured([self.stock, *wide.arguments(), f"+O{path}.png", "+FN", "+RFO", f"+RF{path}.part"],
                          path.parent)

@@ -55,7 +55,7 @@ DISPLAY = {"miniature_town": "town", "miniature_harbour": "harbour", "miniature_
 DISPLAY_SIZE = (1280, 720)
 STRIP = (64, 360)               # in the middle of the picture
 QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")     # scenes that are parsed in a second or two
-QUICKLY_PARSED = ("chess_by_swing", "watch_on_table", "city_lights")      # in a second, and that for each frame
+QUICKLY_PARSED = ("chess_by_swing", "watch_on_table", "city_lights")      # within a second, and that for each frame
 
 
 def of_gallery(name, folder):

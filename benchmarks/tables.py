@@ -93,7 +93,7 @@ def ratio_goals(comparisons, other, wanted, least=None, where=""):
     goals_of = [Goal(f"{what}, geometric mean", f"at least {wanted}", f"{mean:.1f}", mean >= wanted)]
     if least:
         missing = sum(not line["ratio"] for lines in comparisons.values() for line in lines)
-        goals_of.append(Goal(f"{what}, in each scene at each error", f"at least {least}", f"{min(found):.1f} at the least" + (
+        goals_of.append(Goal(f"{what}, in each scene at each error", f"at least {least}", f"{min(found):.2f} at the least" + (
             f", and {missing} errors not reached" if missing else ""), min(found) >= least and not missing))
     return goals_of
 
