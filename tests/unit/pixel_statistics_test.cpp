@@ -118,7 +118,7 @@ TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
 TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)
 {
     PixelStatistics pixel;
-    pixel.BeginRound(8, pixel.Samples() == 0);
+    pixel.BeginRound(8, true);
     for (int i = 0; i < 8; i++)
     {
         SampleResult result = Result(i % 2 ? 0.25 : 3.0);
