@@ -128,6 +128,7 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
     if (limits.Denoises())
         UpdateBlockStatistics(estimate, samples);
 
+    results.reserve(estimate.pixels.size());
     for (const PixelEstimate& pixel : estimate.pixels)
     {
         const PixelStatistics& own = pixel.statistics;

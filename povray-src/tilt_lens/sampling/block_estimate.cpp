@@ -17,6 +17,7 @@ bool BlockEstimate::IsUniform() const
 
 FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), samples(estimate.firstSamples), uniform(estimate.IsUniform())
 {
+    pixels.reserve(area.Size());
     for (const PixelEstimate& pixel : estimate.pixels)
     {
         const PixelStatistics& own = pixel.statistics;
