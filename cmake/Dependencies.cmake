@@ -25,6 +25,8 @@ set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenEXR CONFIG QUIET)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(SDL 1.2 QUIET)
+find_library(JEMALLOC_LIBRARY NAMES libjemalloc.a)  # static: one library less to load at start
+mark_as_advanced(JEMALLOC_LIBRARY)
 
 tilt_lens_require(Boost_THREAD_FOUND libboost-thread-dev)
 tilt_lens_require(Boost_DATE_TIME_FOUND libboost-date-time-dev)
@@ -34,6 +36,7 @@ tilt_lens_require(JPEG_FOUND libjpeg-dev)
 tilt_lens_require(TIFF_FOUND libtiff-dev)
 tilt_lens_require(OpenEXR_FOUND libopenexr-dev)
 tilt_lens_require(SDL_FOUND libsdl1.2-dev)
+tilt_lens_require(JEMALLOC_LIBRARY libjemalloc-dev)
 
 if(TILT_LENS_MISSING)
     list(JOIN TILT_LENS_MISSING " " TILT_LENS_MISSING)

@@ -14,6 +14,8 @@ file(GLOB povray_vfe "${POVRAY_SOURCE}/vfe/*.cpp" "${POVRAY_SOURCE}/vfe/unix/*.c
 set(povray_unix "${POVRAY_SOURCE}/unix/disp_text.cpp" "${POVRAY_SOURCE}/unix/disp_sdl.cpp")
 file(GLOB_RECURSE povray_own_core CONFIGURE_DEPENDS "${POVRAY_OWN}/source/*.cpp")
 file(GLOB_RECURSE povray_own_unix CONFIGURE_DEPENDS "${POVRAY_OWN}/vfe/*.cpp" "${POVRAY_OWN}/unix/*.cpp")
+set(povray_allocator "${POVRAY_OWN}/unix/allocator.cpp")
+list(REMOVE_ITEM povray_own_unix "${povray_allocator}")
 
 # What every file is compiled with, ours and upstream's. Both trees are searched for one include path:
 # "backend/render/x.h" is found wherever it lies.
@@ -73,6 +75,12 @@ if(TILT_LENS_PATCHES AND povray_own_core)
     add_library(povray_own OBJECT ${povray_own_core})
     target_link_libraries(povray_own PRIVATE povray_own_settings)
     target_link_libraries(povray PRIVATE povray_own)
+endif()
+
+# Sanitizers have allocators of their own.
+if(TILT_LENS_PATCHES AND NOT TILT_LENS_SANITIZE)
+    target_sources(povray PRIVATE "${povray_allocator}")
+    target_link_libraries(povray PRIVATE "${JEMALLOC_LIBRARY}" ${CMAKE_DL_LIBS})
 endif()
 
 set_source_files_properties("${POVRAY_SOURCE}/source/backend/povray.cpp" "${POVRAY_SOURCE}/vfe/unix/unixconsole.cpp"
