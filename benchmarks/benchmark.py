@@ -24,6 +24,7 @@ from benchmarks import (
     plots,
     post,
     preview,
+    reading,
     reconstruction,
     report,
     sample_cost,
@@ -36,7 +37,7 @@ from benchmarks import (
 from benchmarks.lab import Failed, Lab
 from tools.repository import BUILD
 
-PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "denoise", "pan", "tilt", "instructions", "samples", "glass",
+PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "reading", "denoise", "pan", "tilt", "instructions", "samples", "glass",
          "loops", "growth", "contract", "crops", "builds", "ablation")
 NAMES = [*[scene.name for scene in suite.SCENES], *suite.DISPLAY]
 # Parts whose short form is shown in the pages, too: the page then says so by the size of its pictures.
@@ -130,6 +131,8 @@ def measure(lab, args):
             results["cycles"] = found
     if "preview" in args.parts:
         results["preview"] = preview.measure(lab)
+    if "reading" in args.parts:
+        results["reading"] = reading.measure(lab)
     if "denoise" in args.parts:
         results["denoise"] = [row for scene in scenes for row in reconstruction.measure(lab, scene)]
     if "pan" in args.parts:

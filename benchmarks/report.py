@@ -76,6 +76,13 @@ def section_preview(rows):
             *[goal.sentence() for goal in goals_preview(rows)]]
 
 
+def section_reading(rows):
+    cells = [[TITLES[row["scene"]], f"{row['stock']:.2f}", f"{row['ours']:.2f}", f"{row['stock']/row['ours']:.1f}"] for row in rows]
+    mean = geometric_mean(row["stock"]/row["ours"] for row in rows)
+    return [table(["scene", "the unpatched program, CPU s", "this program, CPU s", "ratio"], cells),
+            f"The geometric mean of the ratios is {mean:.1f}."]
+
+
 # The reconstruction
 
 def denoise_ratios(rows):
@@ -319,6 +326,7 @@ SECTIONS = {
     "lamps": ("Small lamps, brighter than white and not", section_lamps),
     "cycles": ("Cycles of Blender", section_cycles),
     "preview": ("The quickest picture", section_preview),
+    "reading": ("What reading a scene costs", section_reading),
     "denoise": ("What the reconstruction brings", section_denoise),
     "pan": ("Pictures without blur, against a pinhole's anti-aliasing", section_pan),
     "tilt": ("What a tilt costs at equal blur", section_tilt),

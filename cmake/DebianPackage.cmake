@@ -87,6 +87,8 @@ package_gzip(changelog "povray-tilt-lens (${PROJECT_VERSION}) unstable; urgency=
 set(UPSTREAM_SHA256_TARBALL "${UPSTREAM_SHA256_${UPSTREAM_TARBALL}}")
 configure_file("${package_templates}/SOURCE.in" "${package_files}/SOURCE" @ONLY)
 install(FILES "${package_files}/copyright" "${package_files}/SOURCE" "${package_files}/changelog.gz" DESTINATION ${package_doc} ${for_package})
+# What is linked into the program, its licence wants to be named with it.
+install(FILES /usr/share/doc/libjemalloc-dev/copyright DESTINATION ${package_doc} RENAME copyright.jemalloc ${for_package})
 install(CODE "
     set(doc \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${package_doc}\")
     file(CREATE_LINK copyright \"\${doc}/LICENSE\" SYMBOLIC)

@@ -85,6 +85,21 @@ class Distortion(rendering.RenderTest):
             self.assertAlmostEqual(values["position.Y"], 20 * HALF * own[1] * factor, places=4)
             self.assertAlmostEqual(values["depth.Z"], 20, places=4)
 
+    def test_near(self):
+        """What is focused on at the distance D in units of 100 mm takes K1 + NEAR f/D."""
+        film = 18 / HALF  # mm from the lens
+        for distance in (10, 1.5):
+            view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
+            at = layers_of(scenes.camera("scene_unit 100 distortion -0.02, 0.01, 0.8", 0.5, SAMPLES, view) + "plane { z, 20 pigment { rgb 1 } }\n")
+            k1 = -0.02 + 0.8 / (1 + 100 * distance / film)  # f/D with 1/f = 1/film + 1/D
+            for x, y in ((0, 0), (63, 20), (40, 47)):
+                own = place(x, y)
+                square = own[0] ** 2 + own[1] ** 2
+                factor = 1 + k1 * square + 0.01 * square**2
+                values = at(x, y)
+                self.assertAlmostEqual(values["position.X"], 20 * HALF * own[0] * factor, places=4)
+                self.assertAlmostEqual(values["position.Y"], 20 * HALF * own[1] * factor, places=4)
+
     def test_a_light_is_where_its_layers_say(self):
         """A small light in focus, which samples are sent at."""
         for k1, shift in ((0.1, (0, 0)), (-0.05, (3 / 18, 2 / 18))):

@@ -100,6 +100,7 @@ class Package(SetupTest):
     def test_licence_and_source(self):
         doc = self.root / "usr/share/doc/povray-tilt-lens"
         self.assertIn("GNU AFFERO GENERAL PUBLIC LICENSE", (doc / "copyright").read_text(encoding="utf-8"))
+        self.assertIn("Upstream-Name: jemalloc", (doc / "copyright.jemalloc").read_text(encoding="utf-8"))
         source = (doc / "SOURCE").read_text(encoding="utf-8")
         archive = next(doc.glob("*.tar.xz"))
         self.assertIn(archive.name, source)
