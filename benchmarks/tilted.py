@@ -16,7 +16,7 @@ def ours(lab, scene, reference, finest):
     for chain in suite.ours_chains(scene, 1, quick=True):
         for setting, shot in chain:
             first = lab.run(lab.ours, shot, reference)
-            run, = lab.interleaved([(lab.ours, shot)], repetitions(scene, first, lab.quick), reference)
+            run, = lab.interleaved([(lab.ours, shot)], repetitions(first), reference)
             records.append({**run, "cpu": scene.seconds(run), "program": "tilt_lens", "scene": scene.name, "tilted": 1,
                             "setting": setting, "start_up": start_up(lab, lab.ours, scene, scene.shot(TILT_LENS, 1)),
                             "rmse": math.sqrt(run["mse"])})

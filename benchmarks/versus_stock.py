@@ -11,12 +11,13 @@ from benchmarks.front import seconds_for
 from benchmarks.lab import STOCK, TILT_LENS
 
 
-def repetitions(scene, record, quick):
-    """Short runs are repeated more often."""
-    cpu = scene.seconds(record)
-    if scene.part:
-        return 1
-    return 1 if cpu > (3 if quick else 8) else 2 if quick or cpu > 2 else 3
+SECONDS_OF_SETTING, MOST_REPETITIONS = 4.0, 7
+
+
+def repetitions(first):
+    """Runs of one setting: as many as take some seconds with their starts and parsing. On shared machines, single short runs differ by up
+    to a half."""
+    return min(MOST_REPETITIONS, max(1, int(SECONDS_OF_SETTING/first["cpu"])))
 
 
 def start_up(lab, program, scene, shot):
@@ -57,9 +58,9 @@ def measure(lab, scene):
     start = {lab.stock: start_up(lab, lab.stock, scene, scene.shot(STOCK)),
              lab.ours: start_up(lab, lab.ours, scene, scene.shot(TILT_LENS))}
     times = collections.defaultdict(list)
-    for repetition in range(3):
+    for repetition in range(MOST_REPETITIONS):
         for program, shot, record in done:
-            if repetition < repetitions(scene, record, lab.quick):
+            if repetition < repetitions(record):
                 again = lab.run(program, shot, reference, repetition=repetition)
                 times[record["key"]].append(scene.seconds(again))
     return [{**record, "tilted": 0, "cpu": statistics.median(times[record["key"]]), "runs": len(times[record["key"]]),
