@@ -4,36 +4,33 @@
 reads: both parse the scene, and all that it tells (#debug) is compared."""
 
 import argparse
-import os
 import pathlib
-import subprocess
 import tempfile
 import unittest
 
+from tests.render import rendering
+
 PROGRAMS = argparse.Namespace(stock="/usr/bin/povray", fork="povray")
-HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 TOLD = "#macro Told(S) #debug concat(\"TOLD \", S, \"\\n\") #end\n"
 
 
-def told(program, files):
-    """What scene.pov of the files tells, a line each, and the program's error, if any."""
+def told(program, scene, files):
+    """What the scene tells beside its files, a line each, and the program's error, if any."""
+    rendering.SETTINGS.povray = program
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         for path, text in files.items():
             (folder / path).write_bytes(text.encode())
-        (folder / "none.ini").write_text("")
-        done = subprocess.run([os.path.abspath(program), "+Iscene.pov", "-F", "+W4", "+H3", "-D", "+WT1", "All_Console=On"], cwd=folder,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
-                              timeout=100, env={**os.environ, "POVINI": str(folder / "none.ini")})
-        lines = done.stdout.decode(errors="replace").splitlines()
+        process = rendering.Job(scene, ("-F", "+WT1", "All_Console=On"), width=4, height=3).start(folder)
+        lines = process.communicate(timeout=100)[0].decode(errors="replace").splitlines()
         return [line for line in lines if "TOLD" in line or "Error:" in line]
 
 
 class TextFiles(unittest.TestCase):
     def check(self, scene, expected, **files):
         """Both programs tell the same, and that is what a reader of the scene expects."""
-        files = {"scene.pov": HEAD + TOLD + scene, **{f"{name}.inc": text for name, text in files.items()}}
-        stock, fork = told(PROGRAMS.stock, files), told(PROGRAMS.fork, files)
+        files = {f"{name}.inc": text for name, text in files.items()}
+        stock, fork = (told(program, TOLD + scene, files) for program in (PROGRAMS.stock, PROGRAMS.fork))
         self.assertEqual(fork, stock, scene)
         self.assertEqual(fork, [f"TOLD {line}" for line in expected], scene)
 
@@ -71,8 +68,8 @@ class TextFiles(unittest.TestCase):
 
     def test_error_in_a_macro_names_its_line(self):
         """The second time, too, when the file was open."""
-        files = {"scene.pov": HEAD + '#include "a.inc"\nA(1)\nA(0)\n', "a.inc": "\n\n#macro A(N)\n #if (N = 0)\n  #error \"none\"\n #end\n#end\n"}
-        stock, fork = told(PROGRAMS.stock, files), told(PROGRAMS.fork, files)
+        scene, files = '#include "a.inc"\nA(1)\nA(0)\n', {"a.inc": "\n\n#macro A(N)\n #if (N = 0)\n  #error \"none\"\n #end\n#end\n"}
+        stock, fork = (told(program, scene, files) for program in (PROGRAMS.stock, PROGRAMS.fork))
         self.assertEqual(len(fork), 1)
         self.assertIn("'a.inc' line 5", fork[0])
         self.assertEqual([line.replace("Parse Error", "Error") for line in fork], [line.replace("Parse Error", "Error") for line in stock])
@@ -89,8 +86,7 @@ class TextFiles(unittest.TestCase):
                    '#include "made.txt"\nOne()\nTwo()\nTwo()\n', ["one", "one", "one", "two", "two"])
 
     def test_loop_from_the_first_character(self):
-        files = {"scene.pov": "#while (clock < 1)\n#debug \"TOLD once\\n\"\n#declare clock = 2;\n#end\n" + HEAD}
-        self.assertEqual(told(PROGRAMS.fork, files), told(PROGRAMS.stock, files))
+        self.check('#declare I = 0;\n#include "a.inc"\n', ["0", "1"], a="#while (I < 2)\nTold(str(I, 0, 0))\n#declare I = I + 1;\n#end\n")
 
     def test_long_loop(self):
         """Longer than what the unpatched program keeps of a file."""
