@@ -57,6 +57,7 @@ add_library(povray_vfe OBJECT ${povray_vfe})
 target_link_libraries(povray_vfe PRIVATE povray_settings)
 target_compile_options(povray_vfe PRIVATE -w "SHELL:-include vfe/unix/install_folders.h")
 target_compile_definitions(povray_vfe PRIVATE POVCONFDIR_BACKWARD="/etc")
+set_target_properties(povray_vfe PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 
 add_executable(povray ${povray_unix})
 target_link_libraries(povray PRIVATE povray_settings povray_core povray_vfe)
@@ -73,6 +74,8 @@ target_compile_options(povray_own_settings INTERFACE -Wall -Wextra -Wno-multicha
 # Without our patches nothing of upstream calls our files.
 if(TILT_LENS_PATCHES AND povray_own_core)
     add_library(povray_own OBJECT ${povray_own_core})
+    # Fewer at a time than upstream's, so that a change of one file compiles soon.
+    set_target_properties(povray_own PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
     target_link_libraries(povray_own PRIVATE povray_own_settings)
     target_link_libraries(povray PRIVATE povray_own)
 endif()
