@@ -4,7 +4,9 @@
 
 import argparse
 import array
+import atexit
 import dataclasses
+import functools
 import math
 import os
 import pathlib
@@ -46,10 +48,23 @@ class Picture:
         return self.values[self.names.index(name)::len(self.names)]
 
 
+@functools.lru_cache(maxsize=None)
+def reader(compare):
+    """A process of the comparison tool that reads all pictures of this test: its start takes longer than many a picture."""
+    process = subprocess.Popen([compare, "pixels"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    atexit.register(process.communicate)
+    return process
+
+
 def read_picture(path, told):
     """Decodes a picture through the witnesses' comparison tool."""
-    done = subprocess.run([SETTINGS.compare, "pixels", str(path)], capture_output=True, check=True)
-    head, data = done.stdout.split(b"\n", 1)
+    process = reader(SETTINGS.compare)
+    process.stdin.write(os.fsencode(os.path.abspath(path)) + b"\n")
+    process.stdin.flush()
+    size = process.stdout.readline()
+    if not size.strip().isdigit():
+        raise AssertionError(f"{path}: {size.decode(errors='replace') or 'the comparison tool ended'}\n{told}")
+    head, data = process.stdout.read(int(size)).split(b"\n", 1)
     width, height, _, form, *names = head.decode().split()
     code, scale = {"uint8": ("B", 255.0), "uint16": ("H", 65535.0), "half": ("e", 1.0), "float": ("f", 1.0)}[form]
     if code == "e":

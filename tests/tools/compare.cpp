@@ -224,6 +224,26 @@ void ShowError(const std::string& path)
     std::cout << report.dump() << '\n';
 }
 
+/// Pixels of the pictures that the standard input names, one a line: for each a line with a number of bytes, and so many
+/// bytes of WritePixels(); or a line that begins with "failed: ".
+void AnswerWithPixels()
+{
+    for (std::string path; std::getline(std::cin, path); std::cout.flush())
+        try
+        {
+            std::ostringstream pixels;
+            witness::WritePixels(path, pixels);
+            const std::string text = pixels.str();
+            std::cout << text.size() << '\n' << text;
+        }
+        catch (const std::runtime_error& error)
+        {
+            std::string why = error.what();
+            std::replace(why.begin(), why.end(), '\n', ' ');
+            std::cout << "failed: " << why << '\n';
+        }
+}
+
 void AddPair(CLI::App* command, Arguments& arguments)
 {
     command->add_option("picture", arguments.picture, "the new picture")->required();
@@ -261,7 +281,7 @@ void Run(int argc, char** argv)
         ->check(CLI::Range(1, 64));
     CLI::App* pixels =
         app.add_subcommand("pixels", "write the decoded pixels to the standard output");
-    pixels->add_option("picture", arguments.picture, "picture")->required();
+    pixels->add_option("picture", arguments.picture, "picture; without it, those that the standard input names");
     CLI::App* error =
         app.add_subcommand("error", "root mean square of a reference's standard errors");
     error->add_option("picture", arguments.reference, "reference")->required();
@@ -286,6 +306,8 @@ void Run(int argc, char** argv)
         CompareExact(arguments);
     else if (*preview)
         Preview(arguments);
+    else if (*pixels && arguments.picture.empty())
+        AnswerWithPixels();
     else if (*pixels)
         witness::WritePixels(arguments.picture, std::cout);
     else if (*error)
