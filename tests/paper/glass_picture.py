@@ -56,7 +56,7 @@ def traced_picture(tool, folder, tilt, stop, moved=0.0):
     # the tracer's stop stays in its place when the first element moves
     assert abs(json.loads(done.stdout)["entrance_pupil"]) < (0.02 if moved == 0.0 else 0.03), done.stdout
     # three floats, and three halves for an error that the mean of one batch does not have
-    data = subprocess.run([rendering.SETTINGS.compare, "pixels", made], check=True, capture_output=True).stdout.split(b"\n", 1)[1]
+    *_, data = rendering.read_pixels(made)
     return rendering.Picture(WIDTH, HEIGHT, ["R", "G", "B"], [v for pixel in struct.iter_unpack("=fffeee", data) for v in pixel[:3]])
 
 

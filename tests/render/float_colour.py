@@ -56,17 +56,16 @@ class FloatColour(rendering.RenderTest):
         self.assertEqual(rendering.render(SQUARES, "+FN32", **SIZE).values, wanted.values)
         for option in ("+FN32", "+FT32", "+FP32", "+FB32", "+FJ32", "+FH32"):
             with self.subTest(option=option), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-                process = rendering.Job(SQUARES, (option,), **SIZE).start(pathlib.Path(name))
-                said = re.sub(r"\s+", " ", process.communicate(timeout=60)[0].decode(errors="replace"))
-                self.assertEqual(process.returncode, 0, said)
+                code, said = rendering.Job(SQUARES, (option,), **SIZE).attempt(pathlib.Path(name), 60)
+                said = re.sub(r"\s+", " ", said)
+                self.assertEqual(code, 0, said)
                 self.assertEqual(said.count("Bits_Per_Color=32 with a file type other than OpenEXR"), 1, said)
 
     def test_nothing_is_said_elsewhere(self):
         for options in (("+FE32",), ("+FN16",), ("+FN32", "-F")):
             with self.subTest(options=options), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-                process = rendering.Job(SQUARES, options, **SIZE).start(pathlib.Path(name))
-                said = process.communicate(timeout=60)[0].decode(errors="replace")
-                self.assertEqual(process.returncode, 0, said)
+                code, said = rendering.Job(SQUARES, options, **SIZE).attempt(pathlib.Path(name), 60)
+                self.assertEqual(code, 0, said)
                 self.assertNotIn("Bits_Per_Color", said)
 
 

@@ -88,7 +88,7 @@ class Numbers(rendering.RenderTest):
             folder = pathlib.Path(name)
             scene = TURNED.replace("aperture 0.3", "aperture 0.15")
             self.assertNotEqual(scene, TURNED)
-            rendering.Job(scene, ("+N", "+Oboard.png"), **SIZE).start(folder).communicate(timeout=120)
+            rendering.Job(scene, ("+N", "+Oboard.png"), **SIZE).attempt(folder)
             for command in commands:
                 subprocess.run(command, cwd=folder, check=True, capture_output=True)
                 seen = rendering.read_picture(folder / command[-1], " ".join(command))
@@ -261,9 +261,8 @@ class Files(rendering.RenderTest):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             job = rendering.Job(scenes.TILTED.replace("tilt 4", "tilt 4*clock") , ("+N", "+KFI1", "+KFF3"))
-            process = job.start(folder)
-            said = process.communicate(timeout=120)[0].decode(errors="replace")
-            self.assertEqual(process.returncode, 0, said)
+            code, said = job.attempt(folder)
+            self.assertEqual(code, 0, said)
             tilts = [re.search(r"tiltLens:tilt \(type float\): (\S+)", header(folder / f"picture{i}.layers.exr"))[1] for i in (1, 2, 3)]
         self.assertEqual([float(t) for t in tilts], [0.0, 2.0, 4.0])
 
@@ -303,9 +302,8 @@ class Files(rendering.RenderTest):
             folder = pathlib.Path(name)
             (folder / "picture.layers.exr").mkdir()
             job = rendering.Job(TURNED, ("+N",), **SIZE)
-            process = job.start(folder)
-            process.communicate(timeout=120)
-            self.assertNotEqual(process.returncode, 0)
+            code, said = job.attempt(folder)
+            self.assertNotEqual(code, 0, said)
             self.assertFalse((folder / "picture.png").exists())
             (folder / "picture.layers.exr").rmdir()
             said = rendering.Job(TURNED, ("+N", "+C"), **SIZE).run(folder)
@@ -369,9 +367,9 @@ class Interrupted(rendering.RenderTest):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             self.stop(folder, signal.SIGKILL)
-            process = rendering.Job(self.SLOW, ("+BS8", "+C", "+N"), **self.HOW).start(folder)
-            said = re.sub(r"\s+", " ", process.communicate(timeout=120)[0].decode(errors="replace"))
-            self.assertNotEqual(process.returncode, 0, said)
+            code, said = rendering.Job(self.SLOW, ("+BS8", "+C", "+N"), **self.HOW).attempt(folder)
+            said = re.sub(r"\s+", " ", said)
+            self.assertNotEqual(code, 0, said)
             self.assertIn("of a picture that was begun without Output_Layers", said)
             self.assertTrue(list(folder.glob("*.pov-state")), "the state file is kept")
             rendering.Job(self.SLOW, ("+BS8", "+C"), **self.HOW).run(folder)

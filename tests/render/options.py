@@ -3,7 +3,6 @@
 """Options that leave nothing to render are refused, at once and with the reason."""
 
 import pathlib
-import subprocess
 import tempfile
 
 from tests.render import rendering, scenes
@@ -13,16 +12,9 @@ STOCK = "camera { location -4*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } fini
 
 def run(scene, *options):
     """Exit code and what POV-Ray said, in a folder of its own; a second run of it would find nothing left behind."""
-    job = rendering.Job(scene, options)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        process = job.start(pathlib.Path(name))
-        try:
-            said = process.communicate(timeout=60)[0].decode(errors="replace")
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-            raise AssertionError(f"no end after 60 s\n{job.told()}") from None
-        return process.returncode, said, sorted(path.name for path in pathlib.Path(name).iterdir())
+        code, said = rendering.Job(scene, options).attempt(pathlib.Path(name), 60)
+        return code, said, sorted(path.name for path in pathlib.Path(name).iterdir())
 
 
 class Refused(rendering.RenderTest):

@@ -5,7 +5,6 @@
 import pathlib
 import shutil
 import struct
-import subprocess
 import tempfile
 
 from tests.render import rendering, scenes
@@ -19,15 +18,8 @@ HEADER = 512
 
 def run(folder, scene, *options, **size):
     """Exit code, and what POV-Ray said as one line."""
-    job = rendering.Job(scene, ("+WT1", "+BS8", *options), **{**SIZE, **size})
-    process = job.start(folder)
-    try:
-        said = process.communicate(timeout=60)[0].decode(errors="replace")
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
-        raise AssertionError(f"no end after 60 s\n{job.told()}") from None
-    return process.returncode, " ".join(said.split())
+    code, said = rendering.Job(scene, ("+WT1", "+BS8", *options), **{**SIZE, **size}).attempt(folder, 60)
+    return code, " ".join(said.split())
 
 
 def messages(data):

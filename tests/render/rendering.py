@@ -21,6 +21,10 @@ SETTINGS = argparse.Namespace(povray="povray", compare="compare", library=[])
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 
 
+class UnreadablePicture(Exception):
+    """The comparison tool cannot decode a picture."""
+
+
 @dataclasses.dataclass
 class Picture:
     """Decoded pixels, linear, row by row from the top."""
@@ -56,22 +60,28 @@ def reader(compare):
     return process
 
 
-def read_picture(path, told):
-    """Decodes a picture through the witnesses' comparison tool."""
+def read_pixels(path):
+    """Width, height, kind of values and names of the channels, and the values as stored, through the witnesses' comparison tool."""
     process = reader(SETTINGS.compare)
     process.stdin.write(os.fsencode(os.path.abspath(path)) + b"\n")
     process.stdin.flush()
     size = process.stdout.readline()
     if not size.strip().isdigit():
-        raise AssertionError(f"{path}: {size.decode(errors='replace') or 'the comparison tool ended'}\n{told}")
+        raise UnreadablePicture(size.decode(errors="replace") or f"{path}: the comparison tool ended")
     head, data = process.stdout.read(int(size)).split(b"\n", 1)
     width, height, _, form, *names = head.decode().split()
+    return int(width), int(height), form, names, data
+
+
+def read_picture(path, told):
+    """Decodes a picture whose channels are all of one kind."""
+    width, height, form, names, data = read_pixels(path)
     code, scale = {"uint8": ("B", 255.0), "uint16": ("H", 65535.0), "half": ("e", 1.0), "float": ("f", 1.0)}[form]
     if code == "e":
         values = [v for (v,) in struct.iter_unpack("=e", data)]
     else:
         values = list(array.array(code, data))
-    return Picture(int(width), int(height), names, [v / scale for v in values], told)
+    return Picture(width, height, names, [v / scale for v in values], told)
 
 
 @dataclasses.dataclass
@@ -102,17 +112,22 @@ class Job:
         return subprocess.Popen(self.command(), cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(folder / "none.ini")})
 
-    def run(self, folder):
-        """Renders in the folder; returns POV-Ray's messages. Fails a test if there is no picture."""
+    def attempt(self, folder, seconds=120):
+        """Exit code and messages of POV-Ray in the folder, also where it refuses. Fails a test if it takes longer."""
         process = self.start(folder)
         try:
-            said = process.communicate(timeout=120)[0].decode(errors="replace")
+            said = process.communicate(timeout=seconds)[0].decode(errors="replace")
         except subprocess.TimeoutExpired:
             process.kill()
             said = process.communicate()[0].decode(errors="replace")
-            raise AssertionError(f"no end after 120 s\n{self.told()}{said[-1500:]}") from None
-        if process.returncode != 0 or not (folder / f"picture.{self.extension}").is_file():
-            raise AssertionError(f"exit code {process.returncode}\n{self.told()}{said[-1500:]}")
+            raise AssertionError(f"no end after {seconds} s\n{self.told()}{said[-1500:]}") from None
+        return process.returncode, said
+
+    def run(self, folder):
+        """Renders in the folder; returns POV-Ray's messages. Fails a test if there is no picture."""
+        code, said = self.attempt(folder)
+        if code != 0 or not (folder / f"picture.{self.extension}").is_file():
+            raise AssertionError(f"exit code {code}\n{self.told()}{said[-1500:]}")
         return said
 
     def result(self, folder):

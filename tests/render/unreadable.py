@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Folders where a scene wants files: refused at once, with the name and the line."""
+"""Folders where a scene wants files: refused at once, with the name and the line. Pictures that the tests themselves cannot read."""
 
 import pathlib
-import subprocess
 import tempfile
+import unittest
 
 from tests.render import rendering, scenes
 
@@ -22,15 +22,8 @@ class Folders(rendering.RenderTest):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "folder").mkdir()
-            job = rendering.Job(scene, options)
-            process = job.start(folder)
-            try:
-                said = process.communicate(timeout=60)[0].decode(errors="replace")
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.communicate()
-                raise AssertionError(f"no end after 60 s\n{job.told()}") from None
-            self.assertEqual(process.returncode, 1, said)
+            code, said = rendering.Job(scene, options).attempt(folder, 60)
+            self.assertEqual(code, 1, said)
             self.assertEqual(list(folder.glob("*.png")), [], said)
         return " ".join(said.split())
 
@@ -47,6 +40,22 @@ class Folders(rendering.RenderTest):
         said = self.refused(scenes.TILTED, "+Ifolder")
         self.assertIn("Cannot find file 'folder'", said)
         self.assertIn("Parse Error: Cannot open input file.", said)
+
+
+class Pictures(unittest.TestCase):
+    def test_one_that_is_torn(self):
+        """It is told from the others, which are read before and after it."""
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            folder = pathlib.Path(name)
+            job = rendering.Job(scenes.TILTED)
+            job.run(folder)
+            whole, torn = folder / "picture.png", folder / "torn.png"
+            torn.write_bytes(whole.read_bytes()[:whole.stat().st_size // 2])
+            before = job.result(folder)
+            for path in (torn, folder / "none.png"):
+                with self.assertRaisesRegex(rendering.UnreadablePicture, path.name):
+                    rendering.read_picture(path, "")
+            self.assertEqual(job.result(folder).values, before.values)
 
 
 if __name__ == "__main__":

@@ -21,9 +21,8 @@ def told(program, scene, files):
         folder = pathlib.Path(name)
         for path, text in files.items():
             (folder / path).write_bytes(text.encode())
-        process = rendering.Job(scene, ("-F", "+WT1", "All_Console=On"), width=4, height=3).start(folder)
-        lines = process.communicate(timeout=100)[0].decode(errors="replace").splitlines()
-        return [line for line in lines if "TOLD" in line or "Error:" in line]
+        _, said = rendering.Job(scene, ("-F", "+WT1", "All_Console=On"), width=4, height=3).attempt(folder, 100)
+        return [line for line in said.splitlines() if "TOLD" in line or "Error:" in line]
 
 
 class TextFiles(unittest.TestCase):

@@ -52,7 +52,7 @@ def is_whole(path, whole):
     """Whether a file is the finished picture."""
     try:
         found = rendering.read_picture(path, "")
-    except (subprocess.CalledProcessError, OSError):
+    except rendering.UnreadablePicture:
         return False
     return rendering.difference(found, whole)[1] == 0.0
 

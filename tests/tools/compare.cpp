@@ -236,7 +236,7 @@ void AnswerWithPixels()
             const std::string text = pixels.str();
             std::cout << text.size() << '\n' << text;
         }
-        catch (const std::runtime_error& error)
+        catch (const std::exception& error)
         {
             std::string why = error.what();
             std::replace(why.begin(), why.end(), '\n', ' ');
@@ -279,9 +279,8 @@ void Run(int argc, char** argv)
     preview->add_option("--zoom", arguments.zoom, "width of a pixel")
         ->capture_default_str()
         ->check(CLI::Range(1, 64));
-    CLI::App* pixels =
-        app.add_subcommand("pixels", "write the decoded pixels to the standard output");
-    pixels->add_option("picture", arguments.picture, "picture; without it, those that the standard input names");
+    CLI::App* pixels = app.add_subcommand(
+        "pixels", "write the decoded pixels of the pictures that the standard input names, one a line");
     CLI::App* error =
         app.add_subcommand("error", "root mean square of a reference's standard errors");
     error->add_option("picture", arguments.reference, "reference")->required();
@@ -306,10 +305,8 @@ void Run(int argc, char** argv)
         CompareExact(arguments);
     else if (*preview)
         Preview(arguments);
-    else if (*pixels && arguments.picture.empty())
-        AnswerWithPixels();
     else if (*pixels)
-        witness::WritePixels(arguments.picture, std::cout);
+        AnswerWithPixels();
     else if (*error)
         ShowError(arguments.reference);
     else
