@@ -279,8 +279,9 @@ void Run(int argc, char** argv)
     preview->add_option("--zoom", arguments.zoom, "width of a pixel")
         ->capture_default_str()
         ->check(CLI::Range(1, 64));
-    CLI::App* pixels = app.add_subcommand(
-        "pixels", "write the decoded pixels of the pictures that the standard input names, one a line");
+    CLI::App* pixels =
+        app.add_subcommand("pixels", "write the decoded pixels to the standard output");
+    pixels->add_option("picture", arguments.picture, "picture; without it, those that the standard input names");
     CLI::App* error =
         app.add_subcommand("error", "root mean square of a reference's standard errors");
     error->add_option("picture", arguments.reference, "reference")->required();
@@ -305,8 +306,10 @@ void Run(int argc, char** argv)
         CompareExact(arguments);
     else if (*preview)
         Preview(arguments);
-    else if (*pixels)
+    else if (*pixels && arguments.picture.empty())
         AnswerWithPixels();
+    else if (*pixels)
+        witness::WritePixels(arguments.picture, std::cout);
     else if (*error)
         ShowError(arguments.reference);
     else
