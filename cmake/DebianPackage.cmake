@@ -84,7 +84,6 @@ package_gzip(changelog "povray-tilt-lens (${PROJECT_VERSION}) unstable; urgency=
 
  -- povray-tilt-lens <noreply@example.org>  ${date}
 ")
-set(UPSTREAM_SHA256_TARBALL "${UPSTREAM_SHA256_${UPSTREAM_TARBALL}}")
 configure_file("${package_templates}/SOURCE.in" "${package_files}/SOURCE" @ONLY)
 install(FILES "${package_files}/copyright" "${package_files}/SOURCE" "${package_files}/changelog.gz" DESTINATION ${package_doc} ${for_package})
 # What is linked into the program, its licence wants to be named with it.

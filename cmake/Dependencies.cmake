@@ -25,7 +25,7 @@ set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenEXR CONFIG QUIET)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(SDL 1.2 QUIET)
-find_library(JEMALLOC_LIBRARY NAMES libjemalloc.a)  # static: one library less to load at start
+find_library(JEMALLOC_LIBRARY NAMES libjemalloc.a jemalloc)  # static where it can be had: one library less to load at start
 mark_as_advanced(JEMALLOC_LIBRARY)
 
 tilt_lens_require(Boost_THREAD_FOUND libboost-thread-dev)
@@ -41,5 +41,6 @@ tilt_lens_require(JEMALLOC_LIBRARY libjemalloc-dev)
 if(TILT_LENS_MISSING)
     list(JOIN TILT_LENS_MISSING " " TILT_LENS_MISSING)
     message(FATAL_ERROR "Libraries are missing. Install their Debian packages and configure again:\n"
-        "  sudo apt-get install ${TILT_LENS_MISSING}")
+        "  sudo apt-get install ${TILT_LENS_MISSING}\n"
+        "Other systems have them under other names; docs/building.md, \"What the build needs\", says which libraries these are.")
 endif()

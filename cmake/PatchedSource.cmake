@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The patched source tree: unpacks the pinned package, applies Debian's series and then ours with no
-# fuzz, and brings build/upstream/povray up to date file by file, so that a changed patch recompiles
+# The patched source tree: unpacks the pinned archive, applies the pinned patches of Debian's packaging and then our series with
+# no fuzz, and brings build/upstream/povray up to date file by file, so that a changed patch recompiles
 # only what it touches.
 #
 # A second tree is never patched over a first: each run starts from the archives in a folder of its own.
@@ -26,12 +26,9 @@ function(patched_source_read_series out series)
     set(${out} "${names}" PARENT_SCOPE)
 endfunction()
 
-# Applies to TREE every patch that FOLDER/series lists. The record of what was applied is compared with
-# the list: a patch that is silently left out must not pass.
-function(patched_source_apply_series tree folder record)
-    patched_source_read_series(names "${folder}/series")
-    set(applied "")
-    foreach(name IN LISTS names)
+# Applies to TREE the patches ARGN of FOLDER, in order, and appends their names to the file RECORD.
+function(patched_source_apply tree folder record)
+    foreach(name IN LISTS ARGN)
         if(NOT EXISTS "${folder}/${name}")
             message(FATAL_ERROR "${folder}/series lists ${name}, which does not exist.")
         endif()
@@ -44,29 +41,23 @@ function(patched_source_apply_series tree folder record)
             message(FATAL_ERROR "The patch ${folder}/${name} does not apply to the source of POV-Ray "
                 "${UPSTREAM_VERSION}:\n${said}\ndocs/patching.md tells how to mend a patch.")
         endif()
-        list(APPEND applied "${name}")
         file(APPEND "${record}" "${name}\n")
     endforeach()
-    if(NOT "${applied}" STREQUAL "${names}")
-        message(FATAL_ERROR "Applied patches (${applied}) differ from ${folder}/series (${names}).")
-    endif()
 endfunction()
 
-# Unpacks the list ARCHIVES into FRESH: upstream's source into a folder of its own, Debian's packaging into debian.
-function(patched_source_unpack archives fresh)
+# Unpacks upstream's source, ARCHIVE, into the new folder FRESH.
+function(patched_source_unpack archive fresh)
     file(REMOVE_RECURSE "${fresh}")
     file(MAKE_DIRECTORY "${fresh}")
-    foreach(archive IN LISTS archives)
-        execute_process(
-            COMMAND tar --extract --no-same-owner --file "${archive}"
-            WORKING_DIRECTORY "${fresh}"
-            RESULT_VARIABLE result ERROR_VARIABLE said)
-        if(NOT result EQUAL 0)
-            file(REMOVE_RECURSE "${fresh}")
-            message(FATAL_ERROR "${archive} could not be unpacked into ${fresh} (is the disk "
-                "full?):\n${said}")
-        endif()
-    endforeach()
+    execute_process(
+        COMMAND tar --extract --no-same-owner --file "${archive}"
+        WORKING_DIRECTORY "${fresh}"
+        RESULT_VARIABLE result ERROR_VARIABLE said)
+    if(NOT result EQUAL 0)
+        file(REMOVE_RECURSE "${fresh}")
+        message(FATAL_ERROR "${archive} could not be unpacked into ${fresh} (is the disk "
+            "full?):\n${said}")
+    endif()
 endfunction()
 
 # Makes the parts of TREE equal to those of FRESH; only files whose content differs are written. Their
@@ -138,19 +129,22 @@ function(patched_source_prepare work downloads pin series_folder use_patches)
         return()
     endif()
     message(STATUS "Preparing the source of POV-Ray ${UPSTREAM_VERSION}")
-    upstream_obtain(archives "${downloads}")
+    set(packaging "${work}/packaging")
+    upstream_obtain(tarball "${downloads}" "${packaging}")
     file(REMOVE "${work}/key")
     set(fresh "${work}/fresh")
-    patched_source_unpack("${archives}" "${fresh}")
+    patched_source_unpack("${tarball}" "${fresh}")
     set(record "${fresh}/applied-patches")
-    patched_source_apply_series("${fresh}/${UPSTREAM_SOURCE_FOLDER}" "${fresh}/debian/patches" "${record}")
+    set(tree "${fresh}/${UPSTREAM_SOURCE_FOLDER}")
+    patched_source_apply("${tree}" "${packaging}/debian/patches" "${record}" ${UPSTREAM_PATCHES})
     if(use_patches)
-        patched_source_apply_series("${fresh}/${UPSTREAM_SOURCE_FOLDER}" "${series_folder}" "${record}")
+        patched_source_read_series(series "${series_folder}/series")
+        patched_source_apply("${tree}" "${series_folder}" "${record}" ${series})
     endif()
-    patched_source_update("${work}/povray" "${fresh}/${UPSTREAM_SOURCE_FOLDER}")
+    patched_source_update("${work}/povray" "${tree}")
     file(RENAME "${record}" "${work}/applied-patches")
-    file(COPY_FILE "${fresh}/debian/copyright" "${work}/debian-copyright")
-    file(REMOVE_RECURSE "${fresh}")
+    file(COPY_FILE "${packaging}/debian/copyright" "${work}/debian-copyright")
+    file(REMOVE_RECURSE "${fresh}" "${packaging}")
     file(WRITE "${work}/key" "${key}")
 endfunction()
 

@@ -4,170 +4,180 @@
 # The pinned source of upstream: reads the pin, checks files against it, and finds the files
 # (a folder given by POVRAY_TARBALL, the download folder, or the network, in this order).
 #
-# The pin is upstream's tarball, and a table of the packaging revisions by which Debian's releases distribute
-# it. Any one revision of the table will do.
+# The pin is what is compiled: upstream's tarball, and the patches of Debian's packaging that change files which the build
+# uses. The packaging of any revision, of Debian or of a system derived from it, will do if it holds these patches.
 #
 # upstream_read_pin sets in the caller's scope:
 #   UPSTREAM_PACKAGE, UPSTREAM_VERSION, UPSTREAM_SOURCE_FOLDER
-#   UPSTREAM_TARBALL                 upstream's file name
-#   UPSTREAM_REVISIONS               Debian's versions of the package, oldest first
-#   UPSTREAM_<dsc or debian>_<N>     file names of revision N, counted from 0
-#   UPSTREAM_TABLE                   the revisions with their releases, for messages
+#   UPSTREAM_TARBALL, UPSTREAM_SIZE, UPSTREAM_SHA256    upstream's archive: its name, size and hash
+#   UPSTREAM_PATCHES                 names of the packaging's patches, in the order in which they are applied
+#   UPSTREAM_SHA256_<N>              hash of patch N of the list, counted from 0
 include_guard()
 
-# Notes size and SHA-256 of the file that the JSON object at the path ARGN describes; sets OUT to its name.
-macro(upstream_read_file out)
-    string(JSON ${out} GET "${upstream_json}" ${ARGN} name)
-    string(JSON UPSTREAM_SIZE_${${out}} GET "${upstream_json}" ${ARGN} size)
-    string(JSON UPSTREAM_SHA256_${${out}} GET "${upstream_json}" ${ARGN} sha256)
-endmacro()
-
-# Reads povray-src/upstream.json (or the file PIN) into UPSTREAM_* and, for each file name,
-# UPSTREAM_SIZE_<name> and UPSTREAM_SHA256_<name>.
+# Reads povray-src/upstream.json, or the file PIN.
 macro(upstream_read_pin pin)
     file(READ "${pin}" upstream_json)
     string(JSON UPSTREAM_PACKAGE GET "${upstream_json}" package)
     string(JSON UPSTREAM_VERSION GET "${upstream_json}" upstream_version)
     string(JSON UPSTREAM_SOURCE_FOLDER GET "${upstream_json}" source_folder)
-    upstream_read_file(UPSTREAM_TARBALL tarball)
-    string(JSON upstream_count LENGTH "${upstream_json}" revisions)
+    string(JSON UPSTREAM_TARBALL GET "${upstream_json}" tarball name)
+    string(JSON UPSTREAM_SIZE GET "${upstream_json}" tarball size)
+    string(JSON UPSTREAM_SHA256 GET "${upstream_json}" tarball sha256)
+    string(JSON upstream_count LENGTH "${upstream_json}" packaging_patches)
     math(EXPR upstream_last "${upstream_count} - 1")
-    set(UPSTREAM_REVISIONS "")
-    set(UPSTREAM_TABLE "")
+    set(UPSTREAM_PATCHES "")
     foreach(upstream_index RANGE ${upstream_last})
-        string(JSON upstream_version GET "${upstream_json}" revisions ${upstream_index} version)
-        string(JSON upstream_releases GET "${upstream_json}" revisions ${upstream_index} releases)
-        string(REGEX REPLACE "[^a-z,]" "" upstream_releases "${upstream_releases}")
-        string(REPLACE "," ", " upstream_releases "${upstream_releases}")
-        list(APPEND UPSTREAM_REVISIONS "${upstream_version}")
-        string(APPEND UPSTREAM_TABLE "  ${upstream_version} (${upstream_releases})\n")
-        foreach(upstream_role IN ITEMS dsc debian)
-            upstream_read_file(UPSTREAM_${upstream_role}_${upstream_index} revisions ${upstream_index} ${upstream_role})
-        endforeach()
+        string(JSON upstream_name GET "${upstream_json}" packaging_patches ${upstream_index} name)
+        list(APPEND UPSTREAM_PATCHES "${upstream_name}")
+        string(JSON UPSTREAM_SHA256_${upstream_index} GET "${upstream_json}" packaging_patches ${upstream_index} sha256)
     endforeach()
 endmacro()
 
-# Sets OUT to what is wrong with FOLDER/NAME, or to "" where it is the pinned file.
-function(upstream_file_fault out folder name)
-    set(path "${folder}/${name}")
+# Sets OUT to the faults of upstream's tarball in FOLDER, or to "" where it is the pinned file.
+function(upstream_tarball_fault out folder)
+    set(path "${folder}/${UPSTREAM_TARBALL}")
     set(fault "")
     if(NOT EXISTS "${path}")
         set(fault "is missing")
     else()
         file(SIZE "${path}" size)
-        if(NOT size EQUAL UPSTREAM_SIZE_${name})
-            set(fault "has ${size} bytes, expected ${UPSTREAM_SIZE_${name}}")
+        if(NOT size EQUAL UPSTREAM_SIZE)
+            set(fault "has ${size} bytes, expected ${UPSTREAM_SIZE}")
         else()
             file(SHA256 "${path}" sha256)
-            if(NOT sha256 STREQUAL UPSTREAM_SHA256_${name})
-                set(fault "has SHA-256 ${sha256}, expected ${UPSTREAM_SHA256_${name}}")
+            if(NOT sha256 STREQUAL UPSTREAM_SHA256)
+                set(fault "has SHA-256 ${sha256}, expected ${UPSTREAM_SHA256}")
             endif()
         endif()
+    endif()
+    if(fault)
+        set(fault "  ${UPSTREAM_TARBALL} ${fault}\n")
     endif()
     set(${out} "${fault}" PARENT_SCOPE)
 endfunction()
 
-# Looks for a whole revision in FOLDER, the newest first. Sets INDEX to its number in the table and FAULTS to "", or
-# FAULTS to a text that says what the folder lacks.
-function(upstream_find_revision index faults folder)
-    upstream_file_fault(fault "${folder}" "${UPSTREAM_TARBALL}")
-    set(lacking "")
-    if(fault)
-        set(lacking "  ${UPSTREAM_TARBALL} ${fault}\n")
+# Unpacks ARCHIVE, a packaging, into the new folder SCRATCH. Sets OUT to its faults, or to "" where SCRATCH/debian holds every
+# pinned patch.
+function(upstream_packaging_faults out archive scratch)
+    get_filename_component(archive_name "${archive}" NAME)
+    file(REMOVE_RECURSE "${scratch}")
+    file(MAKE_DIRECTORY "${scratch}")
+    execute_process(
+        COMMAND tar --extract --no-same-owner --file "${archive}"
+        WORKING_DIRECTORY "${scratch}"
+        RESULT_VARIABLE result ERROR_VARIABLE said)
+    if(NOT result EQUAL 0)
+        set(${out} "  ${archive_name} could not be unpacked (is it damaged, or the disk full?): ${said}\n" PARENT_SCOPE)
+        return()
     endif()
-    set(lacking_packaging "")
-    list(LENGTH UPSTREAM_REVISIONS number)
-    while(number GREATER 0)
-        math(EXPR number "${number} - 1")
-        list(GET UPSTREAM_REVISIONS ${number} version)
-        set(lacking_here "")
-        foreach(name IN ITEMS "${UPSTREAM_dsc_${number}}" "${UPSTREAM_debian_${number}}")
-            upstream_file_fault(fault "${folder}" "${name}")
-            if(fault)
-                string(APPEND lacking_here "  ${name} ${fault} (revision ${version})\n")
+    set(faults "")
+    if(NOT EXISTS "${scratch}/debian/copyright")
+        string(APPEND faults "  ${archive_name}: debian/copyright is missing\n")
+    endif()
+    set(number 0)
+    foreach(name IN LISTS UPSTREAM_PATCHES)
+        set(path "${scratch}/debian/patches/${name}")
+        if(NOT EXISTS "${path}")
+            string(APPEND faults "  ${archive_name}: debian/patches/${name} is missing\n")
+        else()
+            file(SHA256 "${path}" sha256)
+            if(NOT sha256 STREQUAL UPSTREAM_SHA256_${number})
+                string(APPEND faults "  ${archive_name}: debian/patches/${name} has SHA-256 ${sha256}, "
+                    "expected ${UPSTREAM_SHA256_${number}}\n")
             endif()
-        endforeach()
+        endif()
+        math(EXPR number "${number} + 1")
+    endforeach()
+    set(${out} "${faults}" PARENT_SCOPE)
+endfunction()
+
+# Looks in FOLDER for upstream's tarball and for a packaging with every pinned patch, the newest revision first. Sets PACKAGING to the
+# packaging's archive, which is then unpacked in SCRATCH, and FAULTS to ""; or FAULTS to a text on what the folder lacks.
+function(upstream_find packaging faults folder scratch)
+    upstream_tarball_fault(lacking "${folder}")
+    file(GLOB archives "${folder}/${UPSTREAM_PACKAGE}_${UPSTREAM_VERSION}-*.debian.tar.*")
+    list(FILTER archives EXCLUDE REGEX "\\.(asc|sig)$")
+    list(SORT archives COMPARE NATURAL ORDER DESCENDING)
+    set(lacking_packaging "")
+    if(NOT archives)
+        set(lacking_packaging "  ${UPSTREAM_PACKAGE}_${UPSTREAM_VERSION}-REVISION.debian.tar.xz is missing, whatever its REVISION\n")
+    endif()
+    set(chosen "")
+    foreach(archive IN LISTS archives)
+        upstream_packaging_faults(lacking_here "${archive}" "${scratch}")
         if(NOT lacking_here)
             set(lacking_packaging "")
+            set(chosen "${archive}")
             break()
         endif()
         string(APPEND lacking_packaging "${lacking_here}")
-    endwhile()
-    set(${index} ${number} PARENT_SCOPE)
+    endforeach()
+    set(${packaging} "${chosen}" PARENT_SCOPE)
     set(${faults} "${lacking}${lacking_packaging}" PARENT_SCOPE)
 endfunction()
 
-# Sets OUT to a text on the packaging revisions in FOLDER that are not in the table ("" where there is none).
-function(upstream_unknown_revisions out folder)
-    file(GLOB found RELATIVE "${folder}" "${folder}/${UPSTREAM_PACKAGE}_*.dsc")
-    list(LENGTH UPSTREAM_REVISIONS count)
-    math(EXPR last "${count} - 1")
-    foreach(number RANGE ${last})
-        list(REMOVE_ITEM found "${UPSTREAM_dsc_${number}}")
-    endforeach()
-    set(text "")
-    if(found)
-        list(JOIN found ", " found)
-        string(CONCAT text "The folder holds ${found}, a packaging revision that is not pinned. Pinned are:\n"
-            "${UPSTREAM_TABLE}docs/patching.md, \"Add a revision of Debian's package\", says how to add it.\n")
-    endif()
+# Sets OUT to the advice that ends each message about a source that is not the pinned one.
+function(upstream_advice out)
+    string(CONCAT text "Two files are needed, ${UPSTREAM_TARBALL} and a packaging whose patches are those pinned in "
+        "povray-src/upstream.json. The mirrors of Debian have both in pool/main/p/${UPSTREAM_PACKAGE}. Put them into a folder and "
+        "call ./render --source FOLDER (cmake: -DPOVRAY_TARBALL=FOLDER). docs/patching.md, \"Take another packaging\", tells "
+        "how to pin a packaging whose patches differ.")
     set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
 # Downloads into a folder of this attempt alone and hands over checked files only, so that whatever
-# ends this attempt, the next one starts clean. Sets INDEX to the revision's number.
-function(upstream_download index downloads)
+# ends this attempt, the next one starts clean. Sets PACKAGING to the packaging's archive, unpacked in SCRATCH.
+function(upstream_download packaging downloads scratch)
     set(attempt "${downloads}/attempt")
     file(REMOVE_RECURSE "${attempt}")
     file(MAKE_DIRECTORY "${attempt}")
-    message(STATUS "Downloading Debian's source package ${UPSTREAM_PACKAGE} ${UPSTREAM_VERSION} (53 MB)")
+    upstream_advice(advice)
+    message(STATUS "Downloading the source package ${UPSTREAM_PACKAGE} ${UPSTREAM_VERSION} (53 MB)")
     execute_process(
         COMMAND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fetch-debian-source" fetch
-            "${UPSTREAM_PACKAGE}" "${attempt}" ${UPSTREAM_REVISIONS}
+            "${UPSTREAM_PACKAGE}" "${attempt}" "${UPSTREAM_VERSION}"
         RESULT_VARIABLE result ERROR_VARIABLE said)
     if(NOT result EQUAL 0)
         file(REMOVE_RECURSE "${attempt}")
-        message(FATAL_ERROR "POV-Ray's source could not be downloaded.\n${said}\n"
-            "Pinned in povray-src/upstream.json are these revisions of Debian's package:\n${UPSTREAM_TABLE}"
-            "Without a network: copy the files of one of them into a folder and configure with "
-            "-DPOVRAY_TARBALL=FOLDER.")
+        message(FATAL_ERROR "POV-Ray's source could not be downloaded.\n${said}\nBy hand: ${advice}")
     endif()
-    upstream_find_revision(number faults "${attempt}")
+    upstream_find(found faults "${attempt}" "${scratch}")
     if(faults)
         file(REMOVE_RECURSE "${attempt}")
         message(FATAL_ERROR "The mirror's files are not those pinned in povray-src/upstream.json; nothing "
-            "of them was kept:\n${faults}")
+            "of them was kept:\n${faults}${advice}")
     endif()
-    foreach(name IN ITEMS "${UPSTREAM_TARBALL}" "${UPSTREAM_dsc_${number}}" "${UPSTREAM_debian_${number}}")
-        file(RENAME "${attempt}/${name}" "${downloads}/${name}")
-    endforeach()
+    get_filename_component(name "${found}" NAME)
+    file(RENAME "${attempt}/${UPSTREAM_TARBALL}" "${downloads}/${UPSTREAM_TARBALL}")
+    file(RENAME "${found}" "${downloads}/${name}")
     file(REMOVE_RECURSE "${attempt}")
-    set(${index} ${number} PARENT_SCOPE)
+    set(${packaging} "${downloads}/${name}" PARENT_SCOPE)
 endfunction()
 
-# Sets OUT to a list of two files as pinned, upstream's tarball and the archive of one of Debian's revisions,
-# fetching them where needed.
-function(upstream_obtain out downloads)
+# Sets TARBALL to upstream's archive as pinned, fetching it where needed, and leaves a packaging with the pinned patches
+# unpacked in SCRATCH/debian.
+function(upstream_obtain tarball downloads scratch)
     if(POVRAY_TARBALL)
         get_filename_component(folder "${POVRAY_TARBALL}" ABSOLUTE BASE_DIR "${CMAKE_BINARY_DIR}")
         if(EXISTS "${folder}" AND NOT IS_DIRECTORY "${folder}")
             get_filename_component(folder "${folder}" DIRECTORY)
         endif()
-        upstream_find_revision(number faults "${folder}")
+        upstream_find(packaging faults "${folder}" "${scratch}")
         if(faults)
-            upstream_unknown_revisions(unknown "${folder}")
-            message(FATAL_ERROR "POVRAY_TARBALL: the folder ${folder} does not hold Debian's source package "
+            upstream_advice(advice)
+            message(FATAL_ERROR "POVRAY_TARBALL: the folder ${folder} does not hold the source package "
                 "${UPSTREAM_PACKAGE} ${UPSTREAM_VERSION} as pinned in povray-src/upstream.json:\n"
-                "${faults}${unknown}Give the folder with upstream's tarball and the two files of one revision, or drop "
-                "the option (-UPOVRAY_TARBALL) to download them.")
+                "${faults}${advice}\nTo download them instead, drop the option (-UPOVRAY_TARBALL).")
         endif()
     else()
         set(folder "${downloads}")
-        upstream_find_revision(number faults "${folder}")
+        upstream_find(packaging faults "${folder}" "${scratch}")
         if(faults)
             file(REMOVE "${folder}/${UPSTREAM_TARBALL}")
-            upstream_download(number "${folder}")
+            upstream_download(packaging "${folder}" "${scratch}")
         endif()
     endif()
-    set(${out} "${folder}/${UPSTREAM_TARBALL}" "${folder}/${UPSTREAM_debian_${number}}" PARENT_SCOPE)
+    get_filename_component(name "${packaging}" NAME)
+    message(STATUS "Upstream's ${UPSTREAM_TARBALL} with the patches of ${name}")
+    set(${tarball} "${folder}/${UPSTREAM_TARBALL}" PARENT_SCOPE)
 endfunction()

@@ -3,7 +3,8 @@
 #
 # The one set-up step of ./render, ./batch, ./focus and ./check, to be sourced: installs missing packages, configures, builds.
 #
-#   setup render|batch|focus|check  leaves the program (check: and the tests) built in $repository/build
+#   setup render|batch|focus|check [FOLDER]  leaves the program (check: and the tests) built in $repository/build; POV-Ray's
+#                                            source is taken from FOLDER or, without one, from the mirrors of apt's settings
 #
 # All it prints goes to standard error, so that a picture may go to standard output. With nothing to do it
 # asks dpkg and ninja, needs no network and stays well under a second.
@@ -23,7 +24,10 @@ quoted()
     esac
 }
 
-# packages_of render|batch|focus|check: the names in cmake/debian-packages that this command needs.
+has_apt() { command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; }
+
+# packages_of render|batch|focus|check: those in cmake/debian-packages that this command needs, one a line: a name, or names
+# with | between them, any one of which will do.
 packages_of()
 {
     awk -v group="$1" '!/^#/ && NF == 2 && ($1 == "render" || $1 == group || group == "check") { print $2 }' \
@@ -32,14 +36,32 @@ packages_of()
 
 missing_packages()
 {
-    local -a wanted
+    local -a wanted names
     mapfile -t wanted < <(packages_of "$1")
     local installed
-    installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null \
+    installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' ${wanted[@]//|/ } 2>/dev/null \
         | awk '$1 == "installed" { print $2 }')
-    local package
+    local package name
     for package in "${wanted[@]}"; do
-        grep -qxF -- "$package" <<< "$installed" || printf '%s\n' "$package"
+        IFS='|' read -ra names <<< "$package"
+        for name in "${names[@]}"; do
+            ! grep -qxF -- "$name" <<< "$installed" || continue 2
+        done
+        printf '%s\n' "$package"
+    done
+}
+
+# choose_packages NAMES...: for each the first of its alternatives that apt can install; the first of all where it knows none.
+choose_packages()
+{
+    local package name
+    local -a names
+    for package in "$@"; do
+        IFS='|' read -ra names <<< "$package"
+        for name in "${names[@]}" "${names[0]}"; do
+            [ ${#names[@]} -gt 1 ] && apt-cache policy "$name" 2>/dev/null | grep -q '^ *Candidate: [^(]' && break
+        done
+        printf '%s\n' "$name"
     done
 }
 
@@ -48,7 +70,7 @@ install_packages()
     local -a missing as_root=()
     mapfile -t missing < <(missing_packages "$1")
     [ ${#missing[@]} -gt 0 ] || return 0
-    local by_hand="sudo apt-get install --no-install-recommends ${missing[*]}"
+    local by_hand="sudo apt-get install --no-install-recommends ${missing[*]%%|*}"
     if [ "$(id -u)" -ne 0 ]; then
         # Without a terminal sudo cannot ask for a password; it must not wait for one.
         if command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
@@ -58,12 +80,47 @@ install_packages()
                 "Have somebody who may run:" "  $by_hand"
         fi
     fi
-    say "Installing Debian packages: ${missing[*]}"
+    say "Installing Debian packages: ${missing[*]%%|*}"
     # A failed update need not matter: the lists at hand may do.
     "${as_root[@]}" apt-get -q update >&2 || say "(the package lists could not be renewed; trying with those at hand)"
+    mapfile -t missing < <(choose_packages "${missing[@]}")
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
         apt-get -q --yes --no-install-recommends install "${missing[@]}" >&2 \
         || die "the packages could not be installed (see above; is there a network?). By hand:" "  $by_hand"
+}
+
+# lacking_tools: the commands of the build that are missing, and a CMake that is too old, one a line.
+lacking_tools()
+{
+    local tool least found
+    for tool in cmake ninja c++ patch tar gzip xz; do
+        command -v "$tool" >/dev/null || printf '%s\n' "$tool"
+    done
+    least=$(sed -n 's/^cmake_minimum_required(VERSION \(.*\))/\1/p' "$repository/CMakeLists.txt")
+    found=$(cmake --version 2>/dev/null | sed -n '1s/^cmake version //p')
+    if [ -n "$found" ] && [ "$(printf '%s\n' "$least" "$found" | sort -V | head -n 1)" != "$least" ]; then
+        printf '%s\n' "CMake $least or later (found is $found)"
+    fi
+}
+
+# die_elsewhere CAUSE: the one message for systems that the set-up cannot serve.
+die_elsewhere()
+{
+    die "$1" \
+        "Without building: the bundle povray-tilt-lens-VERSION-linux-$(uname -m).tar.xz runs on any Linux with glibc 2.36 or later;" \
+        "unpack it and call its ./render. docs/building.md, \"A bundle for any Linux\", says how one is made." \
+        "Building here: a compiler for C++17, CMake, Ninja and the libraries of docs/building.md, \"What the build needs\"; and a folder" \
+        "with two files of Debian's source package povray:  ./render --source FOLDER"
+}
+
+# check_system FOLDER: whether this system can build, with POV-Ray's source from FOLDER, or from apt's mirrors where it is "".
+check_system()
+{
+    local lacking
+    lacking=$(lacking_tools | paste -sd ,)
+    [ -z "$lacking" ] || die_elsewhere "this system lacks what the build needs: ${lacking//,/, }."
+    has_apt || [ -n "$1" ] || [ -f "$build/build.ninja" ] || compgen -G "$build/downloads/*.orig.tar.*" >/dev/null \
+        || die_elsewhere "this system has no apt-get and dpkg, by which POV-Ray's source would be downloaded."
 }
 
 # A build folder remembers where it lies. After a move all of it but the downloads is made anew.
@@ -77,17 +134,24 @@ forget_moved_build()
     find "$build" -mindepth 1 -maxdepth 1 ! -name downloads ! -name setup.lock -exec rm -rf {} +
 }
 
-# configure render|batch|focus|check: where there is no finished configuration, or the tests are not yet part of it.
-# Once on, the tests stay on: the two commands must not turn each other's configuration back.
+# in_cache ENTRY: whether CMake's cache of the build holds this line.
+in_cache() { grep -qxF -- "$1" "$build/CMakeCache.txt" 2>/dev/null; }
+
+# configure render|batch|focus|check [FOLDER]: where there is no finished configuration, the tests are not yet part of it, or
+# the source shall come from another folder. Once on, the tests stay on: the commands must not turn each other's
+# configuration back.
 configure()
 {
     local -a options=()
-    if [ "$1" = check ] && ! grep -qx 'TILT_LENS_TESTS:BOOL=ON' "$build/CMakeCache.txt" 2>/dev/null; then
-        options=(-DTILT_LENS_TESTS=ON)
-    elif [ -f "$build/build.ninja" ]; then
-        return 0
+    if [ "$1" = check ] && ! in_cache TILT_LENS_TESTS:BOOL=ON; then
+        options+=(-DTILT_LENS_TESTS=ON)
     fi
-    say "Configuring (the first time this downloads POV-Ray's source)"
+    if [ -n "${2:-}" ] && ! in_cache "POVRAY_TARBALL:PATH=$2"; then
+        options+=("-DPOVRAY_TARBALL=$2")
+    fi
+    [ ${#options[@]} -gt 0 ] || [ ! -f "$build/build.ninja" ] || return 0
+    check_system "${2:-}"
+    say "Configuring (the first time this fetches POV-Ray's source)"
     ( cd "$repository" && cmake --preset release "${options[@]}" ) >&2 \
         || die "the configuration failed (see above)."
 }
@@ -116,17 +180,20 @@ show_progress()
 
 setup()
 {
-    local target=povray
+    local target=povray folder=${2:-}
     [ "$1" != check ] || target=all
-    command -v dpkg-query apt-get >/dev/null || die "this set-up is for Debian: dpkg and apt-get are missing. docs/building.md says how to build elsewhere."
-    install_packages "$1"
+    if [ -n "$folder" ]; then
+        [ -d "$folder" ] || die "--source: there is no folder $folder"
+        folder=$(readlink -f -- "$folder")
+    fi
+    ! has_apt || install_packages "$1"
     mkdir -p "$build" || die "cannot create $build."
     [ -w "$build" ] || die "cannot write into $build (it belongs to $(stat -c %U -- "$build"))."
     # One set-up at a time: two builds in one folder would spoil each other.
     exec {setup_lock}> "$build/setup.lock" || die "cannot write into $build."
     flock -n "$setup_lock" || { say "Waiting for another set-up in $build"; flock "$setup_lock"; }
     forget_moved_build
-    configure "$1"
+    configure "$1" "$folder"
     ninja -C "$build" -j "$(nproc)" "$target" 2>&1 {setup_lock}>&- | show_progress
     [ "${PIPESTATUS[0]}" -eq 0 ] || die "the build failed (see above)."
     exec {setup_lock}>&-

@@ -2,103 +2,14 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The pinned source: every way it may fail to arrive has one clear message, and the next try starts clean."""
 
-import hashlib
-import io
-import json
 import os
-import tarfile
+import shutil
 import unittest
 
-from tests.setup.harness import CMAKE, REPOSITORY, SetupTest
-
-TARBALL = "povray_1.orig.tar.gz"
-# The packaging revisions: name of the control file and of the archive of each.
-REVISIONS = {"1": ("povray_1-1.dsc", "povray_1-1.debian.tar.xz"), "2": ("povray_1-2.dsc", "povray_1-2.debian.tar.xz")}
-PACKAGING = REVISIONS["2"][1]       # the newest revision, which is preferred
-TARGET = "LICENSE"                  # the upstream file that this test's patches change
-NO_NETWORK = "http://127.0.0.1:9"   # the discard port: refuses at once
-
-# A source package of the real one's shape, small enough to be unpacked a dozen times.
-ORIG = {
-    "povray-1/LICENSE": "GENERAL PUBLIC LICENSE\n",
-    "povray-1/changes.txt": "one\ntwo\n",
-    "povray-1/source/main.cpp": "int main() {}\n",
-    "povray-1/windows/unused.cpp": "",
-}
-DEBIAN = {
-    "debian/copyright": "License: AGPL-3.0+\n",
-    "debian/patches/series": "fix-main.patch\n#left-out.patch\n",
-    "debian/patches/fix-main.patch":
-        "--- a/source/main.cpp\n+++ b/source/main.cpp\n@@ -1 +1,2 @@\n int main() {}\n+// Debian's line\n",
-}
+from tests.setup.source_package import NO_NETWORK, PACKAGING, TARBALL, SourcePackageTest
 
 
-def write_archive(path, mode, members):
-    with tarfile.open(path, mode) as archive:
-        for name, text in members.items():
-            entry = tarfile.TarInfo(name)
-            entry.size = len(text)
-            archive.addfile(entry, io.BytesIO(text.encode()))
-
-
-class Upstream(SetupTest):
-    def setUp(self):
-        super().setUp()
-        self.work = self.folder / "work"
-        self.downloads = self.folder / "downloads"
-        self.archives = self.folder / "archives"
-        self.archives.mkdir()
-        write_archive(self.archives / TARBALL, "w:gz", ORIG)
-        for revision, (control, packaging) in REVISIONS.items():
-            write_archive(self.archives / packaging, "w:xz", {**DEBIAN, "debian/changelog": f"povray (1-{revision})\n"})
-            (self.archives / control).write_text(f"Version: 1-{revision}\n", encoding="utf-8")
-        self.write_pin()
-        self.series = self.folder / "patches"
-        self.series.mkdir()
-        self.write_series("One")
-
-    def write_pin(self):
-        """A pin of the archives as they are now."""
-        self.pin = self.folder / "upstream.json"
-
-        def pinned(name):
-            content = (self.archives / name).read_bytes()
-            return {"name": name, "size": len(content), "sha256": hashlib.sha256(content).hexdigest()}
-
-        revisions = [{"version": f"1-{revision}", "releases": ["old", "new"], "dsc": pinned(control),
-                      "debian": pinned(packaging)} for revision, (control, packaging) in REVISIONS.items()]
-        self.pin.write_text(json.dumps({"package": "povray", "upstream_version": "1", "source_folder": "povray-1",
-                                        "tarball": pinned(TARBALL), "revisions": revisions}), encoding="utf-8")
-
-    def write_series(self, text):
-        """A series of one patch that puts the line TEXT ahead of TARGET."""
-        first = ORIG[f"povray-1/{TARGET}"]
-        (self.series / "add-line.patch").write_text(
-            f"--- a/{TARGET}\n+++ b/{TARGET}\n@@ -1 +1,2 @@\n+{text}\n {first}", encoding="utf-8")
-        (self.series / "series").write_text("# a comment\nadd-line.patch\n", encoding="utf-8")
-
-    def prepare(self, tarball="", env=None):
-        """Prepares the source as the configure step does."""
-        script = self.folder / "prepare.cmake"
-        script.write_text(
-            f'include("{REPOSITORY}/cmake/PatchedSource.cmake")\n'
-            f'set(POVRAY_TARBALL "{tarball}")\n'
-            f'patched_source_prepare("{self.work}" "{self.downloads}" "{self.pin}" "{self.series}" TRUE)\n',
-            encoding="utf-8")
-        return self.run_command(CMAKE, "-P", script, env=env)
-
-    def prepared(self, name=TARGET):
-        return self.work / "povray" / name
-
-    def assert_prepared(self, text="One"):
-        self.assertTrue((self.work / "key").is_file())
-        self.assertFalse((self.work / "fresh").exists())
-        self.assertEqual(self.prepared().read_text(encoding="utf-8").splitlines()[0], text)
-        self.assertIn("Debian's line", self.prepared("source/main.cpp").read_text(encoding="utf-8"))
-        self.assertFalse(self.prepared("windows").exists())
-        self.assertEqual((self.work / "applied-patches").read_text(encoding="utf-8").split(),
-                         ["fix-main.patch", "add-line.patch"])
-
+class Upstream(SourcePackageTest):
     def test_folder_is_taken(self):
         self.assert_succeeds(self.prepare(self.archives))
         self.assert_prepared()
@@ -107,46 +18,70 @@ class Upstream(SetupTest):
         self.assert_succeeds(self.prepare(self.archives / TARBALL))
         self.assert_prepared()
 
-    def test_any_one_revision_will_do(self):
-        for revision in REVISIONS:
-            folder = self.folder / f"only {revision}"
-            folder.mkdir()
-            for name in (TARBALL, *REVISIONS[revision]):
-                os.link(self.archives / name, folder / name)
-            (self.work / "key").unlink(missing_ok=True)
-            self.assert_succeeds(self.prepare(folder))
-            self.assert_prepared()
+    def test_any_revision_with_the_pinned_patches_will_do(self):
+        (self.archives / PACKAGING).unlink()
+        for name, mode in (("povray_1-1.debian.tar.xz", "w:xz"), ("povray_1-2build3.debian.tar.gz", "w:gz"),
+                           ("povray_1-2ubuntu1~24.04.debian.tar.xz", "w:xz"), ("povray_1-7+rpi1.debian.tar.bz2", "w:bz2")):
+            with self.subTest(name):
+                self.write_packaging(name, mode)
+                (self.work / "key").unlink(missing_ok=True)
+                process = self.prepare(self.archives)
+                self.assert_succeeds(process)
+                self.assertIn(name, process.stdout)
+                self.assert_prepared()
+                (self.archives / name).unlink()
 
-    def test_parts_of_two_revisions_are_none(self):
-        (self.archives / REVISIONS["1"][0]).unlink()
-        (self.archives / REVISIONS["2"][1]).unlink()
-        self.assert_fails_saying(self.prepare(self.archives), f"{REVISIONS['1'][0]} is missing (revision 1-1)",
-                                 f"{REVISIONS['2'][1]} is missing (revision 1-2)")
+    def test_further_patches_of_a_packaging_are_not_compiled(self):
+        self.write_packaging(PACKAGING, vendor="--- a/LICENSE\n+++ b/LICENSE\n@@ -1 +1 @@\n-GENERAL PUBLIC LICENSE\n+other\n")
+        self.assert_succeeds(self.prepare(self.archives))
+        self.assert_prepared()
 
-    def test_revision_that_is_not_pinned(self):
-        for control, packaging in REVISIONS.values():
-            (self.archives / control).unlink()
-            (self.archives / packaging).unlink()
-        (self.archives / "povray_1-7.dsc").write_text("Version: 1-7\n", encoding="utf-8")
-        self.assert_fails_saying(self.prepare(self.archives), "povray_1-7.dsc, a packaging revision that is not pinned",
-                                 "1-1 (old, new) 1-2 (old, new)", "Add a revision of Debian's package")
+    def test_revision_whose_patches_differ(self):
+        self.write_packaging(PACKAGING, fix_more="another text\n")
+        self.assert_fails_saying(self.prepare(self.archives), f"{PACKAGING}: debian/patches/fix-more.patch has SHA-256",
+                                 "Take another packaging", "./render --source FOLDER")
+
+    def test_revision_that_lacks_files(self):
+        self.write_packaging(PACKAGING, without=("debian/patches/fix-main.patch", "debian/copyright"))
+        process = self.prepare(self.archives)
+        self.assert_fails_saying(process, f"{PACKAGING}: debian/patches/fix-main.patch is missing",
+                                 f"{PACKAGING}: debian/copyright is missing")
+        self.assertNotIn("fix-more.patch", process.stderr)
+
+    def test_the_one_good_revision_of_several_is_taken(self):
+        self.write_packaging("povray_1-10.debian.tar.xz", fix_more="another text\n")
+        (self.archives / "povray_1-9.debian.tar.xz").write_bytes(b"no archive")
+        process = self.prepare(self.archives)
+        self.assert_succeeds(process)
+        self.assertIn(PACKAGING, process.stdout)
+        self.assert_prepared()
+
+    def test_folder_without_a_packaging(self):
+        (self.archives / PACKAGING).unlink()
+        (self.archives / "povray_0-1.debian.tar.xz").write_bytes(b"of another version")
+        process = self.prepare(self.archives)
+        self.assert_fails_saying(process, "povray_1-REVISION.debian.tar.xz is missing")
+        self.assertNotIn(TARBALL + " is missing", process.stderr)
 
     def test_missing_folder(self):
         process = self.prepare(self.folder / "nowhere")
         self.assert_fails_saying(process, "POVRAY_TARBALL", TARBALL + " is missing")
 
-    def test_changed_file_and_next_try(self):
-        for name in REVISIONS["1"]:     # only one revision is at hand
-            (self.archives / name).unlink()
-        archive = self.archives / PACKAGING
+    def test_changed_tarball_and_next_try(self):
+        archive = self.archives / TARBALL
         original = archive.read_bytes()
         archive.write_bytes(original[:-1])
-        self.assert_fails_saying(self.prepare(self.archives), PACKAGING + " has", "bytes, expected")
+        self.assert_fails_saying(self.prepare(self.archives), TARBALL + " has", "bytes, expected")
         archive.write_bytes(original[:-1] + bytes([original[-1] ^ 1]))
         self.assert_fails_saying(self.prepare(self.archives), "SHA-256", "expected")
         archive.write_bytes(original)
         self.assert_succeeds(self.prepare(self.archives))
         self.assert_prepared()
+
+    def test_damaged_packaging(self):
+        archive = self.archives / PACKAGING
+        archive.write_bytes(archive.read_bytes()[:-40])
+        self.assert_fails_saying(self.prepare(self.archives), f"{PACKAGING} could not be unpacked", "damaged")
 
     def test_damaged_download_is_dropped_and_no_network_is_told(self):
         config = self.folder / "apt.conf"
@@ -162,7 +97,8 @@ class Upstream(SetupTest):
         # A tar that stops half-way stands for a full disk.
         tools = self.folder / "tools"
         tools.mkdir()
-        (tools / "tar").write_text("#!/bin/sh\nmkdir half\necho 'No space left on device' >&2\nexit 2\n", encoding="utf-8")
+        (tools / "tar").write_text(f"#!/bin/sh\ncase $* in *{PACKAGING}*) exec {shutil.which('tar')} \"$@\" ;; esac\n"
+                                   "mkdir half\necho 'No space left on device' >&2\nexit 2\n", encoding="utf-8")
         (tools / "tar").chmod(0o755)
         process = self.prepare(self.archives, env={"PATH": f"{tools}:{os.environ['PATH']}"})
         self.assert_fails_saying(process, "could not be unpacked", "No space left on device")

@@ -60,8 +60,8 @@ def series_sha256():
 
 
 def upstream():
-    """The release of POV-Ray that the fork is made from. Debian's packaging revision is left out: those that are
-    pinned hold the same patches (docs/patching.md)."""
+    """The release of POV-Ray that the fork is made from. Debian's packaging revision is left out: all that
+    are accepted hold the same patches (docs/patching.md)."""
     pin = json.loads((manifest.ROOT / "povray-src" / "upstream.json").read_text())
     return " ".join(str(pin[field]) for field in ("package", "upstream_version"))
 
