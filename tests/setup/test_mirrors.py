@@ -65,6 +65,11 @@ SYSTEMS = {
 }
 
 
+def rfc_date(seconds):
+    """So many seconds from now, as apt writes it."""
+    return email.utils.formatdate(time.time() + seconds, usegmt=True).replace("GMT", "UTC")
+
+
 def sha256(content):
     return hashlib.sha256(content).hexdigest()
 
@@ -86,8 +91,8 @@ class Mirrors(SourcePackageTest):
         return subprocess.run(["gpg", "--homedir", str(cls.keys), "--batch", "--quiet", *words], input=text, capture_output=True,
                               text=True, check=True).stdout
 
-    def mirror(self, suite, component, revisions, until=DAY, signed=True):
-        """A mirror with these revisions of the package; UNTIL tells in how many seconds its index expires."""
+    def mirror(self, suite, component, revisions, made=-DAY, signed=True):
+        """A mirror with these revisions of the package, whose index was made so many seconds from now and is valid for two days."""
         root = self.folder / "mirror"
         source = root / "dists" / suite / component / "source"
         source.mkdir(parents=True)
@@ -107,9 +112,8 @@ class Mirrors(SourcePackageTest):
         (root / "pool").symlink_to(self.archives)
         content = sources.encode()
         (source / "Sources").write_bytes(content)
-        now = time.time()
-        release = (f"Origin: Imitation\nSuite: {suite}\nCodename: {suite}\nDate: {email.utils.formatdate(now + min(until, 0) - DAY, usegmt=True)}\n"
-                   f"Valid-Until: {email.utils.formatdate(now + until, usegmt=True)}\nComponents: {component}\nArchitectures: all\n"
+        release = (f"Origin: Imitation\nSuite: {suite}\nCodename: {suite}\nDate: {rfc_date(made)}\n"
+                   f"Valid-Until: {rfc_date(made + 2*DAY)}\nComponents: {component}\nArchitectures: all\n"
                    f"SHA256:\n {sha256(content)} {len(content)} {component}/source/Sources\n")
         if signed:
             (root / "dists" / suite / "InRelease").write_text(self.gpg("--clear-sign", text=release), encoding="utf-8")
@@ -129,8 +133,9 @@ class Mirrors(SourcePackageTest):
         parts.mkdir(exist_ok=True)
         (parts / ("system.sources" if system.deb822 else "system.list")).write_text(text.replace("KEY", key), encoding="utf-8")
         config = self.folder / "apt.conf"
-        config.write_text(f'Dir::Etc::sourcelist "/dev/null";\nDir::Etc::sourceparts "{parts}";\n'
-                          'Dir::Etc::trusted "/dev/null";\nDir::Etc::trustedparts "/dev/null";\n', encoding="utf-8")
+        ours = {"sourceparts": parts}       # nothing of the system that runs the test
+        config.write_text("".join(f'Dir::Etc::{name} "{ours.get(name, "/dev/null")}";\n' for name in (
+            "main", "parts", "sourcelist", "sourceparts", "trusted", "trustedparts")), encoding="utf-8")
         release = self.folder / "os-release"
         release.write_text(system.release, encoding="utf-8")
         return {"APT_CONFIG": str(config), "TILT_LENS_OS_RELEASE": str(release)}
@@ -159,10 +164,10 @@ class Mirrors(SourcePackageTest):
         self.assert_fails_saying(self.prepare(env=self.environment(system, mirror, "")), "not signed by a key that this system knows")
 
     def test_expired_index(self):
-        self.assert_downloaded(self.prepare_on(SYSTEMS["sid"], until=-20*DAY), "4")
+        self.assert_downloaded(self.prepare_on(SYSTEMS["sid"], made=-20*DAY), "4")
 
     def test_clock_that_is_behind(self):
-        self.assert_downloaded(self.prepare_on(SYSTEMS["sid"], until=400*DAY), "4")
+        self.assert_downloaded(self.prepare_on(SYSTEMS["sid"], made=20*DAY), "4")
 
     def test_the_good_one_of_two_revisions(self):
         self.write_packaging("povray_1-5.debian.tar.xz", fix_main="another text\n")

@@ -51,6 +51,7 @@ class Upstream(SourcePackageTest):
     def test_the_one_good_revision_of_several_is_taken(self):
         self.write_packaging("povray_1-10.debian.tar.xz", fix_more="another text\n")
         (self.archives / "povray_1-9.debian.tar.xz").write_bytes(b"no archive")
+        self.write_packaging("povray_1-1.debian.tar.xz", fix_more="another text\n")
         process = self.prepare(self.archives)
         self.assert_succeeds(process)
         self.assertIn(PACKAGING, process.stdout)
