@@ -60,11 +60,6 @@ target_compile_options(povray_vfe PRIVATE -w "SHELL:-include vfe/unix/install_fo
 target_compile_definitions(povray_vfe PRIVATE POVCONFDIR_BACKWARD="/etc")
 set_target_properties(povray_vfe PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 
-add_executable(povray ${povray_unix})
-target_link_libraries(povray PRIVATE povray_settings povray_core povray_vfe)
-target_compile_options(povray PRIVATE -w)
-set_target_properties(povray PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
-
 # For our files that include upstream's headers: warnings for our own lines only, neither for those headers, nor for
 # their message codes such as 'OCLA'.
 add_library(povray_own_settings INTERFACE)
@@ -78,14 +73,23 @@ if(TILT_LENS_PATCHES AND povray_own_core)
     # Fewer at a time than upstream's, so that a change of one file compiles soon.
     set_target_properties(povray_own PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
     target_link_libraries(povray_own PRIVATE povray_own_settings)
-    target_link_libraries(povray PRIVATE povray_own)
 endif()
 
-# Sanitizers have allocators of their own.
-if(TILT_LENS_PATCHES AND NOT TILT_LENS_SANITIZE)
-    target_sources(povray PRIVATE "${povray_allocator}")
-    target_link_libraries(povray PRIVATE "${JEMALLOC_LIBRARY}" ${CMAKE_DL_LIBS})
-endif()
+# add_povray_program(NAME): a program of all these objects. Sanitizers have allocators of their own.
+function(add_povray_program name)
+    add_executable(${name} ${povray_unix})
+    target_link_libraries(${name} PRIVATE povray_settings povray_core povray_vfe)
+    target_compile_options(${name} PRIVATE -w)
+    if(TARGET povray_own)
+        target_link_libraries(${name} PRIVATE povray_own)
+    endif()
+    if(TILT_LENS_PATCHES AND NOT TILT_LENS_SANITIZE)
+        target_sources(${name} PRIVATE "${povray_allocator}")
+        target_link_libraries(${name} PRIVATE "${JEMALLOC_LIBRARY}" ${CMAKE_DL_LIBS})
+    endif()
+endfunction()
+add_povray_program(povray)
+set_target_properties(povray PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 set_source_files_properties("${POVRAY_SOURCE}/source/backend/povray.cpp" "${POVRAY_SOURCE}/vfe/unix/unixconsole.cpp"
     PROPERTIES COMPILE_DEFINITIONS "TILT_LENS_BUILD_NAME=\"${TILT_LENS_BUILD_NAME}\"")

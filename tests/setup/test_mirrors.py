@@ -20,7 +20,7 @@ DAY = 24*60*60
 
 @dataclasses.dataclass
 class System:
-    """What a system tells of itself in /etc/os-release, its apt settings, and where its mirror has the package."""
+    """A system's /etc/os-release and apt settings, and where its mirror has the package."""
     release: str
     settings: str           # MIRROR, DEAD and KEY stand for addresses and for the words about the key
     suite: str

@@ -34,7 +34,7 @@ class OnFreshDebian(SetupTest):
 
     def test_unknown_words(self):
         self.assert_fails_saying(self.call("--fast", "trixie"), "there is no option --fast")
-        self.assert_fails_saying(self.call("trixie", "dance"), "there is no step dance; there are render, check, package and user")
+        self.assert_fails_saying(self.call("trixie", "dance"), "there is no step dance; there are render, check, package, bundle and user")
         self.assert_fails_saying(self.call("--work"), "--work needs a folder")
 
     def test_only_root(self):
@@ -43,7 +43,7 @@ class OnFreshDebian(SetupTest):
     def test_suite_that_the_mirror_does_not_have(self):
         work = self.folder / "work"
         self.assert_fails_saying(self.call("--work", work, "nowhere", "render"), "debootstrap failed", "no such suite")
-        self.assertFalse((work / "minimal").exists())
+        self.assertFalse((work / "minimal-nowhere").exists())
 
 
 if __name__ == "__main__":
