@@ -34,13 +34,14 @@ packages_of()
         "$repository/cmake/debian-packages"
 }
 
+# missing_packages GROUP: the lines of packages_of of which nothing is installed. Libraries for another processor do not count.
 missing_packages()
 {
     local -a wanted names
     mapfile -t wanted < <(packages_of "$1")
     local installed
-    installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' ${wanted[@]//|/ } 2>/dev/null \
-        | awk '$1 == "installed" { print $2 }')
+    installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package} ${Architecture}\n' ${wanted[@]//|/ } 2>/dev/null \
+        | awk -v native="$(dpkg --print-architecture)" '$1 == "installed" && ($3 == native || $3 == "all") { print $2 }')
     local package name
     for package in "${wanted[@]}"; do
         IFS='|' read -ra names <<< "$package"

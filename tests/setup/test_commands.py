@@ -313,6 +313,10 @@ class SetupStep(CommandTest):
         self.assertEqual(self.installed_of(packages, known="tilt-c tilt-a"), ["tilt-a", "tilt-f"])
         self.assertEqual(self.installed_of(packages), ["tilt-a", "tilt-f"])     # apt then says what is wrong with it
 
+    def test_libraries_for_another_processor_are_none_for_this_one(self):
+        self.tool("dpkg-query", 'echo installed tilt-a other; echo installed tilt-b all; echo "installed tilt-c $(dpkg --print-architecture)"')
+        self.assertEqual(self.installed_of("render  tilt-a\nrender  tilt-b\nrender  tilt-c\n"), ["tilt-a"])
+
     def test_cmake_that_is_too_old(self):
         self.have_all_packages()
         self.tool("cmake", "echo cmake version 3.22.1")
