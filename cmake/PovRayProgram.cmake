@@ -22,8 +22,7 @@ list(REMOVE_ITEM povray_own_unix "${povray_allocator}")
 add_library(povray_settings INTERFACE)
 target_compile_definitions(povray_settings INTERFACE HAVE_CONFIG_H _GNU_SOURCE=1 _REENTRANT
     BOOST_BIND_GLOBAL_PLACEHOLDERS)     # upstream's way of using them; Boost prints a note without this
-# No fused multiply-add (TiltLensLibrary.cmake): arm64 would give other pixels than amd64.
-target_compile_options(povray_settings INTERFACE -pipe -ffp-contract=off $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-enforce-eh-specs>)
+target_compile_options(povray_settings INTERFACE -pipe $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-enforce-eh-specs>)
 target_include_directories(povray_settings INTERFACE "${POVRAY_GENERATED}")
 set(povray_folders source source/backend source/base source/frontend vfe vfe/unix unix)
 list(TRANSFORM povray_folders PREPEND "${POVRAY_SOURCE}/")

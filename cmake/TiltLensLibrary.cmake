@@ -7,9 +7,11 @@ include_guard()
 file(GLOB tilt_lens_sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/povray-src/tilt_lens/*/*.cpp")
 add_library(tilt_lens STATIC ${tilt_lens_sources})
 target_include_directories(tilt_lens PUBLIC "${CMAKE_SOURCE_DIR}/povray-src")
-# No fused multiply-add: a processor that has it would give other rays than one that has not. Nobody asks for errno: without it, a
-# square root is one instruction.
-target_compile_options(tilt_lens PRIVATE -Wall -Wextra -ffp-contract=off -fno-math-errno)
+# No fused multiply-add, also in functions of the headers and in upstream's files: a processor that has it, such as arm64, would
+# give other pixels than one that has not.
+target_compile_options(tilt_lens PUBLIC -ffp-contract=off)
+# Nobody asks for errno: without it, a square root is one instruction.
+target_compile_options(tilt_lens PRIVATE -Wall -Wextra -fno-math-errno)
 target_link_libraries(tilt_lens PRIVATE Boost::headers)
 if(TILT_LENS_SANITIZE MATCHES "undefined")
     target_compile_options(tilt_lens PRIVATE -fno-sanitize-recover=undefined)
