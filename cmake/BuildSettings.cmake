@@ -25,6 +25,14 @@ add_compile_options("-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
 # Registers of 32 bytes are passed between inlined functions alone (math/simd.h), so that how others would take them does not matter.
 add_compile_options(-Wno-psabi)
 
+# A write past an array ends the program at once. Sanitizers check more, and do not go with the C library's checks.
+set(TILT_LENS_CHECK_STACK)
+if(NOT TILT_LENS_SANITIZE)
+    set(TILT_LENS_CHECK_STACK -fstack-protector-strong)
+    add_compile_options($<$<CONFIG:Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=3>)
+    add_link_options(LINKER:-z,relro,-z,now)
+endif()
+
 if(TILT_LENS_SANITIZE)
     add_compile_options(-fsanitize=${TILT_LENS_SANITIZE})
     add_link_options(-fsanitize=${TILT_LENS_SANITIZE})

@@ -25,6 +25,7 @@ set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenEXR CONFIG QUIET)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(SDL 1.2 QUIET)
+find_package(nlohmann_json QUIET)
 find_library(JEMALLOC_LIBRARY NAMES libjemalloc.a jemalloc)  # static where it can be had: one library less to load at start
 mark_as_advanced(JEMALLOC_LIBRARY)
 
@@ -37,6 +38,7 @@ tilt_lens_require(TIFF_FOUND libtiff-dev)
 tilt_lens_require(OpenEXR_FOUND libopenexr-dev)
 tilt_lens_require(SDL_FOUND libsdl1.2-dev)
 tilt_lens_require(JEMALLOC_LIBRARY libjemalloc-dev)
+tilt_lens_require(nlohmann_json_FOUND nlohmann-json3-dev)
 
 if(TILT_LENS_MISSING)
     list(JOIN TILT_LENS_MISSING " " TILT_LENS_MISSING)

@@ -12,7 +12,7 @@ target_include_directories(tilt_lens PUBLIC "${CMAKE_SOURCE_DIR}/povray-src")
 target_compile_options(tilt_lens PUBLIC -ffp-contract=off)
 # Nobody asks for errno: without it, a square root is one instruction.
 target_compile_options(tilt_lens PRIVATE -Wall -Wextra -fno-math-errno)
-target_link_libraries(tilt_lens PRIVATE Boost::headers)
+target_link_libraries(tilt_lens PRIVATE Boost::headers nlohmann_json::nlohmann_json)
 if(TILT_LENS_SANITIZE MATCHES "undefined")
     target_compile_options(tilt_lens PRIVATE -fno-sanitize-recover=undefined)
 endif()

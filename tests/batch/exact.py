@@ -3,6 +3,9 @@
 """Pictures put together from bands equal those of one render: kinds of files, numbers of bands, stock
 scenes; and what cannot be cut is not."""
 
+import os
+import time
+
 from tests.batch import harness
 from tests.batch.harness import LENS, STOCK, BatchTest, picture
 
@@ -33,6 +36,12 @@ class Exact(BatchTest):
 
     def test_stock_scene_with_its_anti_aliasing(self):
         self.compare(STOCK, "stock.png", 3, "+FN", "+AM1", "+A0.1")
+
+    def test_scene_with_a_date_in_the_future(self):
+        scene = self.scene(LENS)
+        os.utime(scene, (time.time() + 1e6, time.time() + 1e6))
+        self.batch("still", scene, "--output", "a.png", "--bands", 2, "--retries", 0, *SIZE)
+        self.assert_same(self.folder / "a.png", self.whole(scene, self.folder / "a.png", "+FN", *SIZE))
 
     def test_two_threads(self):
         scene = self.scene(LENS)

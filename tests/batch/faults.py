@@ -7,6 +7,8 @@ import os
 import resource
 import shlex
 import signal
+import subprocess
+import sys
 import time
 
 from tests.batch import harness
@@ -80,6 +82,21 @@ class Killed(BatchTest):
         process.send_signal(signal.SIGINT)
         self.finished(process, 130)
         return said
+
+    def test_oiiotool_ends_with_who_runs_it(self):
+        """In the last steps of a batch, which read and join pictures."""
+        tools = self.folder / "tools"
+        tools.mkdir()
+        (tools / "oiiotool").write_text("#!/bin/sh\nexec sleep 1000\n")
+        (tools / "oiiotool").chmod(0o755)
+        env = {**self.env, "PATH": f"{tools}:{self.env['PATH']}", "PYTHONPATH": str(harness.ROOT)}
+        for call in ("merge.oiiotool(sys.argv[1], [])", "povray.image_info(pathlib.Path(sys.argv[1], 'a.png'))"):
+            with self.subTest(call):
+                program = f"import pathlib, sys; from tools.batch import merge, povray; {call}"
+                with subprocess.Popen([sys.executable, "-c", program, str(self.folder)], env=env, cwd="/") as process:
+                    self.until("oiiotool", lambda: [pid for pid, words in processes(str(self.folder)) if words.startswith("sleep")])
+                    process.kill()
+                self.until("the end of oiiotool", lambda: not processes(str(self.folder)))
 
     def test_parallel_killed(self):
         process, _ = self.begin()

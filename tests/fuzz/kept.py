@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The kept inputs: corpus/ has the inputs with which libFuzzer reaches all code that it has reached so far, regressions/
-those that once failed. Each has solver.json, bytes in base 64, and parser.json, the texts of blocks."""
+those that once failed. Each has solver.json, bytes in base 64, parser.json, the texts of blocks, and may have
+prescription.json, bytes in base 64."""
 
 import base64
 import json
@@ -11,7 +12,8 @@ import subprocess
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-FORMS = {"solver": (lambda data: base64.b64encode(data).decode(), base64.b64decode), "parser": (bytes.decode, str.encode)}
+BYTES = (lambda data: base64.b64encode(data).decode(), base64.b64decode)
+FORMS = {"solver": BYTES, "prescription": BYTES, "parser": (bytes.decode, str.encode)}
 
 
 def load(where, name):

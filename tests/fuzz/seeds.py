@@ -1,11 +1,14 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Plain cameras as the bytes that solver_fuzz reads, as libFuzzer's first inputs.
+"""Plain cameras as the bytes that solver_fuzz reads, and files of lenses for prescription_fuzz, as libFuzzer's first inputs.
 
 The order of the fields is that of StatementFrom() in solver_fuzz.cpp.
 """
 
+import shutil
 import struct
+
+from tools.repository import ROOT
 
 
 def camera(flags, numbers, blades=0):
@@ -36,3 +39,11 @@ def write(folder):
     folder.mkdir(parents=True, exist_ok=True)
     for i, data in enumerate(seeds()):
         (folder / f"seed{i:02}").write_bytes(data)
+
+
+def write_lenses(folder):
+    """The lenses that come with the program, in both forms."""
+    folder.mkdir(parents=True, exist_ok=True)
+    lenses = ROOT / "scenes" / "include" / "lenses"
+    for path in sorted([*lenses.glob("*.dat"), *lenses.glob("*.json")]):
+        shutil.copy(path, folder / path.name)

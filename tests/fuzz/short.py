@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The short fuzz run of ./check: tests.fuzz.short solver|blocks|frames|regressions. `python3 -m tests.stress.run fuzz` is the long one."""
+"""The short fuzz run of ./check: tests.fuzz.short solver|prescription|blocks|frames|regressions. `python3 -m tests.stress.run fuzz` is the long one."""
 
 import argparse
 import pathlib
@@ -12,13 +12,14 @@ import tempfile
 from tests.fuzz import blocks, frames, grammar, kept, seeds
 from tools.repository import ROOT
 
-RUNS, BLOCKS, FRAMES = 30_000, 1500, 60
+RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 1500, 60
+SECONDS_OF_ONE = 60  # any file is read within a thousandth of it
 # a block that the parser refuses, and one with light past what the file can hold behind it
 BAD = ("tilt",
        "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
 
 
-def run_solver(program, *arguments):
+def run_libfuzzer(program, *arguments):
     """Runs libFuzzer; ends the test with its messages if it finds a fault."""
     done = subprocess.run([str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           check=False)
@@ -33,7 +34,17 @@ def solver(settings):
         folder = pathlib.Path(name)
         seeds.write(folder / "corpus")
         kept.unpack("solver", folder / "corpus")
-        run_solver(settings.solver, f"-runs={RUNS}", "-seed=1", "-max_len=320", f"-artifact_prefix={name}/", folder / "corpus")
+        run_libfuzzer(settings.solver, f"-runs={RUNS}", "-seed=1", "-max_len=320", f"-artifact_prefix={name}/", folder / "corpus")
+
+
+def prescription(settings):
+    """Some thousand files, derived from the lenses that come with the program."""
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        folder = pathlib.Path(name)
+        seeds.write_lenses(folder / "corpus")
+        kept.unpack("prescription", folder / "corpus")
+        run_libfuzzer(settings.prescription, f"-runs={READER_RUNS}", "-seed=1", "-max_len=4096", f"-timeout={SECONDS_OF_ONE}",
+                      f"-artifact_prefix={name}/", folder / "corpus")
 
 
 def known_words():
@@ -78,7 +89,7 @@ def regressions(settings):
         sys.exit("no kept cameras or blocks")
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         kept.unpack("solver", pathlib.Path(name))
-        run_solver(settings.solver, *sorted(pathlib.Path(name).iterdir()))
+        run_libfuzzer(settings.solver, *sorted(pathlib.Path(name).iterdir()))
     blocks_ = [text.decode() for text in texts]
     bad = [(text, answer) for text, answer in zip(blocks_, blocks.parse(settings.parser, blocks_))
            if answer.split()[0] in ("wrong", "crash")]
@@ -89,10 +100,11 @@ def regressions(settings):
 
 def main():
     """One part."""
-    parts = {"solver": solver, "blocks": grammar_blocks, "frames": grammar_frames, "regressions": regressions}
+    parts = {"solver": solver, "prescription": prescription, "blocks": grammar_blocks, "frames": grammar_frames, "regressions": regressions}
     parser = argparse.ArgumentParser()
     parser.add_argument("part", choices=parts)
     parser.add_argument("--solver", required=True, type=pathlib.Path)
+    parser.add_argument("--prescription", required=True, type=pathlib.Path)
     parser.add_argument("--parser", required=True)
     parser.add_argument("--povray", required=True)
     settings = parser.parse_args()

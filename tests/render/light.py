@@ -72,6 +72,15 @@ class Renders(rendering.RenderTest):
         self.assert_different(stock, flat, 0.1)
         self.assert_near(lens, stock, 0.06, "normal")
 
+    def test_samples_of_a_camera_with_a_normal_stay_in_their_pixel(self):
+        """Filters take a sample for the pixels of its circle of confusion, which a normal moves elsewhere."""
+        def render(denoise, tail):
+            camera = scenes.camera(f"denoise {denoise}", 0.6, "blur_samples 1 ", tail=tail)
+            return rendering.render(camera + scenes.WORLD, **SIZE)
+        bumps = "normal { bumps 0.6 scale 0.25 }"
+        self.assert_same(render("on", bumps), render("off", bumps), "normal")
+        self.assert_different(render("on", ""), render("off", ""), 0.01, "no normal")
+
     def test_no_image(self):
         scene = scenes.camera() + scenes.WORLD
         ball = "sphere { <0, 1, -1>, 0.7 pigment { rgb 1 } no_image no_shadow no_reflection }\n"

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Options that leave nothing to render are refused, at once and with the reason."""
 
+import os
 import pathlib
 import tempfile
+import unittest.mock
 
 from tests.render import rendering, scenes
 
@@ -45,6 +47,44 @@ class Refused(rendering.RenderTest):
     def test_no_threads(self):
         self.check(("+WT0",), "Work_Threads=0 (+WT0). A whole number of at least 1 is allowed")
 
+    def test_no_blocks(self):
+        self.check(("+BS3",), "Render_Block_Size=3 (+BS3). A whole number of at least 4 is allowed")
+
+    def test_gamma(self):
+        self.check(("File_Gamma=0.0001",), "File_Gamma=0.0001. A number of at least 0.001, or sRGB, is allowed")
+        self.check(("Display_Gamma=0.0001",), "Display_Gamma=0.0001. A number of at least 0.001, or sRGB, is allowed")
+
+    def test_last_frame_before_the_first(self):
+        self.check(("+KFI5", "+KFF2"), "Initial_Frame=5 (+KFI) and Final_Frame=2 (+KFF): the last frame lies before the first.")
+
+    def test_words(self):
+        """The word, and what is allowed in its place."""
+        for word, said in (
+                ("Width=abc", "'Width=abc': Width takes a whole number."),
+                ("Antialias_Threshold=x", "'Antialias_Threshold=x': Antialias_Threshold takes a number."),
+                ("File_Gamma=0", "'File_Gamma=0': File_Gamma takes a number above 0, or sRGB."),
+                ("Output_File_Type=Q", "'Output_File_Type=Q': Output_File_Type takes one of the letters B (BMP)"),
+                ("Dither_Method=Q", "'Dither_Method=Q': Dither_Method takes one of B2, B3"),
+                ("Foo=1", "'Foo=1': there is no option 'Foo'. povray(1) lists all options."),
+                ("Widht=1", "'Widht=1': there is no option 'Widht', but Width."),
+                ("+A-1", "'+A-1': there is no such option. With its first letter there are +AG with a number above 0"),
+                ("+Wabc", "'+Wabc': +W takes a whole number."),
+                ("+FQ", "'+FQ': +F takes one of the letters B (BMP)"),
+                ("+\u00e4", "'+\u00e4': there is no such option. povray(1) lists all options."),
+                ("nofile.ini", "'nofile.ini' cannot be read as an INI file (No such file or directory)."),
+                ("scene", "'scene' cannot be read as an INI file (No such file or directory).")):
+            self.check((word,), said)
+
+    def test_lines_of_ini_files(self):
+        for text, said in (("Width=abc", "line 2: 'Width=abc': Width takes a whole number."),
+                           ("  Foo = 1 ; nothing", "line 2: 'Foo = 1 ; nothing': there is no option 'Foo'."),
+                           ("+A-1", "line 2: '+A-1': there is no such option.")):
+            with self.subTest(text), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+                (pathlib.Path(name) / "own.ini").write_text(f"; first line\n{text}\n")
+                code, told = rendering.Job(STOCK, ("own.ini",)).attempt(pathlib.Path(name), 60)
+                self.assertEqual(code, 1, told)
+                self.assertEqual(told.count(f"File 'own.ini' {said}"), 1, told)
+
 
 class Allowed(rendering.RenderTest):
     """Their neighbours are rendered."""
@@ -52,6 +92,26 @@ class Allowed(rendering.RenderTest):
     def test_limits(self):
         for options in (("+SC64", "+EC64"), ("+SC0.99", "+EC1"), ("+SR48", "+ER48"), ("+SC0", "+EC0.02"), ("+WT1",)):
             with self.subTest(options=options):
+                code, said, _ = run(STOCK, *options)
+                self.assertEqual(code, 0, said)
+
+
+class Quiet(rendering.RenderTest):
+    """What is as it should be is neither told nor waited for."""
+
+    def test_no_settings_of_the_user(self):
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name, unittest.mock.patch.dict(os.environ, {"HOME": name}):
+            for home in (name, f"{name}/none.ini"):  # a folder without settings; what is no folder
+                with unittest.mock.patch.dict(os.environ, {"HOME": home}):
+                    code, said, _ = run(STOCK)
+                    self.assertEqual(code, 0, said)
+                    self.assertNotIn("cannot open the user configuration file", said)
+
+    def test_pause_without_terminal_and_display(self):
+        with unittest.mock.patch.dict(os.environ):
+            for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+                os.environ.pop(name, None)
+            for options in (("+P", "+D"), ("+P", "+D", "+KFF2")):
                 code, said, _ = run(STOCK, *options)
                 self.assertEqual(code, 0, said)
 

@@ -5,6 +5,7 @@
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -19,13 +20,13 @@ class Unwritable(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.folder = pathlib.Path(scratch.name)
 
-    def refused(self, *options):
+    def refused(self, *options, **settings):
         """What POV-Ray says, as one line."""
         job = rendering.Job(scenes.TILTED, options, width=16, height=12)
         (self.folder / "scene.pov").write_text(rendering.HEAD + job.scene)
         (self.folder / "none.ini").write_text("")
         done = subprocess.run([*held_to_permissions(), *job.command()], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=100, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=100, check=False, **settings,
                               env={**os.environ, "POVINI": str(self.folder / "none.ini")})
         said = " ".join(done.stdout.decode(errors="replace").split())
         self.assertNotEqual(done.returncode, 0, said)
@@ -49,6 +50,17 @@ class Unwritable(unittest.TestCase):
         (self.folder / "picture.png").mkdir()
         (self.folder / "picture.png" / "used").touch()
         self.assert_once(self.refused(), "Cannot write the picture '", "picture.png'", "directory)", "+C")
+
+    def test_a_state_file_that_cannot_grow(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+        said = self.refused("+W64", "+H64", "+BS8", "+WT1", preexec_fn=limit)
+        self.assertRegex(said, r"Cannot write the state file '[^']*picture\.pov-state' \(File too large\)\. Make room there, then continue with \+C")
+        self.assertNotIn("Cannot access data in file", said)
+        state = self.folder / "picture.pov-state"
+        self.assertLessEqual(state.stat().st_size, 4096)
+        again = rendering.Job(scenes.TILTED, ("+W64", "+H64", "+BS8", "+C"), width=16, height=12).attempt(self.folder)
+        self.assertEqual(again[0], 0, again[1])
 
     def test_a_state_file_that_is_refused(self):
         (self.folder / "picture.pov-state").write_bytes(b"garbage" * 100)

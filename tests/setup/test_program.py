@@ -87,6 +87,20 @@ class Preview(ProgramTest):
         self.assertNotIn("SDL", self.render("+D"))
 
 
+class Hardening(SetupTest):
+    """A write past an array ends the program, and no table of functions can be overwritten."""
+
+    def said(self, *words):
+        return self.run_command("readelf", *words, POVRAY).stdout
+
+    def test_checks_are_compiled_in(self):
+        symbols = self.said("--dyn-syms", "--wide")
+        self.assertRegex(symbols, r"__stack_chk_fail")
+        self.assertRegex(symbols, r"__(memcpy|strcpy|snprintf|vsnprintf)_chk")
+        self.assertIn("BIND_NOW", self.said("--dynamic"))
+        self.assertIn("GNU_RELRO", self.said("--program-headers", "--wide"))
+
+
 class Install(ProgramTest):
     def install(self, prefix, env=None):
         process = self.run_command(CMAKE, "--install", BUILD, "--prefix", prefix, env=env)

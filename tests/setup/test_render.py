@@ -3,6 +3,7 @@
 """./render with the program itself: names of files with any characters, and what becomes of signals."""
 
 import os
+import pathlib
 import shlex
 import shutil
 import signal
@@ -89,6 +90,64 @@ class FileNames(RenderTest):
         self.scene(scene)
         self.render(scene)
         self.assertTrue((self.place / os.fsdecode(b"latin\xe4.png")).is_file())
+
+    def test_first_character(self):
+        """A switch is followed by a name that begins beyond ASCII, and an INI file has one at the begin of a line."""
+        self.scene("\u00f6st.pov")
+        self.povray("+I\u00f6st.pov", "+O\u00f6.png")
+        self.assertTrue((self.place / "\u00f6.png").is_file())
+        (self.place / "\u00fc.ini").write_text("\u00f6st.pov\n+O\U0001f600.png\n", encoding="utf-8")
+        self.povray("\u00fc.ini")
+        self.assertTrue((self.place / "\U0001f600.png").is_file())
+
+    def povray(self, *words):
+        """The program itself, in the folder of the scene."""
+        self.assert_succeeds(self.run_command(BUILD / "bin" / "povray", *words, "+W8", "+H6", "-D", cwd=self.place))
+
+    def long_path(self, letter, length):
+        """A path of so many bytes in a new folder of folders; its last part is taken to end in .pov."""
+        path, last = os.fsencode(self.folder), 60
+        letter = letter.encode()
+        while len(path) + 1 + last < length:
+            part = letter * (min(200, length - len(path) - 2 - last) // len(letter))
+            path += b"/" + (part or b"d" * (length - len(path) - 2 - last))
+        os.makedirs(path, exist_ok=True)
+        return os.fsdecode(path + b"/" + b"n" * (length - len(path) - 5) + b".pov")
+
+    def test_names_of_any_length(self):
+        for letter in ("a", "\u00e4", "\U0001f600"):
+            for length in (200, 203, 204, 255, 256, 400, 511, 512, 1023, 1024, 2047, 2048, 4095):
+                with self.subTest(letter=letter, length=length):
+                    scene = self.long_path(letter, length)
+                    self.assertEqual(len(os.fsencode(scene)), length)
+                    shutil.copy(self.place / self.scene(), scene)
+                    self.povray(f'+I"{scene}"', "+Oout.png")
+                    (self.place / "out.png").unlink()
+                    os.unlink(scene)
+
+    def test_long_names_of_other_files(self):
+        """The picture, an INI file, one that is written, a folder of include files; and a scene that is not there."""
+        scene = pathlib.Path(self.long_path("\u00e4", 3000))
+        shutil.copy(self.place / self.scene(), scene)
+        for include in ("gr\u00fcn.inc", "\u00c4 \u4e00.inc"):
+            (self.place / include).rename(scene.parent / include)
+        settings = scene.with_name("s.ini")
+        settings.write_text(f'Input_File_Name="{scene}"\nOutput_File_Name="{scene.with_suffix(".png")}"\n', encoding="utf-8")
+        written = scene.with_name("written.ini")
+        self.povray(f'"{settings}"', f'+L"{scene.parent}"', f'+GI"{written}"')
+        self.assertTrue(scene.with_suffix(".png").is_file())
+        self.assertIn(f'Input_File_Name="{scene}"', written.read_text(encoding="utf-8"))
+        missing = self.long_path("a", 3000)
+        said = self.run_command(BUILD / "bin" / "povray", f'+I"{missing}"', "-D", "+Oout.png", cwd=self.place)
+        self.assertEqual(said.returncode, 1, said.stderr)
+        self.assertIn(f"Cannot find file '{missing[:500]}", said.stderr.replace("\n", ""))
+
+    def test_deep_folder(self):
+        scene = pathlib.Path(self.long_path("ordner", 600))
+        shutil.copy(self.place / self.scene(), scene)
+        for include in ("gr\u00fcn.inc", "\u00c4 \u4e00.inc"):
+            shutil.copy(self.place / include, scene.parent)
+        self.assertEqual(self.render(scene.name, cwd=scene.parent), f"Picture: {scene.with_suffix('.png')}")
 
     def test_line_break(self):
         self.assertEqual(self.render(self.scene("a\nb.pov")), f"Picture: $'{self.place}/a\\nb.png'")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The long fuzz run: libFuzzer on the solver and the parser, and the grammar's blocks against the sanitized parser."""
+"""The long fuzz run: libFuzzer on the solver, the readers of prescriptions and the parser, and the grammar's blocks against the sanitized parser."""
 
 import os
 import re
@@ -32,7 +32,7 @@ def libfuzzer(name, program, corpus, length, runs, seconds):
     ends = [f"-runs={runs}", "-seed=1"] if runs else [f"-max_total_time={seconds}"]
     dictionary = [f"-dict={words}"] if name == "parser" else []
     settings = {"ASAN_OPTIONS": "detect_leaks=0", **os.environ}
-    done = subprocess.run([str(program), *ends, *dictionary, f"-max_len={length}", "-rss_limit_mb=4000",
+    done = subprocess.run([str(program), *ends, *dictionary, f"-max_len={length}", "-rss_limit_mb=4000", "-timeout=60",
                            f"-artifact_prefix={corpus}-finding-", str(corpus)], capture_output=True, text=True, check=False,
                           env=settings)
     covered = re.findall(r"cov: (\d+)", done.stderr)
@@ -76,7 +76,9 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
     found = {"grammar": grammar(setup, work, sanitized if built else setup.build, count)}
     targets = [("solver", setup.build / "tests" / "fuzz" / "solver_fuzz", 320, runs),
                ("parser", sanitized / "tests" / "fuzz" / "parser_fuzz", 2000, runs // 20)]
+    targets.append(("prescription", setup.build / "tests" / "fuzz" / "prescription_fuzz", 4096, runs))
     seeds.write(work / "solver")
+    seeds.write_lenses(work / "prescription")
 
     def fuzz(target):
         name, program, length, count_ = target
@@ -90,6 +92,6 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
 def faults(result):
     """The findings as sentences."""
     found = [f"{bad['answer']}\n{bad['text']}" for bad in result["grammar"]["bad"]]
-    found += [f"{name}: {result[name]['finding']}" for name in ("solver", "parser")
+    found += [f"{name}: {result[name]['finding']}" for name in ("solver", "prescription", "parser")
               if name in result and result[name]["exit"] != 0]
     return found

@@ -216,7 +216,7 @@ def fuzz_section(result):
             f"with finite rays or in one error. The program then renders the {grammar['pictures']:,} accepted blocks as frames "
             f"of 8 by 6 pixels, 250 in each process; each must be a picture of finite numbers. {len(grammar['bad'])} failed.\n\n| generated as: result | blocks |\n| --- | --: |\n")
     text += "".join(f"| {key} | {n:,} |\n" for key, n in sorted(grammar["counts"].items())) + "\n"
-    for name, title in (("solver", "the solver"), ("parser", "the block's parser")):
+    for name, title in (("solver", "the solver"), ("prescription", "the readers of prescriptions"), ("parser", "the block's parser")):
         if name in result:
             row = result[name]
             text += (f"libFuzzer on {title}: {row['runs']:,} runs in {row['seconds']:,} s, {row['coverage']} edges, {row['kept']} inputs kept; "

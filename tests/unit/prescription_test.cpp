@@ -164,6 +164,7 @@ TEST(Prescription, RefusesRowsOfPbrtWithTheirLine)
     ExpectError(With(kPbrt, "1.6   14", "1.6   14 -50"), 3, "an Abbe number of -50");
     ExpectError(With(kPbrt, "-80  2.5", "-8O  2.5"), 4, "'-8O' where a number should be");
     ExpectError(With(kPbrt, "-80  2.5", "-80  2,5"), 4, "'2,5'");
+    ExpectError(With(kPbrt, "-80  2.5", std::string("-80  2\0.5", 9)), 4, "'2?.5' where a number should be");
     ExpectError(With(kPbrt, "-80  2.5", "inf  2.5"), 4, "not finite");
     ExpectError(With(kPbrt, "-80  2.5", "-80  -2.5"), 4, "thickness of -2.5");
     ExpectError(With(kPbrt, "-80  2.5", "-80  nan"), 4, "thickness of nan");
@@ -186,10 +187,49 @@ TEST(Prescription, RefusesJsonWithItsLine)
     ExpectError(With(kIset, "[-25, -25]", "[-25, -26]"), 7, "\"radius\" with several values");
     ExpectError(With(kIset, "\"ior\": 1.7", "\"ior\": [[400, 700], [1.7, 1.6]]"), 7, "\"ior\" with several values");
     ExpectError(With(kIset, "[[1, 0, 0]", "[[1, 0.1, 0]"), 7, "transform");
+    ExpectError(With(kIset, "[0, 0, 0]]", "[0, 0, 0], [1]]"), 8, "\"transform\" with 13 numbers");
     ExpectError(With(kLentil, "\"lens-geometry\": \"spherical\"}", "\"lens-geometry\": \"cyl-y\"}"), 4, "cylindrical");
     ExpectError(With(kLentil, "\"thickness\": 2.5", "\"thickness\": [2.5, 3, 4]"), 5, "a zoom");
     ExpectError(With(kLentil, "\"ior\": 1.6", "\"ior\": null"), 4, "without \"ior\"");
     ExpectError(With(kLentil, "\"radius\": 99999, \"thickness\": 1,", "\"radius\": 50, \"thickness\": 1,"), 6, "curved");
+}
+
+TEST(Prescription, RequiresTypesOfJsonWithTheirLine)
+{
+    for (const char* word : {"\"1.6\"", "true", "{}", "{\"a\": 1}"})
+        ExpectError(With(kIset, "\"ior\": 1.6", std::string("\n\"ior\": ") + word), 5, "It must be a number");
+    ExpectError(With(kIset, "\"ior\": 1.6", "\"ior\": [1.6, \"1.6\"]"), 4, "several values");
+    ExpectError(With(kIset, "\"conic_constant\": 0", "\"aspherical-equation\": 5"), 5, "is 5. It must be a list of numbers");
+    ExpectError(With(kIset, "\"conic_constant\": 0", "\"aspherical-equation\": [1e-5,\n\"2\"]"), 6, "is the text '2'. It must be a number");
+    ExpectError(With(kIset, "\"surfaces\": [", "\"surfaces\": [\n5,"), 4, "Each surface must be an object");
+    ExpectError("{\"surfaces\":\n{\"radius\": 5}}", 2, "It must be a list of surfaces");
+    ExpectError(With(kLentil, "\"material\": \"iris\"", "\"material\": 5"), 6, "\"material\" is 5. It must be a text");
+    for (const char* text : {"\"infinity\"", "450", "null, \"surfaces\": [5]", "{\"infinity\": 450}", "[450]", "[]", "[\"infinity\", \"450\"]"})
+        EXPECT_THROW(ReadPrescription(With(kIset, "\"surfaces\"", std::string("\"object-distance\": ") + text + ", \"surfaces\"")),
+                     PrescriptionError) << text;
+    ExpectError(With(kIset, "\"surfaces\"", "\n\"object-distance\": \"infinity\", \"surfaces\""), 4, "It must be a list that begins with");
+}
+
+TEST(Prescription, HasLimits)
+{
+    const auto nested = [](int deep) { return With(kIset, "\"a triplet\"", std::string(deep, '[') + std::string(deep, ']')); };
+    ExpectTriplet(ReadPrescription(nested(63)));
+    ExpectError(nested(64), 2, "more than 64 deep");
+    ExpectError(std::string(50000, '['), 1, "more than 64 deep");
+    const auto coefficients = [](int count)
+    {
+        std::string list = "1e-9";
+        for (int i = 1; i < count; i++)
+            list += ", 0";
+        return With(kIset, "\"conic_constant\": 0", "\n\"aspherical-equation\": [" + list + "]");
+    };
+    EXPECT_EQ(ReadPrescription(coefficients(20)).rows[1].aspheric.size(), 20u);
+    ExpectError(coefficients(21), 6, "with 21 numbers. At most 20 are allowed");
+    ExpectError(coefficients(10000), 6, "with 10000 numbers");
+    std::string distances = "\"infinity\"";
+    for (int i = 0; i < 21; i++)
+        distances += ", " + std::to_string(1000 - i);
+    ExpectError(With(kIset, "\"surfaces\"", "\"object-distance\": [" + distances + "],\n\"surfaces\""), 3, "with 21 numbers");
 }
 
 TEST(Prescription, ChoosesFromADatabase)
@@ -199,6 +239,7 @@ TEST(Prescription, ChoosesFromADatabase)
     ExpectTriplet(ReadPrescription(both, "another"));
     ExpectError(both, 0, "\"FILE#a triplet\"; there are a triplet, another.");
     ExpectError(both, 0, "no lens of the name 'third'", "third");
+    ExpectError(both, 0, "no lens of the name 'a triplet, another'", "a triplet, another");
     ExpectError(kIset, 0, "holds one lens", "third");
     // the line is that of the lens that was chosen, 13 lines farther down
     const std::string wrong = "{" + lens + "," + With(With(lens, "a triplet", "another"), "\"ior\": 1.6", "\"ior\": 9") + "}";

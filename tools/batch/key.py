@@ -69,12 +69,24 @@ def file_stamp(path):
     return [state.st_size, state.st_mtime_ns, state.st_ino]
 
 
-def written_since(path, moment):
-    """Whether a file's contents or name may have changed since (seconds of the epoch): also where somebody put back the old
-    contents and times, since nobody can put back the time of the last change of its entry. The clock of a file system
-    may be some milliseconds behind."""
-    state = os.stat(path)
-    return max(state.st_mtime_ns, state.st_ctime_ns) > (moment - 0.02) * 1e9
+def change_stamps(paths):
+    """Path -> what differs after any change of a file or its name, None where there is no file: also where somebody put back
+    the old contents and times, since nobody can put back the time of the last change of its entry."""
+    stamps = {}
+    for path in paths:
+        try:
+            stamps[path] = [*file_stamp(path), os.stat(path).st_ctime_ns]
+        except OSError:
+            stamps[path] = None
+    return stamps
+
+
+def changed_since(path, before, moment):
+    """Whether a file may have changed since its stamp was taken; where there is none, since a moment (seconds of the epoch) by the
+    clock of its file system, which may be some milliseconds behind."""
+    if path in before:
+        return change_stamps([path]) != {path: before[path]}
+    return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9
 
 
 def hashes(paths):

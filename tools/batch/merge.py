@@ -18,7 +18,11 @@ from tools.batch.store import BatchError, little_room, read_json, sha256, sync_f
 def oiiotool(folder, arguments):
     """Runs oiiotool; what it complains of is an error."""
     done = subprocess.run(
-        ["oiiotool", *arguments], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False
+        povray.ending_with_parent(["oiiotool", *arguments]),
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        check=False,
     )
     if done.returncode != 0:
         said = (done.stderr + done.stdout).decode(errors="replace").strip().splitlines() or [

@@ -153,7 +153,7 @@ def outputs(folder):
 def image_info(path):
     """Size, channels and hash of the decoded pixels, by reading all of the file."""
     done = subprocess.run(
-        ["oiiotool", "--info", "--hash", path.name],
+        ending_with_parent(["oiiotool", "--info", "--hash", path.name]),
         cwd=path.parent,
         stdin=subprocess.DEVNULL,
         capture_output=True,

@@ -23,8 +23,18 @@ class Changed(BatchError):
     """An input is not what it was when the batch was planned: no further try can mend it."""
 
 
-def check_inputs(description, folder, started):
-    """What this unit read besides the key's files; refuses a file that is no longer the key's."""
+def stamps_before(description, folder):
+    """Stamps of the files that a unit will read, as far as they are known: the key's, and those that an earlier try read."""
+    files = set(description["key"]["files"])
+    with contextlib.suppress(BatchError):  # the first try
+        files |= keys.listed_files(folder / "files", keys.Links(description["links"]))[0]
+    return keys.change_stamps(files)
+
+
+def check_inputs(description, folder, before, started):
+    """What this unit read besides the key's files; refuses a file that is no longer the key's.
+    @param before  stamps_before() it read them
+    @param started  when it began to"""
     known, stamps = description["key"]["files"], description["stamps"]
     links = keys.Links(description["links"])
     read, missing = keys.listed_files(folder / "files", links)
@@ -35,7 +45,7 @@ def check_inputs(description, folder, started):
             raise Changed(f"file {path!r} has changed since the batch began.")
         if path in description["key"]["missing"]:
             raise Changed(f"file {path!r} appeared since the batch began.")
-        if keys.written_since(path, started):
+        if keys.changed_since(path, before, started):
             raise BatchError(f"file {path!r} was written while it was being read.")
         if path not in known:
             extra[path] = found
@@ -115,6 +125,7 @@ class Unit:
     def render(self, attempt, lock):
         """The work of one try."""
         povray.clear_output(self.folder)
+        before = stamps_before(self.description, self.folder)
         with contextlib.suppress(FileNotFoundError):
             (self.folder / "files").unlink()
         goes_on = povray.prepare_state(self.folder)
@@ -140,7 +151,7 @@ class Unit:
             if goes_on and self.drop_state(status, goes_on):
                 return f"povray {told} on its state file, which is dropped", False
             return f"povray {told}", status == 1
-        extra, missing = check_inputs(self.description, self.folder, started)
+        extra, missing = check_inputs(self.description, self.folder, before, started)
         self.finish(extra, missing, attempt, time.time() - started)
         return None, False
 

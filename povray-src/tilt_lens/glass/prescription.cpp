@@ -84,6 +84,16 @@ std::size_t FindStop(std::vector<ReadRow>& rows)
 
 } // namespace
 
+std::string Shown(const std::string& written)
+{
+    constexpr std::size_t most = 40;
+    std::string shown = written.substr(0, most);
+    for (char& c : shown)
+        if ((unsigned char)c < ' ' || c == 0x7F)
+            c = '?';
+    return shown;
+}
+
 Prescription ReadPrescription(const std::string& text, const std::string& choice)
 {
     const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");

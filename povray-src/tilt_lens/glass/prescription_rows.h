@@ -31,6 +31,9 @@ struct ReadLens
     int objectDistanceLine = 0;           ///< in which they are stated
 };
 
+/// What a file has written, as an error may show it: its beginning, with a question mark for what cannot be printed.
+std::string Shown(const std::string& written);
+
 /// @throws PrescriptionError
 std::vector<ReadRow> ReadPbrtRows(const std::string& text);
 

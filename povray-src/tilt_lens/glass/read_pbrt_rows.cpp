@@ -21,7 +21,7 @@ double NumberOf(const std::string& word, int line)
     const char* const begin = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
     const std::from_chars_result read = std::from_chars(begin, end, value);
     if (read.ec != std::errc() || read.ptr != end)
-        throw PrescriptionError(line, "'" + word.substr(0, 40) + "' where a number should be. A row has " + std::string(kRow) +
+        throw PrescriptionError(line, "'" + Shown(word) + "' where a number should be. A row has " + std::string(kRow) +
                                       "; '#' begins a comment.");
     return value;
 }

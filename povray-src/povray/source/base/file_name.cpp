@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/pov_err.h"
+
 // this must be the last file included
 #include "base/povdebug.h"
 
@@ -92,6 +94,28 @@ std::string NameToBytes(const POVMSUCS2 *units, std::size_t count)
             Append(bytes, unit);
     }
     return bytes;
+}
+
+Units NameOf(POVMSAttributePtr attribute)
+{
+    int size = 0;
+    if (POVMSAttr_Size(attribute, &size) != pov_base::kNoErr || size < int(sizeof(POVMSUCS2)))
+        return Units();
+    Units units(std::size_t(size) / sizeof(POVMSUCS2), 0);
+    if (POVMSAttr_Get(attribute, kPOVMSType_UCS2String, &units[0], &size) != pov_base::kNoErr)
+        return Units();
+    units.pop_back();  // the zero at its end
+    return units;
+}
+
+Units NameIn(POVMSObjectPtr message, POVMSType key)
+{
+    POVMSAttribute attribute;
+    if (POVMSObject_Get(message, &attribute, key) != pov_base::kNoErr)
+        return Units();
+    const Units name = NameOf(&attribute);
+    (void)POVMSAttr_Delete(&attribute);
+    return name;
 }
 
 std::size_t CopyNameToUnits(const char *bytes, POVMSUCS2 *units)

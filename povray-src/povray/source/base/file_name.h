@@ -25,10 +25,16 @@ std::basic_string<POVMSUCS2> NameToUnits(const char *bytes);
 /// The bytes of a name given as units.
 std::string NameToBytes(const POVMSUCS2 *units, std::size_t count);
 
-/// As above, into the caller's array, which has room for as many units as there are bytes, and a zero. Returns the length.
+/// The name in an attribute of a message, of any length.
+std::basic_string<POVMSUCS2> NameOf(POVMSAttributePtr attribute);
+
+/// The name in a message's attribute of this key; empty where there is none.
+std::basic_string<POVMSUCS2> NameIn(POVMSObjectPtr message, POVMSType key);
+
+/// As NameToUnits(), into the caller's array, which has room for as many units as there are bytes, and a zero. Returns the length.
 std::size_t CopyNameToUnits(const char *bytes, POVMSUCS2 *units);
 
-/// As above, into the caller's array, which has room for three bytes a unit, and a zero. Returns the length.
+/// As NameToBytes(), into the caller's array, which has room for three bytes a unit, and a zero. Returns the length.
 std::size_t CopyNameToBytes(const POVMSUCS2 *units, char *bytes);
 
 }

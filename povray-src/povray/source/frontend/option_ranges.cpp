@@ -31,16 +31,35 @@ std::string Text(double value)
 }
 
 /// A number of something that has to be there at least once.
-std::string CountProblem(POVMS_Object& options, POVMSType key, int usual, const char* name, const char* letters)
+std::string CountProblem(POVMS_Object& options, POVMSType key, int usual, const char* name, const char* letters, int least = 1)
 {
     const int value = options.TryGetInt(key, usual);
-    if (value >= 1)
+    if (value >= least)
         return std::string();
     return std::string(name) + "=" + std::to_string(value) + " (" + letters + std::to_string(value) +
-           "). A whole number of at least 1 is allowed; give another value.";
+           "). A whole number of at least " + std::to_string(least) + " is allowed; give another value.";
 }
 
 /// One direction of the part of a picture that is rendered.
+std::string GammaProblem(POVMS_Object& options, POVMSType typeKey, POVMSType key, const char* name)
+{
+    const double value = options.TryGetFloat(key, 1.0f);
+    if (options.TryGetInt(typeKey, kPOVList_GammaType_SRGB) != kPOVList_GammaType_PowerLaw || value >= 0.001)
+        return std::string();
+    return std::string(name) + "=" + Text(value) + ". A number of at least 0.001, or sRGB, is allowed; give another value.";
+}
+
+std::string FrameProblem(POVMS_Object& options)
+{
+    if (!options.Exist(kPOVAttrib_InitialFrame) || !options.Exist(kPOVAttrib_FinalFrame))
+        return std::string();
+    const int first = options.GetInt(kPOVAttrib_InitialFrame), last = options.GetInt(kPOVAttrib_FinalFrame);
+    if (first <= last)
+        return std::string();
+    return "Initial_Frame=" + std::to_string(first) + " (+KFI) and Final_Frame=" + std::to_string(last) + " (+KFF): the last frame lies before "
+           "the first. Give a last frame of at least the first.";
+}
+
 struct Span
 {
     POVMSType firstKey, lastKey;
@@ -76,6 +95,14 @@ std::string RangeProblem(POVMS_Object& options)
     if (problem.empty())
         problem = SpanProblem(options, {kPOVAttrib_Top, kPOVAttrib_Bottom, "Start_Row", "End_Row", "rows"},
                               options.TryGetInt(kPOVAttrib_Height, 120));
+    if (problem.empty())
+        problem = CountProblem(options, kPOVAttrib_RenderBlockSize, 32, "Render_Block_Size", "+BS", 4);
+    if (problem.empty())
+        problem = GammaProblem(options, kPOVAttrib_FileGammaType, kPOVAttrib_FileGamma, "File_Gamma");
+    if (problem.empty())
+        problem = GammaProblem(options, kPOVAttrib_DisplayGammaType, kPOVAttrib_DisplayGamma, "Display_Gamma");
+    if (problem.empty())
+        problem = FrameProblem(options);
     return problem;
 }
 

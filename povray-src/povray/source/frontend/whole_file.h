@@ -16,6 +16,7 @@
 
 #include "base/fileinputoutput.h"
 #include "base/path.h"
+#include "base/povmscpp.h"
 #include "base/stringutilities.h"
 
 namespace pov_frontend
@@ -50,6 +51,10 @@ class WholeFile
 
 /// Whether an output's name means standard output or error: `-`, `stdout`, `stderr`, in any case.
 bool IsStandardStream(const std::string& name);
+
+/// Writes pixels to a render's state file. Where not all of them are taken, it is closed, so that nothing is written behind them.
+/// @throws Exception  with the file's name and the reason
+void WriteState(POVMS_Object& pixels, std::shared_ptr<pov_base::OStream>& state, const pov_base::Path& name);
 
 /// Closes and removes the state file of a picture that is written; none may be open.
 void RemoveState(std::shared_ptr<pov_base::OStream>& file, const pov_base::Path& name);

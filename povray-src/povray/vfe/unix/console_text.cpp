@@ -3,6 +3,11 @@
 
 #include "vfe/unix/console_text.h"
 
+#include <cstdio>
+#include <cstdlib>
+
+#include <unistd.h>
+
 namespace vfePlatform
 {
 
@@ -22,6 +27,19 @@ bool IsSaidAgain(bool isStatus, const std::string& text)
         return text == last;
     last = text;
     return false;
+}
+
+void EndIfStuck(int hundredths)
+{
+    if (hundredths < 300)
+        return;
+    std::fputs("\nThe scene is still being read, and does not stop. The program ends without it; no picture was begun.\n", stderr);
+    _exit(2);  // as after any other stop by a signal
+}
+
+bool IsSomebodyThere()
+{
+    return isatty(STDIN_FILENO) || std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
 }
 
 } // namespace vfePlatform

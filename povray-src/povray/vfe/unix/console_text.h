@@ -20,6 +20,13 @@ const char* OwnOptionsHelp();
 /// @param isStatus  whether the text is for the status line; each text that is printed has to be told
 bool IsSaidAgain(bool isStatus, const std::string& text);
 
+/// Whether anybody can press a key: at a terminal, or in a window.
+bool IsSomebodyThere();
+
+/// Ends the program at once where it was asked to stop reading a scene and has not done so in some seconds.
+/// @param hundredths  seconds, times 100, since it was asked
+void EndIfStuck(int hundredths);
+
 } // namespace vfePlatform
 
 #endif

@@ -40,6 +40,12 @@ class TiltLensParser
     /// it, the value is an error, and a default that is not used must not be told of.
     void WarnLater(Camera& camera, const char* text);
 
+    /// @name Errors where upstream's would not name the block.
+    /// @{
+    void RefuseOtherType(const Camera& camera);
+    void RefuseStrangeItem();
+    /// @}
+
     /// Tells the kept warnings if the camera has no `tilt_lens`; else takes from the camera's own items what the lens
     /// needs, while the parser can still tell which of them were written. Call before POV-Ray fills in the others.
     void TakeCameraItems(Camera& camera);
@@ -93,7 +99,7 @@ class TiltLensParser
     void RequireFilm(const Camera& camera);
     void RequireNoOtherLens(const Camera& camera);
     void RequireColours(const tilt_lens::Statement& statement, const TiltLensPlace& place);
-    void RequireQuality(const Camera& camera, const WrittenItems& written);
+    void TakeQuality(Camera& camera, const WrittenItems& written);
     void RequireAperture(const Camera& camera);
     void TakeFocalPoint(Camera& camera);
     void RequireFocus(Camera& camera);

@@ -13,6 +13,7 @@
 
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
+#include "backend/parser/tilt_lens_words.h"
 #include "backend/scene/camera_record.h"
 #include "backend/scene/tilt_lens_view.h"
 #include "tilt_lens/sampling/sampling_limits.h"
@@ -58,7 +59,7 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
                                        "Only the perspective camera has a lens; remove the block from the "
                                        "default camera.");
     WarnOfFocalPoint(camera);
-    RequireQuality(camera, written);
+    TakeQuality(camera, written);
     CheckBlock(camera);
 }
 
@@ -152,13 +153,20 @@ void TiltLensParser::RequireFilm(const Camera& camera)
                                        "the film is. Give focal_length, or focus_scale in place of film_distance.", *s.filmDistance);
 }
 
-/// Where other cameras get a warning and the default.
-void TiltLensParser::RequireQuality(const Camera& camera, const WrittenItems& written)
+/// Where other cameras get a warning and the default. Many scenes have a confidence of 1.
+void TiltLensParser::TakeQuality(Camera& camera, const WrittenItems& written)
 {
     if (!(written.variance >= 0.0 && written.variance <= 1.0))
         ErrorAt(camera.TiltLens.place, "variance %g in a camera with tilt_lens. 0 to 1 is allowed, 1/10000 is the "
                                        "default; give another value or remove variance.", written.variance);
-    if (!(written.confidence > 0.0 && written.confidence < 1.0))
+    if (written.confidence == 1.0)
+    {
+        camera.Confidence = std::nextafter(1.0, 0.0);
+        WarningAt(camera.TiltLens.place, "confidence 1 in a camera with tilt_lens: no number of samples makes it certain that the variance is "
+                                         "reached. The greatest number below 1 is taken, with which each pixel takes all of blur_samples. "
+                                         "0.9 is the default; a value less than 1 takes less time.");
+    }
+    else if (!(written.confidence > 0.0 && written.confidence < 1.0))
         ErrorAt(camera.TiltLens.place, "confidence %g in a camera with tilt_lens. More than 0 and less than 1 is allowed, "
                                        "0.9 is the default; give another value or remove confidence.", written.confidence);
 }
@@ -193,6 +201,27 @@ void TiltLensParser::TakeBlurSamples(Camera& camera)
 {
     if (camera.Blur_Samples == 0)
         camera.Blur_Samples = tilt_lens::SamplingLimits().max;
+}
+
+/// Behind the block, where a word for another type of camera is met.
+void TiltLensParser::RefuseOtherType(const Camera& camera)
+{
+    if (camera.TiltLens.given)
+        parser.Error("%s in a camera with tilt_lens. Only the perspective camera has a lens; remove the word for the camera's type, or the "
+                     "tilt_lens block.", parser.Token.Token_String);
+}
+
+/// Where a camera should end.
+void TiltLensParser::RefuseStrangeItem()
+{
+    parser.Get_Token();
+    const bool unknown = parser.Token.Token_Id == IDENTIFIER_TOKEN;
+    const std::string word = unknown ? parser.Token.Token_String : "";
+    if (const TiltLensItem* const item = FindTiltLensItem(word))
+        parser.Error("%s in a camera: it belongs into a block, as in tilt_lens { %s }.", word.c_str(), item->example);
+    if (unknown && LooksLikeTiltLens(word))
+        parser.Error("%s in a camera: there is no such item. Is tilt_lens { ... } meant?", word.c_str());
+    parser.Unget_Token();
 }
 
 void TiltLensParser::Check(Camera& camera)

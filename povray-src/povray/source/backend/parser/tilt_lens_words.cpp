@@ -159,6 +159,13 @@ const TiltLensItem& NearestTiltLensItem(const std::string& found)
                              { return EditDistance(word, a.word) < EditDistance(word, b.word); });
 }
 
+bool LooksLikeTiltLens(const std::string& found)
+{
+    const std::string word = Lowercase(found);
+    return EditDistance(word, "tilt_lens") <= 3 || word.compare(0, 5, "tilt_") == 0 || word == "tiltshift" || word == "shift_lens" ||
+           word == "lens";
+}
+
 std::string TiltLensItemNames()
 {
     std::string words;

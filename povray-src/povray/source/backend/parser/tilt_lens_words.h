@@ -38,6 +38,9 @@ const TiltLensItem* FindTiltLensItem(const std::string& word);
 /// The item that takes the fewest edits (Levenshtein), upper and lower case alike.
 const TiltLensItem& NearestTiltLensItem(const std::string& word);
 
+/// Whether a word was probably meant to begin the block.
+bool LooksLikeTiltLens(const std::string& word);
+
 /// All items, for a message.
 std::string TiltLensItemNames();
 

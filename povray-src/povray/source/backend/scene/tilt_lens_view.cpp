@@ -108,7 +108,7 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     footprint(lens, aperture, view.GetWidth(), view.GetHeight()),
     glass(GlassOf(camera, aperture)),
     limits(LimitsOf(camera)),
-    samplesSpread(limits.Denoises() && !lens.glass && !lens.distorts && lens.fieldCurvature == 0.0 &&
+    samplesSpread(limits.Denoises() && camera.Tnormal == NULL && !lens.glass && !lens.distorts && lens.fieldCurvature == 0.0 &&
                   camera.TiltLens.statement.character.opticalVignetting == 0.0),
     seed(camera.TiltLens.statement.sampleSeed),
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
