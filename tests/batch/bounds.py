@@ -7,6 +7,7 @@ import shlex
 
 from tests.batch import harness
 from tests.batch.harness import LENS, SETTINGS, BatchTest
+from tests.waiting import PATIENCE
 
 SIZE = ("+W48", "+H40", "+WT1")
 
@@ -75,7 +76,7 @@ class Results(BatchTest):
         said = self.batch(*words, "--work", "other", code=1)
         self.assertIn(f"another batch writes to '{self.folder}", said.replace('"', "'"))
         self.assertIn("scene_film.batch", said)
-        self.assertEqual(process.wait(timeout=100), 0, self.said())
+        self.assertEqual(process.wait(timeout=PATIENCE), 0, self.said())
         self.assertFalse((self.folder / "scene_film" / ".batch.lock").exists())
 
 
