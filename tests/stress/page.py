@@ -194,16 +194,15 @@ def soak_section(result):
 
 
 def scale_section(result):
-    """Time, work and memory against size."""
-    text = ("\n## Scale\n\nThe tables have CPU seconds, tests of rays against shapes and boxes, and peak memory of the whole process. The"
-            " power is\nthat of growth with the size; 1 is linear. A file has the size of the whole picture: with few rows, most of the"
-            " time is spent\non writing it, which does not depend on the rows.\n\n")
+    """Time and memory against size."""
+    text = ("\n## Scale\n\nThe tables have CPU seconds and peak memory of the whole process. The power is that of time against"
+            " size; 1 is linear. A\nfile has the size of the whole picture: with few rows, most of the time is spent on writing"
+            " it, which does not depend on the\nrows.\n\n")
     for key, title in (("rows", f"rows of a picture {result['width']} by {result['width']}"),
                        ("samples", "`blur_samples`, 64 by 48"), ("objects", "objects, 160 by 120")):
-        text += f"| {title} | seconds | tests | peak |\n| --: | --: | --: | --: |\n"
-        text += "".join(f"| {row[key]:,} | {row['processor_seconds']} | {row['tests']:,} | {row['peak_mib']} MiB |\n"
-                        for row in result[key])
-        text += f"\nPower: {result['slopes'][key]:.2f} of the time, {result['work_slopes'][key]:.2f} of the tests.\n\n"
+        text += f"| {title} | seconds | peak |\n| --: | --: | --: |\n"
+        text += "".join(f"| {row[key]:,} | {row['processor_seconds']} | {row['peak_mib']} MiB |\n" for row in result[key])
+        text += f"\nPower: {result['slopes'][key]:.2f}.\n\n"
     return text.rstrip("\n") + "\n"
 
 
