@@ -12,7 +12,7 @@ import tempfile
 from tests.fuzz import blocks, frames, grammar, kept, seeds
 from tools.repository import ROOT
 
-RUNS, BLOCKS, FRAMES = 30_000, 1500, 60
+RUNS, BLOCKS, FRAMES = 30_000, 1200, 60
 # a block that the parser refuses, and one with light past what the file can hold behind it
 BAD = ("tilt",
        "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
