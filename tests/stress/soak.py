@@ -68,8 +68,8 @@ def render(setup, scene, *options):
 
 
 def measure(setup, frames=FRAMES, rows=ROWS):
-    """Animations of so many frames, by two threads, and pictures of so many rows, by one: what two threads hold at a time depends on
-    which is faster."""
+    """Animations of so many frames, by two threads, and pictures of so many rows. One thread renders the pictures: how much memory
+    two hold at a time depends on which is faster."""
     work = setup.work("soak")
 
     def made(name, number, scene, *options):
