@@ -5,19 +5,19 @@
 import time
 import unittest
 
+# Seconds until what must happen counts as not happening. Far more than anything takes: how long it takes depends on what else runs.
+PATIENCE = 600
+
 
 class WaitingTest(unittest.TestCase):
     """A test that can wait for something to become so."""
-
-    patience = 60  # seconds
 
     def evidence(self):
         """What helps to see why something did not happen."""
         return ""
 
-    def until(self, what, condition, seconds=None):
+    def until(self, what, condition, seconds=PATIENCE):
         """Waits for something to become so; returns what it became."""
-        seconds = seconds or self.patience
         end = time.monotonic() + seconds
         while True:
             value = condition()

@@ -94,8 +94,8 @@ def parent_of(pid):
 
 
 def free_ports(count):
-    """The first of so many free ports in a row."""
-    for first in range(20000 + os.getpid() % 20000, 60000, count):
+    """The first of so many free ports in a row, below those that the system gives to whoever asks for any."""
+    for first in range(10000 + os.getpid() % 20000, 32768, count):
         with contextlib.ExitStack() as stack:
             try:
                 for port in range(first, first + count):
@@ -212,10 +212,10 @@ class Cluster:
             capture_output=True,
             text=True,
             check=False,
-            timeout=60,
+            timeout=300,
         )
 
-    def until(self, what, condition, seconds=30):
+    def until(self, what, condition, seconds=300):
         """Waits until a condition holds."""
         end = time.monotonic() + seconds
         while not condition():

@@ -9,6 +9,7 @@ import subprocess
 
 from tests.batch import harness
 from tests.batch.harness import LENS, BatchTest, picture
+from tests.waiting import PATIENCE
 from tools.repository import ROOT
 
 SIZE = ("+W48", "+H40", "+WT1")
@@ -137,7 +138,7 @@ class Told(BatchTest):
         unit = self.until("a percentage", lambda: next((u for u in self.status("scene.png")["units"] if u.get("percent")), None))
         self.assertEqual(unit["state"], "running")
         process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(timeout=60), 130)
+        self.assertEqual(process.wait(timeout=PATIENCE), 130)
 
     def test_status_of_no_batch(self):
         done = subprocess.run([str(ROOT / "batch"), "status", "nothing"], cwd=self.folder, capture_output=True, text=True, check=False)

@@ -9,10 +9,10 @@ import shlex
 import signal
 import subprocess
 import sys
-import time
 
 from tests.batch import harness
 from tests.batch.harness import LENS, SLOW, BatchTest, processes
+from tests.waiting import PATIENCE
 
 
 class Killed(BatchTest):
@@ -26,7 +26,7 @@ class Killed(BatchTest):
         return process, working
 
     def finished(self, process, code=0):
-        self.assertEqual(process.wait(timeout=120), code, self.said() + self.evidence())
+        self.assertEqual(process.wait(timeout=PATIENCE), code, self.said() + self.evidence())
 
     def compare(self):
         self.assert_same(
@@ -34,16 +34,15 @@ class Killed(BatchTest):
             self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
         )
 
-    def continued(self):
-        return "continued from" in "".join(
-            path.read_text(errors="replace") for path in (self.work / "log").glob("task-*")
-        )
+    def logs(self):
+        """What the workers have said."""
+        return "".join(path.read_text(errors="replace") for path in (self.work / "log").glob("task-*"))
 
     def test_povray_then_worker_killed(self):
         process, working = self.begin()
         os.kill(working[0], signal.SIGKILL)
-        time.sleep(1)
-        working = self.until("another band", lambda: self.working_povrays(self.work))
+        self.until("the worker's word of it", lambda: "was ended by signal 9" in self.logs())
+        self.until("a band to be half done", lambda: self.working_povrays(self.work))
         worker = next(
             pid
             for pid, words in processes(f"task {self.work}")
@@ -51,11 +50,7 @@ class Killed(BatchTest):
         )
         os.kill(worker, signal.SIGKILL)
         self.finished(process)
-        self.assertTrue(self.continued(), self.evidence())
-        self.assertIn(
-            "was ended by signal 9",
-            self.evidence() + "".join(p.read_text() for p in (self.work / "log").glob("task*")),
-        )
+        self.assertIn("continued from", self.logs(), self.evidence())
         self.compare()
 
     def test_everything_stops_at_once_and_goes_on(self):
@@ -72,7 +67,7 @@ class Killed(BatchTest):
                 self.assert_nothing_runs(str(self.work))
         self.assertIn("another call", self.beside())
         self.batch("still", "scene.pov", "--bands", 4, *SLOW)
-        self.assertTrue(self.continued(), self.evidence())
+        self.assertIn("continued from", self.logs(), self.evidence())
         self.compare()
 
     def beside(self):
@@ -159,7 +154,7 @@ class Failing(BatchTest):
             stderr=harness.subprocess.STDOUT,
             text=True,
             check=False,
-            timeout=100,
+            timeout=PATIENCE,
         )
         self.assertEqual(done.returncode, 1, done.stdout)
         self.assertFalse((self.folder / "scene.png").exists())

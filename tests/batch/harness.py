@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-from tests.waiting import WaitingTest
+from tests.waiting import PATIENCE, WaitingTest
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None)
@@ -130,7 +130,7 @@ class BatchTest(WaitingTest):
         self.program.write_text(f"#!/bin/bash\n{script}\n")
         self.program.chmod(0o755)
 
-    def batch(self, *words, code=0, timeout=150, before=()):
+    def batch(self, *words, code=0, before=()):
         """Calls ./batch; returns what it said."""
         done = subprocess.run(
             [*before, *self.words(*words)],
@@ -139,7 +139,7 @@ class BatchTest(WaitingTest):
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
-            timeout=timeout,
+            timeout=PATIENCE,
             check=False,
         )
         said = done.stdout.decode(errors="replace")
@@ -226,7 +226,7 @@ class BatchTest(WaitingTest):
 
     def assert_nothing_runs(self, text):
         """No process of this batch is left."""
-        self.until("all processes to end", lambda: not [p for p, _ in processes(text)], 10)
+        self.until("all processes to end", lambda: not [p for p, _ in processes(text)])
 
 
 def read_settings():

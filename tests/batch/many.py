@@ -23,7 +23,7 @@ class Many(BatchTest):
             f"echo -1 >> {shlex.quote(str(diary))}\nexit $status"
         )
         words = ("sweep", scene, "--set", "N=1:200:1", "--workers", WORKERS, "+W16", "+H12", "-A")
-        said = self.batch(*words, timeout=550)
+        said = self.batch(*words)
         self.assertIn("200 of 200 pictures", said)
         self.assertEqual(len(list((self.folder / "scene_sweep").glob("scene_N=*.png"))), 200)
         at_once = list(itertools.accumulate(int(line) for line in diary.read_text().split()))

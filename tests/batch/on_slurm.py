@@ -11,6 +11,7 @@ import tempfile
 
 from tests.batch import harness
 from tests.batch.harness import LENS, SETTINGS, SLOW, BatchTest, picture, processes
+from tests.waiting import PATIENCE
 from tools.cluster import Cluster, environment_of
 from tools.repository import module_command
 
@@ -120,13 +121,13 @@ class OnSlurm(BatchTest):
         process = self.start(*words)
         self.until("the second call", lambda: "still at work: waiting" in self.said())
         process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(timeout=30), 130)
+        self.assertEqual(process.wait(timeout=PATIENCE), 130)
         jobs = harness.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())
         self.assertIn(f"To end them: scancel {' '.join(jobs)}", self.said())
         process = self.start(*words)
         self.until("the third call", lambda: "still at work: waiting" in self.said())
         self.cluster.run("scancel", *jobs)
-        self.assertEqual(process.wait(timeout=60), 1, self.said())
+        self.assertEqual(process.wait(timeout=PATIENCE), 1, self.said())
         self.assertIn("were cancelled", self.said())
         self.assertEqual(self.cluster.run("squeue", "--noheader").stdout, "")
 
@@ -155,7 +156,7 @@ class OnSlurm(BatchTest):
         for kind, words in self.kinds().items():
             if kind != "still":
                 self.batch(*words, "--on", "slurm")
-        self.assertEqual(process.wait(timeout=150), 0, self.said() + self.evidence())
+        self.assertEqual(process.wait(timeout=PATIENCE), 0, self.said() + self.evidence())
         log = "".join(path.read_text(errors="replace") for path in (work / "log").glob("task-*"))
         self.assertIn("continued from", log)
         self.assertIn("was ended by signal 9", log)

@@ -6,6 +6,7 @@ import pathlib
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 from tests.batch import harness
 from tools.batch import describe, progress
@@ -65,18 +66,19 @@ class OutputLock(unittest.TestCase):
 
 class TimeLeft(unittest.TestCase):
     def test_of_one_long_picture(self):
-        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        clocks = unittest.mock.patch.multiple(time, monotonic=lambda: 1000.0, time=lambda: 5000.0)
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name, clocks:
             work = Work(pathlib.Path(name))
             work.make()
             key = {"bands": [[1, 9]], "pictures": [{"name": "a.png", "label": "a"}]}
             line = progress.Progress(work, {"key": key}, quiet=True)
-            line.begun = time.monotonic() - 100
+            line.begun -= 100
             log = work.log(0)
             write_json(work.record("running", "00000.0000"), {"since": time.time() - 100, "log": str(log), "begins": 0})
             log.write_text("Rendered 0 of 9 pixels (0% of the work)\r")
             self.assertNotIn("left", line.text())
             log.write_text("Rendered 1 of 9 pixels (25% of the work)\r")
-            self.assertRegex(line.text(), r"0 of 1 pictures done, 1 running, 0 failed, (299|300|301|302) s left|, 5 min left")
+            self.assertIn("0 of 1 pictures done, 1 running, 0 failed, 5 min left", line.text())
 
 
 class Clocks(unittest.TestCase):

@@ -8,6 +8,7 @@ import shutil
 
 from tests.batch import harness
 from tests.batch.harness import LENS, SETTINGS, BatchTest
+from tests.waiting import PATIENCE
 
 SIZE = ("+W48", "+H40", "+WT1")
 
@@ -112,7 +113,7 @@ class Changed(BatchTest):
         done = self.folder / "scene_film.batch" / "done"
         self.until("the first frame", lambda: done.is_dir() and list(done.iterdir()))
         own.write_text("#declare Own = 2;\n")
-        self.assertEqual(process.wait(timeout=100), 1, self.said())
+        self.assertEqual(process.wait(timeout=PATIENCE), 1, self.said())
         self.assertIn(f"file {str(own)!r} has changed since the batch began", self.said())
         self.assertFalse((self.folder / "scene_film" / "scene0004.png").exists())
         self.assertIn(f"file {str(own)!r} has changed", self.batch(*words, code=1))

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import unittest
 
+from tests.waiting import PATIENCE
 from tools.repository import ROOT
 
 EDITORS = ROOT / "editors"
@@ -112,7 +113,7 @@ class Code(unittest.TestCase):
             with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
                 (pathlib.Path(folder) / "scene.pov").write_text(scene)
                 done = subprocess.run([SETTINGS.povray, "+Iscene.pov", "-F", "+W8", "+H6", "-D", f"+L{ROOT / 'scenes' / 'include'}"],
-                                      cwd=folder, capture_output=True, timeout=60, check=False)
+                                      cwd=folder, capture_output=True, timeout=PATIENCE, check=False)
             said = done.stderr.decode(errors="replace")
             self.assertEqual(done.returncode, 0, f"{name}\n{scene}\n{said[-1500:]}")
             self.assertNotIn("Warning:", said, f"{name}\n{scene}")
@@ -127,7 +128,7 @@ class Completion(unittest.TestCase):
                   f"COMP_WORDS=({' '.join(shlex.quote(word) for word in words)}) COMP_CWORD={len(words) - 1}\n"
                   f"function=$(complete -p {words[0]} | sed 's/.*-F \\([^ ]*\\).*/\\1/')\n"
                   "$function; printf '%s\\n' \"${COMPREPLY[@]}\"")
-        done = subprocess.run(["bash", "-c", script], cwd=folder, capture_output=True, text=True, timeout=20, check=False)
+        done = subprocess.run(["bash", "-c", script], cwd=folder, capture_output=True, text=True, timeout=PATIENCE, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""), line)
         return done.stdout.splitlines()
 
@@ -177,17 +178,17 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.offered("./batch still scenes/tutorial/ti"), ["scenes/tutorial/tilt.pov"])
         if not (ROOT / "batch").is_file():
             return
-        text = subprocess.run([ROOT / "batch", "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+        text = subprocess.run([ROOT / "batch", "--help"], capture_output=True, text=True, timeout=PATIENCE, check=True).stdout
         kinds = sorted(BATCH_KINDS.search(text)[1].split("|"))
         self.assertEqual(sorted(self.offered("./batch ")), sorted(["--help", *kinds]))
         for kind in kinds:
-            text = subprocess.run([ROOT / "batch", kind, "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+            text = subprocess.run([ROOT / "batch", kind, "--help"], capture_output=True, text=True, timeout=PATIENCE, check=True).stdout
             for option in self.offered(f"./batch {kind} --"):
                 every = option in text or any(option in (self.help_of(other)) for other in kinds)
                 self.assertTrue(every, f"./batch {kind} has no {option}")
 
     def help_of(self, kind):
-        return subprocess.run([ROOT / "batch", kind, "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+        return subprocess.run([ROOT / "batch", kind, "--help"], capture_output=True, text=True, timeout=PATIENCE, check=True).stdout
 
 
 @unittest.skipUnless(shutil.which("vim"), "Vim is not installed")
@@ -219,7 +220,7 @@ sphere { tilt, 1 texture { tilt } } } #declare swing = 1;
                       f"let g:n = []\n{ask} call writefile(g:n, 'names')\nquit!\n")
             (folder / "ask.vim").write_text(script)
             subprocess.run(["vim", "-u", "NONE", "-N", "-es", "-S", "ask.vim"], cwd=folder, env={**os.environ, "HOME": name},
-                           stdin=subprocess.DEVNULL, capture_output=True, timeout=30, check=False)
+                           stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE, check=False)
             if not (folder / "names").exists():
                 self.skipTest("this Vim cannot run scripts")
             found = (folder / "names").read_text().split("\n")[:-1]

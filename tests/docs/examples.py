@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+from tests.waiting import PATIENCE
 from tools.docs import pages
 from tools.repository import ROOT
 
@@ -48,7 +49,7 @@ def run(povray, folder, options):
     command = [povray, "+Opicture.png", "-D", "-P", f"+L{ROOT / 'scenes' / 'include'}", *options]
     try:
         done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              timeout=110, check=False)
+                              timeout=PATIENCE, check=False)
     except subprocess.TimeoutExpired as late:
         return None, (late.stdout or b"").decode(errors="replace")
     return done.returncode, done.stdout.decode(errors="replace")

@@ -11,6 +11,7 @@ import sys
 import tempfile
 import unittest
 
+from tests.waiting import PATIENCE
 from tools.docs import pages
 from tools.repository import ROOT
 
@@ -21,7 +22,7 @@ NOT_INSTALLED = re.compile(r"(\.\./)?(cmake|tests|experiments|benchmarks|povray-
 
 def formatted(page):
     """A manual page as plain text, and the complaints about it."""
-    done = subprocess.run(["groff", "-ww", "-man", "-Tutf8", "-P-cbou", str(page)], capture_output=True, text=True, timeout=60,
+    done = subprocess.run(["groff", "-ww", "-man", "-Tutf8", "-P-cbou", str(page)], capture_output=True, text=True, timeout=PATIENCE,
                           check=True)
     return done.stdout, done.stderr
 
@@ -32,7 +33,7 @@ class Installed(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="tilt_lens.")
         cls.prefix = pathlib.Path(cls.folder.name) / "with a blank"
         subprocess.run([SETTINGS.cmake, "--install", SETTINGS.build, "--prefix", str(cls.prefix)], stdout=subprocess.DEVNULL,
-                       timeout=110, check=True)
+                       timeout=PATIENCE, check=True)
         cls.doc = cls.prefix / "share" / "doc" / "povray-tilt-lens"
 
     @classmethod
@@ -115,7 +116,7 @@ class Installed(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
             (pathlib.Path(folder) / "scene.pov").write_text(f"#version 3.7;\n{camera}\nsphere {{ 0, 1 }}\n")
             return subprocess.run([self.prefix / "bin" / "povray", "+Iscene.pov", "-F", "+W8", "+H6", "-D"], cwd=folder,
-                                  capture_output=True, timeout=60, check=False).returncode
+                                  capture_output=True, timeout=PATIENCE, check=False).returncode
 
 
 def main():

@@ -11,6 +11,7 @@ import tempfile
 
 
 from tests.render import rendering
+from tests.waiting import PATIENCE
 from tools.repository import ROOT
 
 INCLUDE = '#include "tilt_lens.inc"\n'
@@ -71,7 +72,7 @@ def refusal(camera, before=""):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
         done = subprocess.run([os.path.abspath(rendering.SETTINGS.povray), "+Iscene.pov", "-F", "+W8", "+H6", "-D",
-                               f"+L{ROOT / 'scenes' / 'include'}"], cwd=name, capture_output=True, timeout=60, check=False)
+                               f"+L{ROOT / 'scenes' / 'include'}"], cwd=name, capture_output=True, timeout=PATIENCE, check=False)
     return done.returncode, re.sub(r"\s+", " ", done.stderr.decode(errors="replace"))
 
 

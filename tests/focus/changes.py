@@ -141,7 +141,7 @@ class Changes(PageTest):
         self.set_number("tilt", 5)
         # as after 1006, the code of a line that broke, with which no line can be closed on purpose
         self.run("const [line] = lines, { onclose } = line; line.onclose = line.onmessage = null; line.close(); onclose({ code: 1006 })")
-        self.until("a new line", lambda: self.run("return lines.length > 1 && lines[1].readyState === 1") and self.drawn(), 20)
+        self.until("a new line", lambda: self.run("return lines.length > 1 && lines[1].readyState === 1") and self.drawn())
         self.assertEqual(self.message(), "")
         self.assertAlmostEqual(self.run("return focusPage.model.numbers().tilt"), 5)
         self.set_number("fStop", 1)

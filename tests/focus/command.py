@@ -25,7 +25,7 @@ class Command(harness.FocusTest):
         variables = {"BROWSER": f"'{browser}' %s", "DISPLAY": ":99"}
         address = self.start(self.scene(), *SMALL, **variables)
         # the shell makes the file before it writes the line
-        self.until("the browser", lambda: opened.exists() and opened.read_text().endswith("\n"), 20)
+        self.until("the browser", lambda: opened.exists() and opened.read_text().endswith("\n"))
         self.assertEqual(opened.read_text().strip(), address)
         self.end()
         opened.unlink()

@@ -60,7 +60,6 @@ class FocusTest(WaitingTest):
     """A test in a folder of its own, whose name holds a space."""
 
     longMessage = True
-    patience = 180
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="focus test ")
@@ -178,13 +177,13 @@ class PageTest(FocusTest):
 
     def smooth(self):
         """Waits until further passes would not change the live picture."""
-        self.until("the smooth picture", lambda: self.run("return focusPage.live.complete && focusPage.live.smooth"), 900)
+        self.until("the smooth picture", lambda: self.run("return focusPage.live.complete && focusPage.live.smooth"))
 
     def true_picture(self, width):
         """Asks for the true picture and waits for it."""
         self.run("document.getElementById('width').add(new Option(arguments[0], arguments[0], true, true))", str(width))
         self.press("#render")
-        self.until("the true picture", lambda: "Done" in self.text("true-said"), 900)
+        self.until("the true picture", lambda: "Done" in self.text("true-said"))
 
     def choose(self, name, value):
         """Chooses from a list of the page."""

@@ -61,10 +61,10 @@ class Measure(PageTest):
         begun = time.monotonic()
         self.browser.get(self.start(scene, *words))
         page = time.monotonic() - begun
-        self.until("a first picture", lambda: self.run("return window.focusPage?.live"), 300)
+        self.until("a first picture", lambda: self.run("return window.focusPage?.live"))
         self.run("focusPage.nextDrawing()")
         first = time.monotonic() - begun
-        self.until("the preview", lambda: self.run("return focusPage.live.complete"), 300)
+        self.until("the preview", lambda: self.run("return focusPage.live.complete"))
         return page, first, time.monotonic() - begun
 
     def difference(self):

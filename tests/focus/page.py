@@ -138,7 +138,7 @@ class Page(PageTest):
         before = self.run(width)
         self.addCleanup(self.browser.set_window_size, 1280, 1000)
         self.browser.set_window_size(700, 1000)
-        self.until("the side view", lambda: self.run(width) != before, 20)
+        self.until("the side view", lambda: self.run(width) != before)
         self.assertTrue(self.run("return focusPage.live.smooth"))
 
     def test_copied_text_is_the_block(self):

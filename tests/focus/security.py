@@ -131,7 +131,7 @@ class Security(FocusTest):
                     self.assertIsNone(self.process.poll(), "it ended while a page was open")
 
         asyncio.run(visit())
-        self.until("the end", lambda: self.process.poll() is not None, 30)
+        self.until("the end", lambda: self.process.poll() is not None)
         self.assertEqual(self.process.returncode, 0)
         self.assertEqual(self.left(), [])
 

@@ -103,7 +103,7 @@ class Truth(PageTest):
         self.until("the stop", lambda: "Stopped at" in self.text("true-said"))
         self.assertTrue(self.run("return document.getElementById('stop').hidden && document.getElementById('save').hidden"))
         self.assertFalse(self.run("return document.getElementById('render').hidden"))
-        self.until("the end of the program", lambda: not self.renders("picture_scene"), 20)
+        self.until("the end of the program", lambda: not self.renders("picture_scene"))
         self.assertEqual(self.console(), [])
 
     def renders(self, name):

@@ -8,6 +8,7 @@ import os
 import subprocess
 
 from tests.fuzz import grammar
+from tests.waiting import PATIENCE
 
 BATCH = 500
 
@@ -27,7 +28,7 @@ def parse(parser, texts):
     while len(answers) < len(texts):
         data = b"".join(text.encode() + b"\0" for text in texts[len(answers):])
         settings = {"ASAN_OPTIONS": "detect_leaks=0", **os.environ}
-        done = subprocess.run([parser], input=data, capture_output=True, check=False, timeout=600, env=settings)
+        done = subprocess.run([parser], input=data, capture_output=True, check=False, timeout=PATIENCE, env=settings)
         answers += done.stdout.decode(errors="replace").splitlines()
         if len(answers) < len(texts):
             said = done.stderr.decode(errors="replace").strip().splitlines()

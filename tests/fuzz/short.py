@@ -12,7 +12,7 @@ import tempfile
 from tests.fuzz import blocks, frames, grammar, kept, seeds
 from tools.repository import ROOT
 
-RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 1500, 60
+RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 1200, 60
 SECONDS_OF_ONE = 60  # any file is read within a thousandth of it
 # a block that the parser refuses, and one with light past what the file can hold behind it
 BAD = ("tilt",

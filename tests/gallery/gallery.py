@@ -16,6 +16,7 @@ import sys
 import tempfile
 
 from tests.render import rendering
+from tests.waiting import PATIENCE
 from tools.docs import gallery
 from tools.repository import ROOT
 
@@ -37,7 +38,7 @@ def check_scene(path, povray):
         command = [os.path.abspath(povray), f"+I{path}", "+Opicture.exr", "+FE", f"+W{WIDTH}", f"+H{HEIGHT}", "-D", "-P", "-A",
                    f"+L{ROOT / 'scenes/include'}", "Declare=Samples=4"]
         done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, errors="replace", timeout=180, check=False,
+                              stderr=subprocess.STDOUT, text=True, errors="replace", timeout=PATIENCE, check=False,
                               env={**os.environ, "POVINI": str(folder / "none.ini")})
         if done.returncode != 0:
             return [f"exit code {done.returncode}: {' '.join(command)}\n{done.stdout[-1500:]}"]

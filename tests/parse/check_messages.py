@@ -16,6 +16,7 @@ import sys
 import tempfile
 
 from tests.parse import cases_file
+from tests.waiting import PATIENCE
 
 PICTURE = "picture.png"
 # POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The
@@ -59,7 +60,7 @@ def run(povray, case, folder, library):
                *[f"+L{path}" for path in library], *case.options]
     try:
         done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=60, check=False,
+                              stderr=subprocess.STDOUT, timeout=PATIENCE, check=False,
                               env={**os.environ, "POVINI": str(folder / "none.ini")})
         return command, done.returncode, done.stdout.decode(errors="replace")
     except subprocess.TimeoutExpired as late:

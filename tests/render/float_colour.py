@@ -56,7 +56,7 @@ class FloatColour(rendering.RenderTest):
         self.assertEqual(rendering.render(SQUARES, "+FN32", **SIZE).values, wanted.values)
         for option in ("+FN32", "+FT32", "+FP32", "+FB32", "+FJ32", "+FH32"):
             with self.subTest(option=option), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-                code, said = rendering.Job(SQUARES, (option,), **SIZE).attempt(pathlib.Path(name), 60)
+                code, said = rendering.Job(SQUARES, (option,), **SIZE).attempt(pathlib.Path(name))
                 said = re.sub(r"\s+", " ", said)
                 self.assertEqual(code, 0, said)
                 self.assertEqual(said.count("Bits_Per_Color=32 with a file type other than OpenEXR"), 1, said)
@@ -64,7 +64,7 @@ class FloatColour(rendering.RenderTest):
     def test_nothing_is_said_elsewhere(self):
         for options in (("+FE32",), ("+FN16",), ("+FN32", "-F")):
             with self.subTest(options=options), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-                code, said = rendering.Job(SQUARES, options, **SIZE).attempt(pathlib.Path(name), 60)
+                code, said = rendering.Job(SQUARES, options, **SIZE).attempt(pathlib.Path(name))
                 self.assertEqual(code, 0, said)
                 self.assertNotIn("Bits_Per_Color", said)
 

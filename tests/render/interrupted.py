@@ -6,7 +6,6 @@ import pathlib
 import re
 import signal
 import tempfile
-import time
 
 from tests.render import rendering, scenes
 
@@ -19,32 +18,10 @@ class Interrupted(rendering.RenderTest):
     def setUpClass(cls):
         cls.whole = rendering.render(SLOW, "+WT2", **SIZE)
 
-    def interrupt(self, folder, stop):
-        """Stops a render when a part of it is on the disk."""
-        process = rendering.Job(SLOW, ("+WT1", "+BS8"), **SIZE).start(folder)
-        try:
-            end = time.monotonic() + 60
-            state = None
-            while process.poll() is None and time.monotonic() < end:
-                state = next(iter(folder.glob("*.pov-state")), None)
-                # a few finished blocks of 8 by 8 pixels
-                if state and state.stat().st_size > 8000:
-                    break
-                time.sleep(0.01)
-            self.assertIsNone(process.poll(), f"it ended before it could be stopped: {process.poll()}")
-            self.assertIsNotNone(state, "no state file within 60 s")
-            process.send_signal(stop)
-            process.communicate(timeout=60)
-        finally:
-            if process.poll() is None:
-                process.kill()
-                process.communicate()
-        self.assertNotEqual(process.returncode, 0)
-
     def check(self, stop):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
-            self.interrupt(folder, stop)
+            rendering.Job(SLOW, ("+WT1", "+BS8"), **SIZE).stop(folder, stop, 8000)  # a few finished blocks
             again = rendering.Job(SLOW, ("+WT2", "+BS8", "+C"), **SIZE)  # the state file counts tiles
             said = again.run(folder)
             self.assert_same(again.result(folder), self.whole, f"continued after {stop.name}")

@@ -10,9 +10,9 @@ import shlex
 import signal
 import subprocess
 import tempfile
-import time
 
 from tests.render import rendering, scenes
+from tests.waiting import PATIENCE
 from tools.repository import ROOT
 
 SIZE = {"width": 67, "height": 45}
@@ -276,7 +276,7 @@ class Files(rendering.RenderTest):
             job = rendering.Job(scenes.TILTED, ("+N", "+Oout/picture.png", *options))
             (folder / "scene.pov").write_text(rendering.HEAD + job.scene)
             (folder / "none.ini").write_text("")
-            done = subprocess.run(job.command(), cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False,
+            done = subprocess.run(job.command(), cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE, check=False,
                                   env={**os.environ, "POVINI": str(folder / "none.ini")})
             said = re.sub(r"\s+", " ", done.stderr.decode(errors="replace"))
             self.assertNotEqual(done.returncode, 0, said)
@@ -338,16 +338,7 @@ class Interrupted(rendering.RenderTest):
         """Stops a render when part of it is on the disk."""
         if "+N" in options:
             (folder / "picture.layers.exr").write_text("of an older render")
-        process = rendering.Job(self.SLOW, ("+WT1", "+BS8", *options), **self.HOW).start(folder)
-        end = time.monotonic() + 60
-        while process.poll() is None and time.monotonic() < end:
-            state = next(iter(folder.glob("*.pov-state")), None)
-            if state and state.stat().st_size > 30000:
-                break
-            time.sleep(0.01)
-        process.send_signal(signal_)
-        process.communicate(timeout=60)
-        self.assertNotEqual(process.returncode, 0)
+        rendering.Job(self.SLOW, ("+WT1", "+BS8", *options), **self.HOW).stop(folder, signal_, 30000)
         self.assertEqual(list(folder.glob("*.exr*")), [], "no half of a file, and no older one")
 
     def test_continued(self):

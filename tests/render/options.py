@@ -15,7 +15,7 @@ STOCK = "camera { location -4*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } fini
 def run(scene, *options):
     """Exit code and what POV-Ray said, in a folder of its own; a second run of it would find nothing left behind."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        code, said = rendering.Job(scene, options).attempt(pathlib.Path(name), 60)
+        code, said = rendering.Job(scene, options).attempt(pathlib.Path(name))
         return code, said, sorted(path.name for path in pathlib.Path(name).iterdir())
 
 

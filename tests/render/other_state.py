@@ -18,7 +18,7 @@ HEADER = 512
 
 def run(folder, scene, *options, **size):
     """Exit code, and what POV-Ray said as one line."""
-    code, said = rendering.Job(scene, ("+WT1", "+BS8", *options), **{**SIZE, **size}).attempt(folder, 60)
+    code, said = rendering.Job(scene, ("+WT1", "+BS8", *options), **{**SIZE, **size}).attempt(folder)
     return code, " ".join(said.split())
 
 

@@ -6,7 +6,6 @@ import pathlib
 import re
 import signal
 import tempfile
-import time
 
 from tests.render import rendering, scenes
 
@@ -75,15 +74,7 @@ class Progress(rendering.RenderTest):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             scene = HALVES.replace("sky -y", "").replace("8, 256 variance 1/20000", "600 variance 0")
-            process = rendering.Job(scene, ("+WT1", "+BS8"), **SIZE).start(folder)
-            end = time.monotonic() + 60
-            while process.poll() is None and time.monotonic() < end:
-                state = next(iter(folder.glob("*.pov-state")), None)
-                if state and state.stat().st_size > 100_000:
-                    break
-                time.sleep(0.01)
-            process.send_signal(signal.SIGKILL)
-            process.communicate(timeout=60)
+            rendering.Job(scene, ("+WT1", "+BS8"), **SIZE).stop(folder, signal.SIGKILL, 100_000)
             said = rendering.Job(scene, ("+WT1", "+BS8", "+C", "+V"), **SIZE).run(folder)
         first = shown(said)[0][1]
         self.assertGreater(first, 15, said)

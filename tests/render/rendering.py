@@ -6,7 +6,6 @@ import argparse
 import array
 import atexit
 import dataclasses
-import functools
 import math
 import os
 import pathlib
@@ -15,7 +14,11 @@ import struct
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
+
+from tests.waiting import PATIENCE
 
 SETTINGS = argparse.Namespace(povray="povray", compare="compare", library=[])
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -52,23 +55,34 @@ class Picture:
         return self.values[self.names.index(name)::len(self.names)]
 
 
-@functools.lru_cache(maxsize=None)
-def reader(compare):
-    """A process of the comparison tool that reads all pictures of this test: its start takes longer than many a picture."""
-    process = subprocess.Popen([compare, "pixels"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-    atexit.register(process.communicate)
-    return process
+class Reader:
+    """A process of the comparison tool that reads all pictures of a test: its start takes longer than many a picture. Threads
+    share it: a question and its answer belong together."""
+
+    def __init__(self):
+        self.lock = threading.Lock()
+        self.process = None
+
+    def ask(self, path):
+        """The header line and the values of a picture. Raises UnreadablePicture."""
+        with self.lock:
+            if self.process is None or self.process.poll() is not None:
+                self.process = subprocess.Popen([SETTINGS.compare, "pixels"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+                atexit.register(self.process.communicate)
+            self.process.stdin.write(os.fsencode(os.path.abspath(path)) + b"\n")
+            self.process.stdin.flush()
+            size = self.process.stdout.readline()
+            if not size.strip().isdigit():
+                raise UnreadablePicture(size.decode(errors="replace") or f"{path}: the comparison tool ended")
+            return self.process.stdout.read(int(size)).split(b"\n", 1)
+
+
+READER = Reader()
 
 
 def read_pixels(path):
     """Width, height, kind of values and names of the channels, and the values as stored, through the witnesses' comparison tool."""
-    process = reader(SETTINGS.compare)
-    process.stdin.write(os.fsencode(os.path.abspath(path)) + b"\n")
-    process.stdin.flush()
-    size = process.stdout.readline()
-    if not size.strip().isdigit():
-        raise UnreadablePicture(size.decode(errors="replace") or f"{path}: the comparison tool ended")
-    head, data = process.stdout.read(int(size)).split(b"\n", 1)
+    head, data = READER.ask(path)
     width, height, _, form, *names = head.decode().split()
     return int(width), int(height), form, names, data
 
@@ -112,16 +126,30 @@ class Job:
         return subprocess.Popen(self.command(), cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(folder / "none.ini")})
 
-    def attempt(self, folder, seconds=120):
-        """Exit code and messages of POV-Ray in the folder, also where it refuses. Fails a test if it takes longer."""
+    def attempt(self, folder):
+        """Exit code and messages of POV-Ray in the folder, also where it refuses. Fails a test if it does not end."""
         process = self.start(folder)
         try:
-            said = process.communicate(timeout=seconds)[0].decode(errors="replace")
+            said = process.communicate(timeout=PATIENCE)[0].decode(errors="replace")
         except subprocess.TimeoutExpired:
             process.kill()
             said = process.communicate()[0].decode(errors="replace")
-            raise AssertionError(f"no end after {seconds} s\n{self.told()}{said[-1500:]}") from None
+            raise AssertionError(f"no end after {PATIENCE} s\n{self.told()}{said[-1500:]}") from None
         return process.returncode, said
+
+    def stop(self, folder, number, kept):
+        """Starts POV-Ray in the folder, and ends it by a signal when its state file holds more than so many bytes."""
+        end = time.monotonic() + PATIENCE
+        with self.start(folder) as process:
+            while process.poll() is None and time.monotonic() < end:
+                if any(state.stat().st_size > kept for state in folder.glob("*.pov-state")):
+                    break
+                time.sleep(0.01)
+            running = process.poll() is None
+            process.send_signal(number)
+            said = process.stdout.read().decode(errors="replace")
+        if not running or process.returncode == 0:
+            raise AssertionError(f"it ended before it could be stopped, exit code {process.returncode}\n{self.told()}{said[-1500:]}")
 
     def run(self, folder):
         """Renders in the folder; returns POV-Ray's messages. Fails a test if there is no picture."""

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Folders where a scene wants files: refused at once, with the name and the line. Pictures that the tests themselves cannot read."""
 
+import concurrent.futures
 import pathlib
+import struct
 import tempfile
 import unittest
 
@@ -22,7 +24,7 @@ class Folders(rendering.RenderTest):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "folder").mkdir()
-            code, said = rendering.Job(scene, options).attempt(folder, 60)
+            code, said = rendering.Job(scene, options).attempt(folder)
             self.assertEqual(code, 1, said)
             self.assertEqual(list(folder.glob("*.png")), [], said)
         return " ".join(said.split())
@@ -56,6 +58,19 @@ class Pictures(unittest.TestCase):
                 with self.assertRaisesRegex(rendering.UnreadablePicture, path.name):
                     rendering.read_picture(path, "")
             self.assertEqual(job.result(folder).values, before.values)
+
+    def test_threads_get_the_pictures_that_they_ask_for(self):
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            paths = [pathlib.Path(name) / f"{width}.pfm" for width in range(1, 9)]
+            for width, path in enumerate(paths, 1):
+                path.write_bytes(f"PF\n{width} 1\n-1.0\n".encode() + struct.pack(f"<{3*width}f", *[width]*3*width))
+
+            def read(width):
+                return [rendering.read_picture(paths[width - 1], "").values for _ in range(100)]
+
+            with concurrent.futures.ThreadPoolExecutor(len(paths)) as threads:
+                for width, pictures in enumerate(threads.map(read, range(1, 9)), 1):
+                    self.assertEqual(pictures, [[width]*3*width]*100)
 
 
 if __name__ == "__main__":

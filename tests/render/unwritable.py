@@ -12,6 +12,7 @@ import unittest
 
 from tests.batch.harness import held_to_permissions
 from tests.render import rendering, scenes
+from tests.waiting import PATIENCE
 
 
 class Unwritable(unittest.TestCase):
@@ -26,7 +27,7 @@ class Unwritable(unittest.TestCase):
         (self.folder / "scene.pov").write_text(rendering.HEAD + job.scene)
         (self.folder / "none.ini").write_text("")
         done = subprocess.run([*held_to_permissions(), *job.command()], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=100, check=False, **settings,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False, **settings,
                               env={**os.environ, "POVINI": str(self.folder / "none.ini")})
         said = " ".join(done.stdout.decode(errors="replace").split())
         self.assertNotEqual(done.returncode, 0, said)

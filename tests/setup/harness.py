@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 import unittest
 
+from tests.waiting import PATIENCE
+
 REPOSITORY = pathlib.Path(os.environ["REPOSITORY"])
 BUILD = pathlib.Path(os.environ["BUILD"])
 CMAKE = os.environ["CMAKE"]
@@ -29,10 +31,10 @@ class SetupTest(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.folder = pathlib.Path(scratch.name)
 
-    def run_command(self, *command, cwd=None, env=None, timeout=60):
+    def run_command(self, *command, cwd=None, env=None):
         """Runs COMMAND with ENV added to the environment; returns the finished process with its output."""
         inherited = {name: value for name, value in os.environ.items() if name not in ("POVINI", "POVINC")}
-        return subprocess.run([str(word) for word in command], cwd=cwd or self.folder, timeout=timeout,
+        return subprocess.run([str(word) for word in command], cwd=cwd or self.folder, timeout=PATIENCE,
                               env={**inherited, **(env or {})}, stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, errors="replace", check=False)
 

@@ -10,10 +10,10 @@ import re
 import select
 import shutil
 import subprocess
-import time
 import unittest
 
 from tests.setup.harness import REPOSITORY, SetupTest
+from tests.waiting import PATIENCE
 
 STAND_IN = r"""#!/bin/bash
 for argument in "$@"; do printf 'argument [%q]\n' "$argument" >&2; done
@@ -59,7 +59,7 @@ class CommandTest(SetupTest):
         return build
 
     def environment(self):
-        return {"PATH": f"{self.tools}:{os.environ['PATH']}", "DISPLAY": ""}
+        return {"PATH": f"{self.tools}:{os.environ['PATH']}", "DISPLAY": "", "CI": ""}
 
     def command(self, name, *arguments, cwd=None, **env):
         return self.run_command(name, *arguments, cwd=cwd, env={**self.environment(), **env})
@@ -185,10 +185,13 @@ class RenderCommand(CommandTest):
         self.assert_succeeds(process)
         self.assertIn(f'+O"{elsewhere}/"', self.arguments(process))
 
-    def test_nothing_to_do_is_quick(self):
-        start = time.monotonic()
-        self.assert_succeeds(self.render(self.scene))
-        self.assertLess(time.monotonic() - start, 1.0)
+    def test_nothing_to_do_needs_no_configuration_and_no_network(self):
+        self.have_all_packages()
+        for name in ("cmake", "apt-get", "sudo"):
+            self.tool(name, f'echo "{name} was called" >&2; exit 1')
+        process = self.render(self.scene)
+        self.assert_succeeds(process)
+        self.assertNotIn("was called", process.stderr)
 
 
 class CheckCommand(CommandTest):
@@ -204,15 +207,45 @@ class CheckCommand(CommandTest):
             exit 8''')
 
     def test_lines_come_as_ctest_says_them_and_the_closing_one_last(self):
-        with subprocess.Popen([self.copy / "check", "-L", "unit"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        with subprocess.Popen([self.copy / "check", "--all", "-L", "unit"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                               stdin=subprocess.DEVNULL, env={**os.environ, **self.environment()}) as check:
-            ready, _, _ = select.select([check.stdout], [], [], 10)
+            ready, _, _ = select.select([check.stdout], [], [], PATIENCE)
             first = check.stdout.readline() if ready else "nothing before CTest's end"
             (self.folder / "go").touch()  # what the stand-in for CTest waits for
             rest = check.stdout.read().splitlines()
-        self.assertRegex(first, "^arguments: .*-L unit$")
+        self.assertRegex(first, r"^arguments: --output-on-failure -j \d+ -L unit$")
         self.assertEqual(rest, ["", "Total Test time (real) =   3.70 sec", "  2 - unit.two (Failed)", self.CLOSING])
         self.assertEqual(check.returncode, 8)
+
+    SLOW = [f"group.slow{n}" for n in range(23)]
+
+    def chosen(self, *arguments, **env):
+        """CTest's options that choose tests, where there are slow ones."""
+        listed = "\n".join(f"  Test #{n}: {name}" for n, name in enumerate(self.SLOW, 100))
+        self.tool("ctest", f'[ "$1" = -N ] && {{ echo "{listed}"; exit; }}; shift 3; printf "option %s\\n" "$@"')
+        process = self.command(self.copy / "check", *arguments, **env)
+        self.assert_succeeds(process)
+        return re.findall("^option (.+)$", process.stdout, re.MULTILINE)
+
+    def test_slow_tests_are_left_out_unless_they_are_asked_for(self):
+        self.assertEqual(self.chosen(), ["-LE", "^slow$"])
+        self.assertEqual(self.chosen("-N", "-E", "x"), ["-LE", "^slow$", "-N", "-E", "x"])
+        self.assertEqual(self.chosen("--all"), [])
+        self.assertEqual(self.chosen("--all", "-N"), ["-N"])
+        for words in (["-L", "unit"], ["-R", "tilt"], ["-N", "-I", "1,2"]):
+            self.assertEqual(self.chosen(*words), words)
+
+    def test_slow_tests_take_turns_in_continuous_integration(self):
+        ran = []
+        for turn in range(10):
+            self.tool("git", f'[ "$3 $4" = "rev-parse HEAD" ] && echo {turn:07x}{"c" * 33}')
+            option, left_out = self.chosen(CI="true")
+            self.assertEqual(option, "-E")
+            ran += [name for name in self.SLOW if not re.search(left_out, name)]
+            self.assertTrue(all(not re.search(left_out, name) for name in ("unit.quick", "group_slow1", "group.slow1.more")))
+        self.assertEqual(sorted(ran), sorted(self.SLOW), "each in one turn of ten")
+        self.tool("git", "exit 128")
+        self.assertEqual(self.chosen(CI="true"), ["-LE", "^slow$"])
 
     def test_help_builds_nothing(self):
         self.tool("ninja", "echo built; exit 1")

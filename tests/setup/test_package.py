@@ -25,7 +25,7 @@ OWN = re.compile(r"""/(etc|usr/(lib|share|share/doc))/povray-tilt-lens/.*
 
 def pack(test, env):
     """Makes the package in the test's folder."""
-    return test.run_command(CPACK, "--config", BUILD / "CPackConfig.cmake", "-B", test.folder, env=env, timeout=500)
+    return test.run_command(CPACK, "--config", BUILD / "CPackConfig.cmake", "-B", test.folder, env=env)
 
 
 class Package(SetupTest):
@@ -125,7 +125,7 @@ class Package(SetupTest):
         cache = dict(re.findall(r"^(\w+):[A-Z]+=(.*)$", (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"), re.MULTILINE))
         process = self.run_command(CMAKE, "--preset", "release",
                                    f"-DPOVRAY_TARBALL={cache['POVRAY_TARBALL'] or cache['TILT_LENS_DOWNLOADS']}",
-                                   cwd=self.folder / archive.name.removesuffix(".tar.xz"), timeout=300)
+                                   cwd=self.folder / archive.name.removesuffix(".tar.xz"))
         self.assert_succeeds(process)
         self.assertNotIn("CMake Warning", process.stderr)
 

@@ -12,6 +12,7 @@ import time
 import unittest
 
 from tests.setup.harness import BUILD, REPOSITORY, SetupTest
+from tests.waiting import PATIENCE
 
 SCENE = """#version 3.7;
 global_settings { assumed_gamma 1 charset utf8 }
@@ -162,7 +163,7 @@ class Signals(RenderTest):
         with subprocess.Popen([self.copy / "render", "s.pov", "+W640", "+H480", "Declare=A=1"], cwd=self.place, text=True,
                               stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True,
                               env={**os.environ, "DISPLAY": ""}) as process:
-            deadline = time.monotonic() + 50
+            deadline = time.monotonic() + PATIENCE
             while not (state.exists() and state.stat().st_size > 2000):
                 if process.poll() is not None or time.monotonic() > deadline:
                     process.terminate()

@@ -21,7 +21,7 @@ def told(program, scene, files):
         folder = pathlib.Path(name)
         for path, text in files.items():
             (folder / path).write_bytes(text.encode())
-        _, said = rendering.Job(scene, ("-F", "+WT1", "All_Console=On"), width=4, height=3).attempt(folder, 100)
+        _, said = rendering.Job(scene, ("-F", "+WT1", "All_Console=On"), width=4, height=3).attempt(folder)
         return [line for line in said.splitlines() if "TOLD" in line or "Error:" in line]
 
 

@@ -12,6 +12,7 @@ import tempfile
 import time
 
 from tests.render import rendering, scenes
+from tests.waiting import PATIENCE
 
 KILLS = 50
 SIZE = {"width": 96, "height": 72}
@@ -29,7 +30,7 @@ def use(setup):
     rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
 
 
-def run(folder, scene, *options, limit=300, through=(), **how):
+def run(folder, scene, *options, through=(), **how):
     """Renders in a folder, through a command that starts others, with any extras for Popen; the exit code and what
     was said."""
     job = rendering.Job(scene, options, **how.pop("size", SIZE))
@@ -38,7 +39,7 @@ def run(folder, scene, *options, limit=300, through=(), **how):
     settings = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, **how}
     process = subprocess.Popen([*through, *job.command()], cwd=folder, env={**os.environ, "POVINI": str(folder / "none.ini")}, **settings)
     try:
-        said = process.communicate(timeout=limit)[0]
+        said = process.communicate(timeout=PATIENCE)[0]
     except subprocess.TimeoutExpired:
         process.kill()
         process.communicate()

@@ -55,9 +55,11 @@ def grammar(setup, work, tree, count):
         accepted = [o.text for o in outcomes if o.answer == "lens"]
         return {**blocks.tally(outcomes), "pictures": len(accepted), "bad_pictures": frames.render(povray, accepted)}
 
-    tallies = harness.in_parallel(4 * setup.jobs, lambda seed: harness.once(work, f"blocks-{count}-{seed}",
-                                                                          [povray, parser, *SCRIPTS], lambda: shard(seed)),
-                                 range(1, 1 + max(1, count // SHARD)))
+    def once(seed):
+        return harness.once(work, f"blocks-{count}-{seed}", [povray, parser, *SCRIPTS], lambda: shard(seed),
+                            lambda tally: tally["bad"] + tally["bad_pictures"])
+
+    tallies = harness.in_parallel(4 * setup.jobs, once, range(1, 1 + max(1, count // SHARD)))
     total = {"blocks": 0, "pictures": 0, "counts": {}, "bad": [], "sanitized": tree != setup.build}
     for tally in tallies:
         total["blocks"] += tally["blocks"]

@@ -21,6 +21,7 @@ class Setup:
 
     build: pathlib.Path  # the release build
     jobs: int = os.cpu_count() or 1
+    unfinished: pathlib.Path | None = None  # where unfinished work is kept; without it in the build
 
     @property
     def povray(self):
@@ -38,7 +39,7 @@ class Setup:
 
     def work(self, part):
         """The folder for a part's unfinished work."""
-        folder = self.build / "stress" / part
+        folder = (self.unfinished or self.build / "stress") / part
         folder.mkdir(parents=True, exist_ok=True)
         return folder
 
@@ -56,17 +57,22 @@ def load(part):
     return json.loads(path.read_text()) if path.is_file() else None
 
 
-def once(folder, name, made_with, make):
-    """The result of make(), or the stored one if the same program and scripts made it before."""
+def once(folder, name, made_with, make, faults):
+    """The result of make(), or the stored one if the same program and scripts made it before. A result with faults, which
+    faults(result) lists, is not stored: the next run makes it again."""
     digest = hashlib.sha256()
     for path in made_with:
         digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())
     path = folder / f"{name}-{digest.hexdigest()[:12]}.json"
-    if not path.is_file():
+    if path.is_file():
+        return json.loads(path.read_text())
+    text = json.dumps(make())
+    result = json.loads(text)
+    if not faults(result):
         part = path.with_suffix(".part")
-        part.write_text(json.dumps(make()))
+        part.write_text(text)
         part.rename(path)
-    return json.loads(path.read_text())
+    return result
 
 
 def output(command):

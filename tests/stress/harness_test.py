@@ -3,13 +3,14 @@
 """Tests of the stress run itself: results of other programs, findings that must be reported, CPU time against waiting."""
 
 import pathlib
-import random
 import sys
 import tempfile
 import time
+import types
 import unittest
+import unittest.mock
 
-from tests.stress import fuzz, harness, rays, reports, sanitizers, soak, watch
+from tests.stress import fuzz, harness, rays, reports, run, sanitizers, soak, watch
 
 OURS = "/src/povray-src/povray/source/backend/scene/tilt_lens_camera.cpp:30"
 UPSTREAM = "/build/upstream/povray/source/backend/lighting/media.cpp:12"
@@ -71,13 +72,14 @@ class Once(unittest.TestCase):
         self.program.write_bytes(b"one")
         self.script.write_text("a")
         self.made = 0
+        self.faulty = ()
 
     def ask(self, name="x"):
         """What once() says; each making has a number."""
         def make():
             self.made += 1
             return self.made
-        return harness.once(self.folder, name, [self.program, self.script], make)
+        return harness.once(self.folder, name, [self.program, self.script], make, lambda number: number in self.faulty)
 
     def test_same_files(self):
         self.assertEqual([self.ask(), self.ask(), self.ask("other"), self.ask()], [1, 1, 2, 1])
@@ -94,10 +96,42 @@ class Once(unittest.TestCase):
         self.script.write_text("b")
         self.assertEqual(self.ask(), 2)
 
-    def test_what_failed_is_not_kept(self):
+    def test_what_could_not_be_made_is_not_kept(self):
         with self.assertRaises(ZeroDivisionError):
-            harness.once(self.folder, "x", [self.program, self.script], lambda: 1 / 0)
+            harness.once(self.folder, "x", [self.program, self.script], lambda: 1 / 0, lambda result: [])
         self.assertEqual(self.ask(), 1)
+
+    def test_what_has_faults_is_not_kept(self):
+        self.faulty = (1, 2)
+        self.assertEqual([self.ask(), self.ask(), self.ask(), self.ask()], [1, 2, 3, 3])
+
+
+class Runs(unittest.TestCase):
+    """Of a part whose results have the faults that they are."""
+
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory(prefix="tilt_lens.")
+        self.addCleanup(holder.cleanup)
+        folder = pathlib.Path(holder.name)
+        self.setup = harness.Setup(folder)
+        results = iter((["broken"], [], ["broken again"]))
+        self.part = types.SimpleNamespace(faults=lambda result: result, measure=lambda setup, **_: harness.once(
+            setup.work("part"), "x", [__file__], lambda: next(results), self.part.faults))
+        for place, name, value in ((run.importlib, "import_module", lambda _: self.part), (harness, "RESULTS", folder / "results"),
+                                   (run, "QUICK", {"part": {}})):
+            patch = unittest.mock.patch.object(place, name, value)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def test_short_forms_take_nothing_from_another_run(self):
+        self.assertEqual([run.quickly(self.setup, ["part"]) for _ in range(3)], [["part: broken"], [], ["part: broken again"]])
+        self.assertIsNone(harness.load("part"))
+
+    def test_long_forms_keep_what_is_without_faults(self):
+        self.assertEqual(run.at_length(self.setup, ["part"]), ["part: broken"])
+        self.assertIsNone(harness.load("part"))
+        self.assertEqual([run.at_length(self.setup, ["part"]) for _ in range(2)], [[], []])
+        self.assertEqual(harness.load("part"), [])
 
 
 class Corpus(unittest.TestCase):
@@ -115,42 +149,26 @@ class Corpus(unittest.TestCase):
 
 
 class Soak(unittest.TestCase):
-    """A picture that is done early says nothing of an hour; memory that grows is told from memory taken at once."""
+    """What is left behind again and again is told from what is allocated once."""
 
-    def faults(self, **large):
-        flat = {"exit": 0, "course": self.course(lambda i: 20000)}
-        return soak.faults({"animation": {**flat, "frames": 9},
-                            "large": {**flat, "processor_seconds": 60, "asked_seconds": 60, **large}})
+    def faults(self, frame=0, tile=0, pixel=0, once=0):
+        """Of runs that leave so many bytes behind each time."""
+        rows = (384, 1536)
+        return soak.faults({"frames": [{"frames": n, "kept": 4000 + once * (n > 10) + n * frame, "most": 9000} for n in (10, 20)],
+                            "rows": [{"rows": n, "kept": 4000 + n // soak.TILE * tile,
+                                      "most": 9000 + (soak.PIXEL + pixel) * soak.WIDTH * n} for n in rows]})
 
-    @staticmethod
-    def course(kib):
-        """Of a run of 60 measurings."""
-        return [{"seconds": i, "kib": kib(i)} for i in range(60)]
+    def test_nothing_is_left(self):
+        self.assertEqual(self.faults(), [])
+        self.assertEqual(self.faults(once=64), [])
 
-    def test_an_hour_is_an_hour(self):
-        self.assertEqual(self.faults(processor_seconds=60, exit=-9), [])
-        self.assertEqual(len(self.faults(processor_seconds=59)), 1)
+    def test_the_smallest_block(self):
+        for fault in ({"frame": soak.SMALLEST}, {"tile": soak.SMALLEST}, {"pixel": 9}):
+            self.assertEqual(len(self.faults(**fault)), 1, fault)
 
-    def test_what_is_left_behind_again_and_again(self):
-        self.assertEqual(soak.growth(self.course(lambda i: 20000 + 30*i)), 5*5*30)
-        self.assertEqual(len(self.faults(course=self.course(lambda i: 20000 + 30*i))), 1)
-        self.assertEqual(len(self.faults(course=self.course(lambda i: 20000 + 300*(i//4)))), 1)
-
-    def test_what_is_taken_at_once(self):
-        for at in range(60):
-            self.assertEqual(self.faults(course=self.course(lambda i, at=at: 20000 + 9000*(i >= at))), [])
-        self.assertEqual(self.faults(course=self.course(lambda i: 20000*min(i, 29))), [])
-
-    def test_what_is_taken_and_given_back(self):
-        """Memory that goes up and down by some hundreds of KiB, without and with something left behind each time."""
-        for seed in range(100):
-            noise = random.Random(seed)
-            up_and_down = [noise.gauss(0, 200) for _ in range(60)]
-            self.assertEqual(self.faults(course=self.course(lambda i, noise=up_and_down: 20000 + round(noise[i]))), [], seed)
-            self.assertEqual(len(self.faults(course=self.course(lambda i, noise=up_and_down: 20000 + round(noise[i]) + 100*i))), 1, seed)
-
-    def test_a_run_of_few_measurings(self):
-        self.assertEqual(len(self.faults(course=self.course(lambda i: 20000)[:23])), 1)
+    def test_counts_among_messages(self):
+        one, two = ('{"jemalloc":{"stats":{"allocated":%d}}}' % number for number in (5, 7))
+        self.assertEqual(soak.counts(f"Parsing...\n{one}\n{two[:20]}Done.{two[20:]}\n{two}{one}"), [5, 7, 5])
 
 
 class Findings(unittest.TestCase):

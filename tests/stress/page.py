@@ -181,18 +181,16 @@ def faults_section(result):
 
 
 def soak_section(result):
-    """Memory over time."""
-    text = "\n## Memory over time\n\n| run | elapsed s | CPU | peak | growth in the second half |\n| --- | --: | --: | --: | --: |\n"
-    for title, row in ((f"{result['animation']['frames']} frames of 16 by 12", result["animation"]),
-                       (f"one picture of {result['large']['width']} by {result['large']['height']}"
-                        f"{', ended there' if result['large']['exit'] else ''}",
-                        result["large"])):
-        text += (f"| {title} | {row['seconds']} | {row['processor_seconds']} s | {row['peak_kib'] / 1024:.1f} MiB | "
-                 f"{soak.growth(row['course'])} KiB |\n")
-    if "heap" in result:
-        text += (f"\nheaptrack: the memory held at the end grows by {result['heap']['bytes_per_frame']} bytes for each additional frame "
-                 f"({result['heap']['frames']} frames, and twice as many).\n")
-    return text
+    """Memory that is not given back."""
+    text = ("\n## Memory over time\n\nBytes that the allocator has given and not got back, by its own count.\n\n"
+            "| run | at the end | most at a time |\n| --- | --: | --: |\n")
+    for row in result["frames"]:
+        text += f"| {row['frames']} frames of 16 by 12 | {row['kept']:,} | {row['most']:,} |\n"
+    for row in result["rows"]:
+        text += f"| one picture of {soak.WIDTH} by {row['rows']} | {row['kept']:,} | {row['most']:,} |\n"
+    few, many = result["rows"]
+    each = (many["most"] - few["most"]) / soak.WIDTH / (many["rows"] - few["rows"])
+    return text + f"\nA pixel more takes {each:.1f} bytes while the picture is rendered; as stored it has {soak.PIXEL}.\n"
 
 
 def scale_section(result):

@@ -39,7 +39,8 @@ def measure(setup, cameras=RANDOM, extreme=EXTREME, shard=SHARD):
 
     def run(job):
         name, count, seed = job
-        return harness.once(work, f"{name}-{count}-{seed}", [tool], lambda: harness.output([tool, name, count, seed]))
+        return harness.once(work, f"{name}-{count}-{seed}", [tool], lambda: harness.output([tool, name, count, seed]),
+                            lambda tally: faults({name: merge([tally])}))
 
     tallies = harness.in_parallel(setup.jobs, run, jobs)
     result = {"random": merge([t for j, t in zip(jobs, tallies) if j[0] == "random"])}

@@ -8,7 +8,7 @@ from tests.stress import harness
 def measure(setup, log2_samples=20):
     """What the program finds."""
     tool = setup.tool("stress_sampler")
-    return harness.once(setup.work("sampler"), str(log2_samples), [tool], lambda: harness.output([tool, log2_samples]))
+    return harness.once(setup.work("sampler"), str(log2_samples), [tool], lambda: harness.output([tool, log2_samples]), faults)
 
 
 def faults(result):

@@ -119,7 +119,8 @@ def program_rows(setup, tree, tool, threads):
                 return watched(what, tool, commands(povray), folder, folder, suppressions=number > 0)
 
         rows.append(harness.once(setup.work("sanitizers"), f"{tree.name}{number}",
-                                [program, __file__, reports.__file__, *sorted(reports.SUPPRESSIONS.iterdir())], run))
+                                [program, __file__, reports.__file__, *sorted(reports.SUPPRESSIONS.iterdir())], run,
+                                lambda row: faults({"rows": [row]})))
     return rows
 
 

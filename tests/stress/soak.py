@@ -1,25 +1,34 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Memory over time: an animation of many tiny frames, and one large picture, each in one process. For the
-large picture, CPU time counts, because a waiting program allocates nothing."""
+"""Memory that is not given back: by the frames of an animation, by the tiles of a picture, and while a picture is rendered.
 
-import itertools
-import re
-import statistics
+The program's allocator, jemalloc, counts what is allocated. Its counts depend neither on time nor on load: what a frame or a tile
+leaves behind makes the count at the end larger by at least the smallest block for each of them.
+"""
+
+import json
+import os
+import pathlib
 import subprocess
 import tempfile
-import pathlib
 
 from tests.render import scenes
-from tests.stress import harness, watch
+from tests.stress import harness
+from tests.waiting import PATIENCE
 
-FRAMES, SECONDS = 1000, 3600
+FRAMES, ROWS = (250, 500), (1536, 12288)
+SMALLEST = 8  # bytes of jemalloc's smallest block
+WIDTH, TILE = 64, 32
+PIXEL = 20  # bytes of a stored pixel: five floats
+# jemalloc's counts as JSON on standard error: at the end, and after each megabyte that is allocated. Without the caches of the
+# threads, whose blocks would count as allocated.
+COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-MOVING = (HEAD + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4 blades 5, 10", samples="blur_samples 8, 32 ",
-                               tail="bokeh { pigment { gradient x } }").replace("blades 5, 10", "") + scenes.WORLD)
+MOVING = (HEAD + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4", samples="blur_samples 8, 32 ",
+                               tail="bokeh { pigment { gradient x } }") + scenes.WORLD)
 # no sky in it: all tiles weigh alike
-LARGE = """camera { right x*image_width/image_height location <0.4, 3, -3.5> look_at <0, 0, 0.2> angle 45 aperture 0.3
-  blur_samples 64, 512 confidence 0.9 variance 1/15000 tilt_lens { tilt 4 swing 2 blades 7 } }
+LARGE = HEAD + """camera { right x*image_width/image_height location <0.4, 3, -3.5> look_at <0, 0, 0.2> angle 45 aperture 0.3
+  blur_samples 4, 16 confidence 0.9 variance 1/1500 tilt_lens { tilt 4 swing 2 blades 7 } }
 plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> scale 0.5 } normal { bumps 0.1 scale 0.05 }
   finish { ambient 0.1 diffuse 0.8 reflection 0.05 } }
 sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } finish { reflection 0.3 phong 0.5 } }
@@ -32,106 +41,58 @@ background { rgb <0.3, 0.5, 0.8> }
 """
 
 
-def command(setup, *options):
-    """Two threads, which share the sampler's blocks."""
-    return [str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "+WT2", *options]
+def counts(said):
+    """The bytes that were allocated at each count. A count that a message of the program tore apart is left out."""
+    found, at = [], said.find('{"jemalloc"')
+    while at >= 0:
+        try:
+            found.append(json.JSONDecoder().raw_decode(said, at)[0]["jemalloc"]["stats"]["allocated"])
+        except json.JSONDecodeError:
+            pass
+        at = said.find('{"jemalloc"', at + 1)
+    return found
 
 
-def growth(course):
-    """KiB of resident memory that the second half of a run gained: the lesser of two estimates, because each errs in its own way.
-    What is left behind is left again and again; an allocator takes much at once, now and then, which the first does not see, and
-    gives it back soon, which the second does not see."""
-    second = course[len(course) // 2:]
-    return min(by_steps([point["kib"] for point in second]), by_slopes([(point["seconds"], point["kib"]) for point in second]))
-
-
-def by_steps(sizes):
-    """By the medians of six parts, five times the usual step."""
-    size = len(sizes) // 6
-    parts = [statistics.median_low(sizes[i * size:(i + 1) * size]) for i in range(6)]
-    return 5 * statistics.median_low([after - before for before, after in zip(parts, parts[1:])])
-
-
-def by_slopes(points):
-    """By the median slope of all pairs of points (Theil and Sen's estimator)."""
-    slopes = [(kib - before) / (t - start) for (start, before), (t, kib) in itertools.combinations(points, 2) if t > start]
-    return round(statistics.median(slopes) * (points[-1][0] - points[0][0])) if slopes else 0
-
-
-def summary(watched, **more):
-    """What is kept of a run."""
-    return {"seconds": round(watched.seconds), "processor_seconds": round(watched.cpu), "peak_kib": watched.peak,
-            "exit": watched.returncode,
-            "course": [{"seconds": t, "kib": m} for t, _, m in watched.course[::max(1, len(watched.course) // 100)]], **more}
-
-
-def animation(setup, frames):
-    """So many tiny frames in one process."""
+def render(setup, scene, *options):
+    """Bytes that are allocated at the program's end, and the most at a time."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        folder = pathlib.Path(name)
-        (folder / "scene.pov").write_text(MOVING)
-        watched = watch.watch(command(setup, "+W16", "+H12", f"+KFF{frames}", "+KF6.28"), folder / "said.txt", 0.05, cwd=folder)
-        done = len(list(folder.glob("picture*.png")))
-    return summary(watched, frames=done)
+        (pathlib.Path(name) / "scene.pov").write_text(scene)
+        command = [str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "-V", "-GA", *options]
+        done = subprocess.run(command, cwd=name, env={**os.environ, "MALLOC_CONF": COUNTS}, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=PATIENCE, check=False)
+    said = done.stderr.decode(errors="replace")
+    found = counts(said)
+    if done.returncode != 0 or not found:
+        raise RuntimeError(f"{' '.join(command)}: exit code {done.returncode}, {len(found)} counts\n{said[-1500:]}")
+    return {"kept": found[-1], "most": max(found)}
 
 
-def large_picture(setup, seconds):
-    """One picture, stopped after so many seconds of processor time if it is not done."""
-    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        folder = pathlib.Path(name)
-        (folder / "scene.pov").write_text(HEAD + LARGE)
-        # so narrow that what the blocks along a row of tiles need is taken in a small part of the time
-        size = ("+W8000", "+H6000") if seconds > 300 else ("+W160", "+H6000")
-        watched = watch.watch(command(setup, *size), folder / "said.txt", max(0.2, seconds / 720), seconds, cwd=folder)
-    return summary(watched, width=int(size[0][2:]), height=int(size[1][2:]), asked_seconds=seconds)
-
-
-def heap(setup, frames):
-    """heaptrack over an animation: what is still held at the end, for each frame more."""
-    held = []
-    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        folder = pathlib.Path(name)
-        (folder / "scene.pov").write_text(MOVING)
-        for count in (frames, 2 * frames):
-            out = folder / f"heap{count}"
-            subprocess.run(["heaptrack", "-o", str(out), *command(setup, "+W16", "+H12", f"+KFF{count}", "+KF6.28")],
-                           cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=True)
-            data = next(folder.glob(f"heap{count}.*"))
-            said = subprocess.run(["heaptrack_print", str(data)], capture_output=True, text=True, check=True).stdout
-            found = re.search(r"total memory leaked: ([\d.]+)([KMG]?)B?", said)
-            held.append(float(found[1]) * {"": 1, "K": 1e3, "M": 1e6, "G": 1e9}[found[2]])
-    return {"frames": frames, "held_bytes": held, "bytes_per_frame": round((held[1] - held[0]) / frames)}
-
-
-def measure(setup, frames=FRAMES, seconds=SECONDS, heap_frames=50):
-    """All of it; without heaptrack where the number of its frames is 0."""
+def measure(setup, frames=FRAMES, rows=ROWS):
+    """Animations of so many frames, by two threads, and pictures of so many rows. One thread renders the pictures: how much memory
+    two hold at a time depends on which is faster."""
     work = setup.work("soak")
-    parts = {"large": (seconds, large_picture), "animation": (frames, animation), "heap": (heap_frames, heap)}
-    wanted = [(name, size, run) for name, (size, run) in parts.items() if size]
 
-    def made(part):
-        name, size, run = part
-        return harness.once(work, f"{name}-{size}", [setup.povray, __file__], lambda: run(setup, size))
+    def made(name, number, scene, *options):
+        result = harness.once(work, f"{name}-{number}", [setup.povray, __file__, scenes.__file__], lambda: render(setup, scene, *options),
+                              lambda result: [])
+        return {name: number, **result}
 
-    return dict(zip([name for name, _, _ in wanted], harness.in_parallel(setup.jobs, made, wanted)))
+    return {"frames": [made("frames", n, MOVING, "+WT2", "+W16", "+H12", f"+KFF{n}", "+KF6.28") for n in frames],
+            "rows": [made("rows", n, LARGE, "+WT1", f"+W{WIDTH}", f"+H{n}", f"+BS{TILE}") for n in rows]}
 
 
 def faults(result):
     """What breaks the promises, in words."""
     found = []
-    animation_, large = result["animation"], result["large"]
-    if animation_["exit"] != 0:
-        found.append(f"animation: exit code {animation_['exit']}, {animation_['frames']} frames")
-    if large["exit"] not in (0, -9):
-        found.append(f"large picture: exit code {large['exit']}")
-    # what a frame leaves behind would be there a thousand times
-    for name, course in (("animation", animation_["course"]), ("large picture", large["course"])):
-        if len(course) < 24:
-            found.append(f"{name}: memory measured {len(course)} times, 24 are needed; make it longer")
-        elif growth(course) > 512:
-            found.append(f"{name}: {growth(course)} KiB more in the second half")
-    if large["processor_seconds"] < large["asked_seconds"]:
-        found.append(f"large picture: done after {large['processor_seconds']} of {large['asked_seconds']} seconds; make it larger")
-    if "heap" in result and result["heap"]["bytes_per_frame"] > 1000:
-        found.append(f"heap: {result['heap']['bytes_per_frame']} bytes a frame are not freed")
+    for name, size in (("frames", 1), ("rows", TILE)):
+        few, many = result[name]
+        kept, more = many["kept"] - few["kept"], many[name] - few[name]
+        if kept >= SMALLEST * more // size:
+            found.append(f"{kept} bytes more are allocated at the end after {more} more {name}")
+    few, many = result["rows"]
+    # beyond the picture itself less than a number of eight bytes for each pixel
+    pixels = WIDTH * (many["rows"] - few["rows"])
+    held = many["most"] - few["most"]
+    if held > (PIXEL + 8) * pixels:
+        found.append(f"{held} bytes more are allocated at a time for {pixels} more pixels")
     return found

@@ -10,6 +10,8 @@ import re
 import shutil
 import subprocess
 
+from tests.waiting import PATIENCE
+
 # Outcomes, as words for people and as exit codes for tests.
 OUTCOMES = {
     "same": 0,
@@ -46,7 +48,6 @@ class Render:
     width: int
     height: int
     options: list = dataclasses.field(default_factory=list)
-    timeout: float = 300.0
 
 
 def sources(scene):
@@ -83,9 +84,9 @@ def render(job, folder, output):
     try:
         with log.open("wb") as messages:
             done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=messages,
-                                  stderr=subprocess.STDOUT, timeout=job.timeout, check=False)
+                                  stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
     except subprocess.TimeoutExpired:
-        reason = f"no picture after {job.timeout:.0f} s; messages in {log}"
+        reason = f"no picture after {PATIENCE} s; messages in {log}"
         raise Trouble("timeout", reason) from None
     except OSError as error:
         raise Trouble("failure", f"cannot run {job.povray}: {error.strerror}") from None

@@ -1,0 +1,44 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Runs tests one after the other and prints the processor time of each: python3 -m tests.processor_times [OPTION OF CTEST...].
+
+Tests that take more than 15 s belong to the slow ones (slow_tests() in tests/CMakeLists.txt). Nothing fails here: processor
+time depends on the machine, and somewhat on what else runs.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import time
+
+from tools.repository import BUILD
+
+LIMIT = 15  # seconds
+
+
+def tests(options):
+    """Name, command, environment, folder and labels of each test that CTest chooses."""
+    told = subprocess.run(["ctest", "--show-only=json-v1", *options], cwd=BUILD, capture_output=True, check=True).stdout
+    for test in json.loads(told)["tests"]:
+        properties = {entry["name"]: entry["value"] for entry in test.get("properties", ())}
+        environment = dict(setting.split("=", 1) for setting in properties.get("ENVIRONMENT", ()))
+        yield test["name"], test["command"], environment, properties.get("WORKING_DIRECTORY", BUILD), properties.get("LABELS", ())
+
+
+def main():
+    """The command."""
+    for name, command, environment, folder, labels in tests(sys.argv[1:]):
+        before, begin = os.times(), time.monotonic()
+        done = subprocess.run(command, cwd=folder, env={**os.environ, **environment}, stdin=subprocess.DEVNULL, capture_output=True,
+                              check=False)
+        after = os.times()
+        seconds = after.children_user + after.children_system - before.children_user - before.children_system
+        remarks = ["failed"] if done.returncode else []
+        if seconds > LIMIT and "slow" not in labels:
+            remarks.append("not among the slow tests")
+        print(f"{seconds:8.1f} s of processor time, {time.monotonic() - begin:8.1f} s in all  {name}  {', '.join(remarks)}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
