@@ -5,8 +5,9 @@
 import os
 
 from tools.focus import scene_file, scene_text
-from tools.focus.povray import Render, RenderError
+from tools.focus.povray import Render
 from tools.focus.scene_text import EditError
+from tools.focus.tasks import ended, started
 
 
 class Editor:
@@ -14,33 +15,46 @@ class Editor:
 
     def __init__(self, session):
         self.session = session
+        self.task = None  # the last of them; each begins when the one before it is over
+
+    def start(self, request):
+        """Puts the block into the scene's file."""
+        self.begin(lambda: self.write(request))
+
+    def start_undo(self):
+        """Takes the last change of the file back."""
+        self.begin(self.undo)
+
+    def begin(self, work):
+        """Begins something when the one before it is over."""
+        self.task = started(self.answered(work, self.task))
+
+    async def answered(self, work, previous):
+        """Does it, and tells the page what has become of the file."""
+        await ended(previous)
+        try:
+            told = await work()
+        except Exception as error:  # pylint: disable=broad-except
+            told = {"state": "refused", "reason": self.session.described(error)["message"]}
+        await self.session.tell("file", **told)
 
     async def write(self, request):
-        """Puts the block into the scene's file."""
+        """Changes the file; returns the answer to the page."""
         session = self.session
-        try:
-            await self.renew_record()
-            camera = self.camera_to_change()
-            text = session.file.text()
-            if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
-                raise EditError("the camera's tilt_lens block comes from a macro or another file")
-            text = scene_text.with_block(text, camera["line"], request["block"], request["items"])
-            await self.check(text, request["expect"])
-            kept = session.file.replace(text)
-        except (EditError, RenderError, OSError) as error:
-            reason = error.message if isinstance(error, RenderError) else str(error)
-            await session.tell("file", state="refused", reason=reason)
-            return
-        await session.tell("file", state="written", kept=kept)
+        await self.renew_record()
+        camera = self.camera_to_change()
+        before = session.file.bytes()
+        text = session.file.decoded(before)
+        if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
+            raise EditError("the camera's tilt_lens block comes from a macro or another file")
+        after = session.file.encoded(scene_text.with_block(text, camera["line"], request["block"], request["items"]))
+        await self.check(after, request["expect"])
+        return {"state": "written", "kept": session.file.replace(before, after)}
 
     async def undo(self):
-        """Takes the last change of the file back."""
-        try:
-            self.session.file.undo()
-        except (EditError, OSError) as error:
-            await self.session.tell("file", state="refused", reason=str(error))
-            return
-        await self.session.tell("file", state="undone")
+        """Puts the file back as it was; returns the answer to the page."""
+        self.session.file.undo()
+        return {"state": "undone"}
 
     async def look_at(self, path, name):
         """What the program tells of the cameras of a file, by one pixel of it."""
@@ -77,11 +91,11 @@ class Editor:
             raise EditError("the camera is scaled")
         return camera
 
-    async def check(self, text, expected):
-        """@throws EditError  unless the program finds the wanted lens in the changed text"""
+    async def check(self, data, expected):
+        """@throws EditError  unless the program finds the wanted lens in the changed scene"""
         session = self.session
         path = session.folder / "changed.pov"
-        path.write_bytes(session.file.encoded(text))
+        path.write_bytes(data)
         found = await self.look_at(path, "changed")
         camera = found["view"] if session.chosen is None else found["cameras"][session.chosen]
         wrong = scene_file.differences(camera, expected)
