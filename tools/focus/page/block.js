@@ -9,6 +9,10 @@ import { angleOfView, planeOf, turnOf } from "./lens.js";
 export const FORMS = { points: "three points", plane: "plane", angles: "angles" };
 const DIGITS = 7;
 
+/// What of the block a program must find in the scene: of each, and by family.
+const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
+const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"] };
+
 /// A number with few digits, for a length of this size: what is only rounding beside it is 0.
 export function rounded(value, size = Math.abs(value)) {
     if (!(size > 0) || Math.abs(value) < 1e-9 * size)
@@ -63,6 +67,8 @@ function focusItems(block) {
     return [block.tilt && `tilt ${text(block.tilt)}`, block.swing && `swing ${text(block.swing)}`];
 }
 
+const expected = block => Object.fromEntries([...EXPECTED, ...FOCUS[block.family]].map(name => [name, block[name]]));
+
 /// @returns { block: text, items: camera items (text, or null: must go), expect: what a program must find in the scene }
 export function describe(model, form) {
     const said = roundedBlock(model, form), { camera } = model;
@@ -94,7 +100,7 @@ export function describe(model, form) {
     return {
         block: `tilt_lens {\n${lines.map(line => `  ${line}`).join("\n")}\n}`,
         items,
-        expect: { block: said, camera: { location: camera.location, direction, right: camera.right, up: camera.up } },
+        expect: { block: expected(said), camera: { location: camera.location, direction, right: camera.right, up: camera.up } },
     };
 }
 
