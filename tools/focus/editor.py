@@ -19,27 +19,35 @@ class Editor:
 
     def start(self, request):
         """Puts the block into the scene's file."""
-        self.begin(lambda: self.write(request))
+        self.begin(lambda: self.write(request), "refused", self.tell_all)
 
     def start_undo(self):
         """Takes the last change of the file back."""
-        self.begin(self.undo)
+        self.begin(self.undo, "refused", self.tell_all)
 
-    def begin(self, work):
+    def start_trial(self, request, tell):
+        """Finds out whether the block would do in the scene's file; `tell` takes the answer."""
+        self.begin(lambda: self.tried(request), "untried", tell)
+
+    async def tell_all(self, told):
+        """Tells all pages what has become of the file."""
+        await self.session.tell("file", **told)
+
+    def begin(self, work, failed, tell):
         """Begins something when the one before it is over."""
-        self.task = started(self.answered(work, self.task))
+        self.task = started(self.answered(work, failed, tell, self.task))
 
-    async def answered(self, work, previous):
-        """Does it, and tells the page what has become of the file."""
+    async def answered(self, work, failed, tell, previous):
+        """Does it, and tells what has become of it."""
         await ended(previous)
         try:
             told = await work()
         except Exception as error:  # pylint: disable=broad-except
-            told = {"state": "refused", "reason": self.session.described(error)["message"]}
-        await self.session.tell("file", **told)
+            told = {"state": failed, "reason": self.session.described(error)["message"]}
+        await tell(told)
 
-    async def write(self, request):
-        """Changes the file; returns the answer to the page."""
+    async def change(self, request):
+        """The contents of the scene's file as they are, and with the block, in which the program has found the page's lens."""
         session = self.session
         await self.renew_record()
         camera = self.camera_to_change()
@@ -49,7 +57,16 @@ class Editor:
             raise EditError("the camera's tilt_lens block comes from a macro or another file")
         after = session.file.encoded(scene_text.with_block(text, camera["line"], request["block"], request["items"]))
         await self.check(after, request["expect"])
-        return {"state": "written", "kept": session.file.replace(before, after)}
+        return before, after
+
+    async def write(self, request):
+        """Changes the file; returns the answer to the page."""
+        return {"state": "written", "kept": self.session.file.replace(*await self.change(request))}
+
+    async def tried(self, request):
+        """Changes nothing; returns the answer to the page."""
+        await self.change(request)
+        return {"state": "tried"}
 
     async def undo(self):
         """Puts the file back as it was; returns the answer to the page."""
@@ -87,8 +104,6 @@ class Editor:
         camera = cameras[index]
         if not session.is_own(camera):
             raise EditError(f"the camera stands in another file, {os.path.basename(camera['file'])}")
-        if camera["block"] and abs(camera["block"]["scale"] - 1) > 1e-9:
-            raise EditError("the camera is scaled")
         return camera
 
     async def check(self, data, expected):

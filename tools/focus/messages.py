@@ -91,6 +91,7 @@ MESSAGES = {
     },
     "stop": {},
     "write": CHANGE,
+    "try": CHANGE,
     "undo": {},
 }
 OPTIONAL = {"preview"}  # messages whose parts may be missing

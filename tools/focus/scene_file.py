@@ -8,6 +8,8 @@ import os
 import re
 import shutil
 
+import numpy
+
 from tools.focus import replacing, scene_text
 from tools.focus.scene_text import EditError
 
@@ -16,7 +18,7 @@ ENCODING = "latin-1"  # every byte is a character, so that what is not changed s
 # what says where the focus lies, by family
 FOCUS = {
     "lensTurn": ("tilt", "swing", "focalPoint"),
-    "plane": ("planeNormal", "planeDistance"),
+    "plane": ("plane",),
     "points": ("points",),
 }
 LENS = ("filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle")
@@ -37,6 +39,19 @@ def same(a, b):
     return len(a) == len(b) and all(abs(x - y) <= 1e-6 * size for x, y in zip(a, b))
 
 
+def seen_from(location, block):
+    """A block with its focus as the lens sees it, in which far numbers count no more than near ones; in units of the world."""
+    found = {**block, "sceneUnit": block["sceneUnit"] / block.get("scale", 1)}
+    if block["family"] == "plane":
+        normal = numpy.array(block["planeNormal"]) / numpy.linalg.norm(block["planeNormal"])
+        found["plane"] = list(normal / (block["planeDistance"] - normal @ location))
+    elif block["family"] == "points":
+        found["points"] = [list(numpy.subtract(point, location)) for point in block["points"]]
+    else:
+        found["focalPoint"] = list(numpy.subtract(block["focalPoint"], location))
+    return found
+
+
 def differences(camera, expected):
     """Names of what a camera, as the program tells it, has otherwise than expected."""
     block, wanted = camera["block"], expected["block"]
@@ -47,6 +62,7 @@ def differences(camera, expected):
     wrong = [name for name in CAMERA if not same(camera[name], expected["camera"][name])]
     if block["focalLength"] is not None and "direction" in wrong:
         wrong.remove("direction")  # its length is left to the lens
+    block, wanted = (seen_from(numpy.array(part["location"]), each) for part, each in ((camera, block), (expected["camera"], wanted)))
     return wrong + [name for name in (*LENS, *FOCUS[wanted["family"]]) if not same(block[name], wanted[name])]
 
 

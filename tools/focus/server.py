@@ -174,11 +174,11 @@ class Server:
         """Does what a page asks for, or ends the connection."""
         try:
             what, message = messages.read(text)
-            getattr(self, f"do_{what}")(message)
+            getattr(self, f"do_{what}")(message, peer)
         except messages.BadRequest:
             await peer.close(1008, b"bad request")
 
-    def do_preview(self, message):
+    def do_preview(self, message, _peer):
         """A preview with this camera, this clock, or the scene's own."""
         session = self.session
         chosen = message.get("chosen")
@@ -189,20 +189,29 @@ class Server:
             session.chosen = int(chosen)
         session.start_preview(message.get("camera"))
 
-    def do_render(self, message):
+    def do_render(self, message, _peer):
         """The true picture."""
         messages.need(self.session.record)
         self.session.picture.start(messages.picture(message, self.session.kept_in_picture()))
 
-    def do_stop(self, _message):
+    def do_stop(self, _message, _peer):
         """Stops the true picture."""
         self.session.picture.stop()
 
-    def do_write(self, message):
+    def do_write(self, message, _peer):
         """Writes the block into the scene."""
         messages.need(self.session.record)
         self.session.editor.start(message)
 
-    def do_undo(self, _message):
+    def do_try(self, message, peer):
+        """Finds out for one page whether the block would do in the scene."""
+        messages.need(self.session.record)
+
+        async def tell(told):
+            self.put({"type": "file", **told}, [peer])
+
+        self.session.editor.start_trial(message, tell)
+
+    def do_undo(self, _message, _peer):
         """Takes the last change of the scene back."""
         self.session.editor.start_undo()

@@ -111,7 +111,7 @@ function takeView(view) {
         model.changed();
         return;
     }
-    live.focusIsOpen = model.take(view);
+    model.take(view);
     model.remember();
 }
 
@@ -131,7 +131,7 @@ function takePreviewState(message) {
     status(changedFiles && "this is the new preview.");
     changedFiles = "";
     live.end();
-    if (live.focusIsOpen && blur.values)
+    if (model.open && blur.values)
         supposeFocus();
     else if (model.lens && blur.lens)
         showSide();
@@ -139,7 +139,6 @@ function takePreviewState(message) {
 
 /// Without a lens in the scene: focus on what the middle of the picture shows, or near it.
 function supposeFocus() {
-    live.focusIsOpen = false;
     for (const [x, y] of [[0, 0], [0, -0.15], [0, -0.3], [0.2, -0.2], [-0.2, -0.2], [0, -0.45], [0, 0.2]]) {
         const point = live.surfaceAt(x, y);
         if (point) {
@@ -148,6 +147,7 @@ function supposeFocus() {
             return;
         }
     }
+    model.open = false;
 }
 
 function complain(error) {

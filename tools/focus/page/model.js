@@ -38,17 +38,18 @@ export class Model {
         this.real = null;       // a lens of tilt_lens.inc
         this.changed = () => {};
         this.past = [];
+        this.open = false;      // whether the focus waits for what the preview shows, since neither scene nor user says it
     }
 
     /// Takes note of what the scene's camera has by itself.
     note({ aperture, direction, right, bokeh }) {
-        this.given = { aperture: aperture > 0, angle: angleOfView({ direction, right, axis: axesOf(this.camera).axis }), bokeh };
+        this.given = { aperture: aperture > 0, direction, right, bokeh };
     }
 
-    /// Takes a camera as the program tells it. @returns whether the focus is still open, for want of a block
+    /// Takes a camera as the program tells it.
     take(view) {
-        const { location, direction, right, up, sky } = view;
-        this.camera = { location, direction, right, up, sky };
+        const { location, direction, right, up, sky, matrix, inverse, scale } = view;
+        this.camera = { location, direction, right, up, sky, place: { matrix, inverse, scale } };
         this.note(view);
         this.picks = [];
         this.mode = "one";
@@ -74,7 +75,6 @@ export class Model {
         block.fStop ??= this.stopOfAperture() ?? START_STOP;
         this.lens = null;
         this.resolve();
-        return this.open;
     }
 
     /// The f-number of a lens that the camera's `aperture` gives, or null.
@@ -91,13 +91,17 @@ export class Model {
 
     /// First focus and scale of a scene without a lens: on what its middle shows, as if it were a model on a table.
     suppose(point) {
-        this.open = false;
-        const distance = length(subtract(point, this.camera.location));
-        this.block.sceneUnit = roundly(MODEL_DISTANCE / distance);
-        this.block.fStop = START_STOP;
+        this.close(point);
         this.block.focalPoint = point;
         this.picks = [point];
         this.resolve();
+    }
+
+    /// The focus does not wait any more; a scale that nobody has chosen is that of such a model.
+    close(point) {
+        if (this.open && this.block.sceneUnit === PLAIN.sceneUnit)
+            this.block.sceneUnit = roundly(MODEL_DISTANCE / length(subtract(point, this.camera.location)));
+        this.open = false;
     }
 
     /// Solves the block; keeps the last lens where there is none.
@@ -209,6 +213,7 @@ export class Model {
         const points = this.planePoints();
         if (!this.picks.length)
             return;
+        this.close(this.picks[0]);
         this.change(block => {
             if (points) {
                 block.family = "points";
@@ -246,6 +251,7 @@ export class Model {
     /// Turns the lens, or the plane of sharp focus, about a point of that plane.
     turn(family, part, value) {
         const anchor = this.anchor();
+        this.close(anchor);
         const now = family === "lensTurn" ? turnOf(this.lens) : focusTurnOf(this.lens);
         const said = this.block.family === family && this.error;
         this.mode = "one";

@@ -4,6 +4,7 @@
 /// The true picture: asks the program for it, shows it as it grows, over the live one.
 
 import { describe } from "./block.js";
+import { WORLD } from "./place.js";
 
 const READING = "Reading the scene …";
 const WIDTHS = [320, 640, 960, 1280, 1920, 2560, 3840];
@@ -23,7 +24,7 @@ export function buildTruth(find, stage, model, previewSize, ask) {
         return option;
     }));
     find("render").onclick = () => {
-        const { block, items } = describe(model, "plane"), width = Number(find("width").value), size = previewSize();
+        const { block, items } = describe(model, "plane", WORLD), width = Number(find("width").value), size = previewSize();
         const { location, right, up, unshifted } = model.lens;
         said.textContent = READING;  // at once: what was said of the picture before holds no more
         ask({

@@ -57,6 +57,20 @@ std::string Number(const std::optional<double>& value) { return value ? Number(*
 
 std::string Vector(const Vec3& v) { return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]"; }
 
+/// Four rows; a point is the row in front of the matrix.
+std::string Matrix(const MATRIX& m)
+{
+    std::string text;
+    for (const auto& row : m)
+    {
+        text += text.empty() ? "[" : ", ";
+        for (int i = 0; i < 4; i++)
+            text += (i == 0 ? "[" : ", ") + Number(row[i]);
+        text += "]";
+    }
+    return text + "]";
+}
+
 const char* Truth(bool value) { return value ? "true" : "false"; }
 
 /// In quotation marks, all but printable ASCII escaped.
@@ -133,6 +147,8 @@ std::string Described(const Camera& camera)
            ", \"up\": " + Vector(FromPov(camera.Up)) + ", \"sky\": " + Vector(FromPov(camera.Sky)) +
            ", \"focusDistance\": " + Number(camera.Focal_Distance) + ", \"aperture\": " + Number(camera.Aperture) +
            ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
+           ", \"matrix\": " + Matrix(camera.Trans->matrix) + ", \"inverse\": " + Matrix(camera.Trans->inverse) +
+           ", \"scale\": " + Number(camera.TiltLens.statement.scale) +
            ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
 
