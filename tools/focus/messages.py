@@ -127,8 +127,9 @@ def read(sent):
 
 
 def picture(message, kept):
-    """What a true picture is rendered with; `kept` are further items of the block."""
+    """What a true picture is rendered with; `kept` are further items of the block, and `lens` is what the page knows it by."""
     point = message["items"].get("focal_point")
     more = [f"focal_point {point}"] if point else []
     inside = "\n".join([QUALITIES[int(message["quality"])], *more, with_items(message["block"], kept)])
-    return {"size": [int(side) for side in message["size"]], "camera": message["camera"], "inside": inside}
+    lens = {"camera": message["camera"], "block": message["block"]}
+    return {"size": [int(side) for side in message["size"]], "camera": message["camera"], "inside": inside, "lens": lens}

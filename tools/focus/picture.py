@@ -52,7 +52,8 @@ class TruePicture:
 
         async def state(name, **more):
             share, seconds = covered / (width * height), time.monotonic() - begun
-            await session.tell("picture", number=number, size=[width, height], state=name, share=share, seconds=seconds, **more)
+            told = {"number": number, "size": [width, height], "lens": request["lens"], "state": name, "share": share, "seconds": seconds}
+            await session.tell("picture", **told, **more)
 
         async def on_tile(tile):
             nonlocal covered

@@ -35,6 +35,7 @@ model.changed = () => {
     stage.show();
     say();
     text.show();
+    truth.show();
     if (live.show())
         showSide();
 };
