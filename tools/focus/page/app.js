@@ -215,7 +215,7 @@ function listen() {
     find("third").onchange = event => model.setThird(event.target.value);
     find("back").onclick = () => model.back();
     document.onkeydown = event => {
-        if ((event.ctrlKey || event.metaKey) && event.key === "z" && event.target.type !== "number") {
+        if ((event.ctrlKey || event.metaKey) && event.key === "z" && event.target.type !== "text") {
             event.preventDefault();
             model.back();
         }

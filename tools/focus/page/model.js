@@ -32,6 +32,7 @@ export class Model {
         this.block = null;
         this.lens = null;
         this.error = null;
+        this.refused = {};      // knob -> why its last number was not taken
         this.mode = "one";      // or "three"
         this.third = "picked";  // or "level", "upright", "film"
         this.picks = [];
@@ -51,6 +52,7 @@ export class Model {
         const { location, direction, right, up, sky, matrix, inverse, scale } = view;
         this.camera = { location, direction, right, up, sky, place: { matrix, inverse, scale } };
         this.note(view);
+        this.refused = {};
         this.picks = [];
         this.mode = "one";
         this.third = "picked";
@@ -117,8 +119,15 @@ export class Model {
         this.changed();
     }
 
+    /// Says beside a knob why what was asked for is not done.
+    refuse(knob, words) {
+        this.refused = { [knob]: words };
+        this.changed();
+    }
+
     /// Makes a change; a state that cannot be is shown as an error and left at the next change.
     change(what) {
+        this.refused = {};
         if (!this.error)
             this.good = { block: structuredClone(this.block), camera: structuredClone(this.camera) };
         what(this.block);
@@ -140,7 +149,7 @@ export class Model {
         const now = this.past.length > 1 ? (this.past.pop(), this.past.at(-1)) : null;
         if (!now)
             return false;
-        Object.assign(this, JSON.parse(now));
+        Object.assign(this, JSON.parse(now), { refused: {} });
         this.resolve();
         return true;
     }
@@ -319,18 +328,18 @@ export class Model {
 
     /// What the chosen real lens cannot do, and what is unusual: knob -> words.
     remarks() {
-        const said = {}, { real, block, lens } = this;
+        const { real, block, lens } = this, said = { ...this.refused };
         if (!lens)
             return said;
         const turn = wholeTurnOf(lens), shift = Math.hypot(...block.shift);
         if (real && turn > real.tilt + 1e-6)
-            said.turn = `This needs ${turn.toFixed(1)}°. The real lens tilts up to ${real.tilt}°.`;
+            said.turn ??= `This needs ${turn.toFixed(1)}°. The real lens tilts up to ${real.tilt}°.`;
         else if (turn > 15)
-            said.turn = `${turn.toFixed(1)}° is much; real lenses stop at about 10°.`;
+            said.turn ??= `${turn.toFixed(1)}° is much; real lenses stop at about 10°.`;
         if (real && shift > real.shift + 1e-6)
-            said.shift = `${shift.toFixed(1)} mm. The real lens shifts up to ${real.shift} mm.`;
+            said.shift ??= `${shift.toFixed(1)} mm. The real lens shifts up to ${real.shift} mm.`;
         if (real && block.fStop < real.fStop - 1e-6)
-            said.fStop = `The real lens opens to f/${real.fStop} only.`;
+            said.fStop ??= `The real lens opens to f/${real.fStop} only.`;
         return said;
     }
 

@@ -5,12 +5,14 @@
 
 import { FORMS, copyText, describe } from "./block.js";
 
+const sentence = words => words.replace(/\.?$/, ".");
+
 const WORDS = {
     written: ({ kept }) => `Written. The scene as it was is kept as ${kept}.`,
     undone: () => "The scene is as it was before.",
     tried: () => "It belongs into the camera of your scene; tried there, it makes this lens.",
-    untried: ({ reason }) => `It could not be tried in the scene: ${reason}.`,
-    refused: ({ reason }) => `Not written: ${reason}. Copy the text and put it in by hand.`,
+    untried: ({ reason }) => `It could not be tried in the scene: ${sentence(reason)}`,
+    refused: ({ reason }) => `Not written: ${sentence(reason)} Copy the text and put it in by hand.`,
 };
 
 /// @param kept  () -> items of the scene's own block that stay in it, as text
