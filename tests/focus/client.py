@@ -67,7 +67,9 @@ class Page:
 
     def write(self, **parts):
         """A request to write a block into the scene."""
-        return self.ask("write", **{"block": PLANE, "items": {}, "expect": {"block": EXPECTED, "camera": self.camera()}, **parts})
+        expect = {"block": EXPECTED, "camera": self.camera()}
+        whole = {"block": PLANE, "items": {}, "expect": expect, "behind": {"block": PLANE, "expect": expect}}
+        return self.ask("write", **{**whole, **parts})
 
 
 @contextlib.asynccontextmanager

@@ -11,7 +11,7 @@ from tests.focus.harness import PageTest
 EARLY_CLICK = """
 const done = arguments[0];
 import(new URL("page/model.js", document.location)).then(({ Model }) => {
-    const model = new Model(), page = focusPage.model, view = { ...page.camera, ...page.camera.place, aperture: 0, block: null };
+    const model = new Model(), page = focusPage.model, view = { ...page.camera, ...page.place, aperture: 0, block: null };
     model.take(view);
     const before = model.open;
     model.pick(page.picks[0]);
@@ -22,7 +22,7 @@ import(new URL("page/model.js", document.location)).then(({ Model }) => {
 
 class Typed(PageTest):
     def said(self, knob):
-        """What is said beside a knob."""
+        """The remark beside a knob."""
         return self.run("return document.getElementById(arguments[0]).closest('.knob').querySelector('.said').textContent", knob)
 
     def typed(self, knob, words):

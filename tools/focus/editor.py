@@ -5,7 +5,7 @@
 import os
 
 from tools.focus import scene_file, scene_text
-from tools.focus.povray import Render
+from tools.focus.povray import Render, RenderError
 from tools.focus.scene_text import EditError
 from tools.focus.tasks import ended, started
 
@@ -15,6 +15,7 @@ class Editor:
 
     def __init__(self, session):
         self.session = session
+        self.added = 0  # cameras that the last change has added before the one that has the lens
         self.task = None  # the last of them; each begins when the one before it is over
 
     def start(self, request):
@@ -47,21 +48,39 @@ class Editor:
         await tell(told)
 
     async def change(self, request):
-        """The contents of the scene's file as they are, and with the block, in which the program has found the page's lens."""
+        """The contents of the scene's file as they are, and with the block, in which the program has found the page's lens;
+        and how many cameras were added before the one that has it."""
         session = self.session
         await self.renew_record()
-        camera = self.camera_to_change()
-        before = session.file.bytes()
-        text = session.file.decoded(before)
+        index = self.index_to_change()
+        camera, before = session.record["cameras"][index], session.file.bytes()
+        text, behind = session.file.decoded(before), request["behind"]
+        reason = None
+        for added, changed, expected in (
+            (0, lambda: self.in_camera(camera, text, request), request["expect"]),
+            (1, lambda: scene_text.behind_camera(text, camera["line"], behind["block"]), behind["expect"]),
+        ):
+            try:
+                after = session.file.encoded(changed())
+                await self.check(after, camera, added, expected)
+                return before, after, added
+            except (EditError, RenderError) as error:
+                reason = reason or error
+        raise reason
+
+    @staticmethod
+    def in_camera(camera, text, request):
+        """The scene's text with the block in the camera, in place of the old one."""
         if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
             raise EditError("the camera's tilt_lens block comes from a macro or another file")
-        after = session.file.encoded(scene_text.with_block(text, camera["line"], request["block"], request["items"]))
-        await self.check(after, request["expect"])
-        return before, after
+        return scene_text.with_block(text, camera["line"], request["block"], request["items"])
 
     async def write(self, request):
         """Changes the file; returns the answer to the page."""
-        return {"state": "written", "kept": self.session.file.replace(*await self.change(request))}
+        before, after, added = await self.change(request)
+        kept = self.session.file.replace(before, after)
+        self.choose(added)
+        return {"state": "written", "kept": kept, "chosen": self.session.chosen}
 
     async def tried(self, request):
         """Changes nothing; returns the answer to the page."""
@@ -71,7 +90,14 @@ class Editor:
     async def undo(self):
         """Puts the file back as it was; returns the answer to the page."""
         self.session.file.undo()
-        return {"state": "undone"}
+        self.choose(-self.added)
+        return {"state": "undone", "chosen": self.session.chosen}
+
+    def choose(self, added):
+        """Goes on with the same camera where cameras were added before it."""
+        self.added = added
+        if self.session.chosen is not None:
+            self.session.chosen += added
 
     async def look_at(self, path, name):
         """What the program tells of the cameras of a file, by one pixel of it."""
@@ -92,8 +118,8 @@ class Editor:
         if session.record_stamp != stamp:
             session.take_record(await self.look_at(session.settings.scene, "renewed"), stamp)
 
-    def camera_to_change(self):
-        """The camera statement that the page shows.
+    def index_to_change(self):
+        """Index of the camera statement that the page shows.
         @throws EditError  where there is none that can be changed"""
         session = self.session
         cameras, index = session.record["cameras"], session.chosen
@@ -104,15 +130,18 @@ class Editor:
         camera = cameras[index]
         if not session.is_own(camera):
             raise EditError(f"the camera stands in another file, {os.path.basename(camera['file'])}")
-        return camera
+        return index
 
-    async def check(self, data, expected):
-        """@throws EditError  unless the program finds the wanted lens in the changed scene"""
+    async def check(self, data, old, added, expected):
+        """@throws EditError  unless the program finds the wanted lens, and what the page does not write, in the changed scene"""
         session = self.session
         path = session.folder / "changed.pov"
         path.write_bytes(data)
         found = await self.look_at(path, "changed")
-        camera = found["view"] if session.chosen is None else found["cameras"][session.chosen]
+        camera = found["view"] if session.chosen is None else found["cameras"][session.chosen + added]
+        lost = set(old["words"]) & {*scene_text.KEPT, *scene_text.REFUSED} - set(camera["words"])
+        if lost:
+            raise EditError("the changed scene would lose " + ", ".join(sorted(lost)))
         wrong = scene_file.differences(camera, expected)
         if wrong:
             raise EditError("the changed scene would have another " + ", ".join(wrong))

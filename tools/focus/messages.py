@@ -79,7 +79,8 @@ FOCUS = {
     "points": {"points": values(VECTOR, 3)},
 }
 EXPECTED = {"anyOf": [record(family={"const": family}, **LENS, **focus) for family, focus in FOCUS.items()]}
-CHANGE = {"block": BLOCK, "items": ITEMS, "expect": record(block=EXPECTED, camera=CAMERA)}
+EXPECT = record(block=EXPECTED, camera=CAMERA)
+CHANGE = {"block": BLOCK, "items": ITEMS, "expect": EXPECT, "behind": record(block=BLOCK, expect=EXPECT)}
 MESSAGES = {
     "preview": {"camera": CAMERA, "clock": NUMBER, "chosen": {"anyOf": [{"type": "integer", "minimum": 0}, {"type": "null"}]}},
     "render": {
@@ -127,7 +128,7 @@ def read(sent):
 
 
 def picture(message, kept):
-    """What a true picture is rendered with; `kept` are further items of the block, and `lens` is what the page knows it by."""
+    """The parts of a true picture's scene; `kept` are further items of the block. By `lens` the page knows the picture again."""
     point = message["items"].get("focal_point")
     more = [f"focal_point {point}"] if point else []
     inside = "\n".join([QUALITIES[int(message["quality"])], *more, with_items(message["block"], kept)])

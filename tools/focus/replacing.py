@@ -35,7 +35,7 @@ def require_same(found, expected):
 
 
 def contents(path):
-    """What a file holds."""
+    """The bytes of a file."""
     with in_words(f"{os.path.basename(path)} cannot be read"), open(path, "rb") as stream:
         return stream.read()
 

@@ -166,6 +166,21 @@ def with_block(text, line, block, items):
     return text[: opening + 1] + with_block_in(body, block, line_indent(text, word), newline_of(text)) + text[end:]
 
 
+def behind_camera(text, line, block):
+    """The scene's text with one more camera behind the one whose closing brace stands in a line: the same, but for this block
+    in place of its own, which may come from a macro or have directives.
+    @throws EditError"""
+    word, _, end = camera_at(text, line)
+    if re.search(r"[=(,]\s*$", blanked(text)[:word]):
+        raise EditError("the camera is part of a declaration")
+    number = 1
+    while re.search(rf"\b{(name := f'Focus_Camera_{number}')}\b", text):
+        number += 1
+    indent, newline = line_indent(text, word), newline_of(text)
+    lines = [f"{indent}camera {{", f"{indent}  {name}", indented(block, indent + "  ", newline), indent + "}"]
+    return f"{text[:word]}#declare {name} = {text[word : end + 1]}{newline}{newline.join(lines)}{text[end + 1 :]}"
+
+
 def with_block_in(body, block, indent, newline):
     """A camera's text with another block, or with one more; `indent` is that of the camera's line."""
     old = block_in(body)

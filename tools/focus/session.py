@@ -202,8 +202,8 @@ class Session:
     def kept_in_picture(self):
         """Such items of the camera that the page shows, which the true picture has as well."""
         index = self.index_in_use() if self.chosen is None else self.chosen
-        found = [] if index is None else self.kept(self.record["cameras"][index])
-        return [item for item in found if item.split()[0] not in scene_text.AIDS]
+        found = [self.kept(camera) for camera in self.record["cameras"][index : index + 1]] if index is not None else []
+        return [item for items in found for item in items if item.split()[0] not in scene_text.AIDS]
 
     async def tell_scene(self):
         """Tells the page of the scene and its cameras."""

@@ -138,6 +138,13 @@ function takePreviewState(message) {
         showSide();
 }
 
+function takeFileState(message) {
+    if (!text.take(message) || message.again)
+        return;
+    ownChange = true;
+    chosen = message.chosen;
+}
+
 /// Without a lens in the scene: focus on what the middle of the picture shows, or near it.
 function supposeFocus() {
     for (const [x, y] of [[0, 0], [0, -0.15], [0, -0.3], [0.2, -0.2], [-0.2, -0.2], [0, -0.45], [0, 0.2]]) {
@@ -173,7 +180,7 @@ const takes = {
     scene: takeScene,
     preview: takePreviewState,
     error: complain,
-    file: message => text.take(message) && (ownChange = !message.again),
+    file: takeFileState,
     picture: message => truth.take(message),
     progress: message => message.share < 1 && status(`preview ${Math.floor(100 * message.share)} %`),
     changed: message => (changedFiles = message.files.join(", ")),

@@ -5,7 +5,7 @@
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
 import { planeOf, turnOf } from "./lens.js";
-import { movedDirection, movedPoint, planeBefore } from "./place.js";
+import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 
 export const FORMS = { points: "three points", plane: "plane", angles: "angles" };
 const DIGITS = 7;
@@ -93,7 +93,7 @@ const angleOf = ({ direction, right }, { inverse }) =>
 
 /// @param place  the coordinates that the text is for: those in which the camera's items are written, or WORLD
 /// @returns { block: text, items: camera items (text, or null: must go), expect: what a program must find in the scene }
-export function describe(model, form, place = model.camera.place) {
+export function describe(model, form, place = model.place) {
     const said = roundedBlock(model, form, place), { camera } = model;
     const lines = [
         said.sceneUnit !== 1000 && `scene_unit ${text(said.sceneUnit)}`,
@@ -124,6 +124,13 @@ export function describe(model, form, place = model.camera.place) {
         items,
         expect: { block: expected(said, place), camera: { location: camera.location, direction, right: camera.right, up: camera.up } },
     };
+}
+
+/// What the program is asked to write: the text for the camera, and the block for a camera of this one's name that has no
+/// transformations of its own, for which there are no camera items.
+export function change(model, form) {
+    const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
+    return { ...describe(model, form), behind: { block, expect } };
 }
 
 /// The text to copy: camera items, then the block.

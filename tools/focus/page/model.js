@@ -43,14 +43,15 @@ export class Model {
     }
 
     /// Takes note of what the scene's camera has by itself.
-    note({ aperture, direction, right, bokeh }) {
+    note({ aperture, direction, right, bokeh, matrix, inverse, scale }) {
         this.given = { aperture: aperture > 0, direction, right, bokeh };
+        this.place = { matrix, inverse, scale };
     }
 
     /// Takes a camera as the program tells it.
     take(view) {
-        const { location, direction, right, up, sky, matrix, inverse, scale } = view;
-        this.camera = { location, direction, right, up, sky, place: { matrix, inverse, scale } };
+        const { location, direction, right, up, sky } = view;
+        this.camera = { location, direction, right, up, sky };
         this.note(view);
         this.refused = {};
         this.picks = [];

@@ -3,7 +3,7 @@
 
 /// The lens as text for the scene: its form, copying it, writing it into the scene's file.
 
-import { FORMS, copyText, describe } from "./block.js";
+import { FORMS, change, copyText, describe } from "./block.js";
 
 const sentence = words => words.replace(/\.?$/, ".");
 
@@ -46,9 +46,9 @@ export function buildText(find, model, kept, ask) {
             copied = "The browser does not let this page copy. The text is marked: press Ctrl-C.";
         }
         said.textContent = `${copied} Trying it in the scene …`;
-        ask({ do: "try", ...describe(model, form) });
+        ask({ do: "try", ...change(model, form) });
     };
-    find("write").onclick = () => ask({ do: "write", ...describe(model, form) });
+    find("write").onclick = () => ask({ do: "write", ...change(model, form) });
     find("undo").onclick = () => ask({ do: "undo" });
 
     return {

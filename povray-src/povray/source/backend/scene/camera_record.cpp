@@ -111,6 +111,14 @@ std::string Block(const Statement& s)
            ", \"scale\": " + Number(s.scale) + "}";
 }
 
+std::string Words(const std::set<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "\"" : ", \"") + word + "\"";
+    return "[" + text + "]";
+}
+
 /// The statement of a solved camera with a point or a plane in place of where the film stands.
 Statement WithFocus(const Camera& camera)
 {
@@ -149,6 +157,7 @@ std::string Described(const Camera& camera)
            ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
            ", \"matrix\": " + Matrix(camera.Trans->matrix) + ", \"inverse\": " + Matrix(camera.Trans->inverse) +
            ", \"scale\": " + Number(camera.TiltLens.statement.scale) +
+           ", \"words\": " + Words(camera.TiltLens.words) +
            ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
 
