@@ -3,7 +3,7 @@
 """A true picture of another lens than the page shows says so, also on a page that comes later."""
 
 from tests.focus import harness
-from tests.focus.harness import PageTest
+from tests.focus.harness import SCENE, PageTest
 
 OTHER = "Of another lens: render again."
 
@@ -16,7 +16,7 @@ class Stale(PageTest):
         return dimmed
 
     def test_the_picture_of_another_lens_says_so(self):
-        address = self.open(self.scene())
+        address = self.open(self.scene(SCENE.replace("angle 45", "angle 45 focal_point <0, 1, 0> tilt_lens { scene_unit 100 f_stop 8 }")))
         self.set_number("fStop", 1)
         self.choose("quality", 0)
         self.true_picture(160)
