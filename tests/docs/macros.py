@@ -341,12 +341,32 @@ class Macros(rendering.RenderTest):
         lens = report("Tilt_Lens_Facade(<-3, 1.7, -15>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>, 1000, 4)")
         for point in ((-4, 1, 3), (12, 10, 3)):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
-        for camera, words in (("<0, 0, 9>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>", "units before the facade"),
-                              ("<0, 0, -9>, <12, 1, 3>, <-4, 1, 3>, <12, 10, 3>", "units before the facade"),
+        for camera, words in (("<0, 0, 3>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>", "Location is 0.0000 units before the facade"),
+                              ("<0, 0, 9>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>", "Lower_Left is to the right of Lower_Right"),
+                              ("<0, 0, -9>, <12, 1, 3>, <-4, 1, 3>, <12, 10, 3>", "Lower_Left is to the right of Lower_Right"),
                               ("<0, 0, -9>, <-4, 1, 3>, <12, 1, 3>, <0, 10, 3>", "angle at Lower_Left is 66.038 degrees. It must be 90"),
                               ("<0, 0, -9>, <-4, 1, 3>, <-4, 1, 3>, <-4, 10, 3>", "two of the corners are the same point")):
             said = " ".join(refusal(f"Tilt_Lens_Facade({camera}, 1000, 0)")[1].split())
             self.assertIn(words, said, f"{camera}: {said}")
+
+    def test_facade_in_cameras_of_both_hands(self):
+        """The corners are those that the camera sees, whichever way its right and its sky point."""
+        rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
+        for upward, forward, hand in (("y", "z", "x"), ("y", "-z", "-x"), ("z", "y", "-x"), ("z", "-y", "x")):
+            def place(a, b, c, upward=upward, forward=forward):
+                return f"({a}*x + {b}*{upward} + {c}*{forward})"
+
+            marks = "".join(f"sphere {{ {place(a, b, 3)}, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
+                            for a, b, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z")))
+            corners = f"{place(-4, 1, 3)}, {place(12, 1, 3)}, {place(-4, 10, 3)}"
+            for moved in ("", "rotate <10, 40, 20>"):
+                camera = f"camera {{ right {hand}*image_width/image_height Tilt_Lens_Facade({place(-3, 1.7, -15)}, {corners}, 1000, 0) {moved} }}"
+                scene = f"{INCLUDE}#declare Tilt_Lens_Sky = {upward};\n{camera}\nunion {{ {marks} {moved} }}\n"
+                picture = rendering.render(scene, "+A0.01", "+R3", width=160, height=90)
+                for colour, corner in enumerate(((0, 90), (160, 90), (0, 0))):
+                    lit = [(a, b) for a in range(160) for b in range(90) if picture.pixel(a, b)[colour] > 0.5]
+                    self.assertTrue(lit, f"{camera}: no corner {colour}")
+                    self.assertLess(max(math.dist((a + 0.5, b + 0.5), corner) for a, b in lit), 6, f"{camera}: {colour}")
 
     def test_aperture(self):
         """The number for aperture is the lens of that f-number."""

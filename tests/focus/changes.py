@@ -53,7 +53,7 @@ class Changes(PageTest):
     def test_what_would_be_a_guess_is_not_written(self):
         for block, said in (
             ("#if (1) tilt_lens { f_stop 2 } #end", "has another"),
-            ("tilt_lens { #if (1) f_stop 2 #end }", "directives"),
+            ("tilt_lens { #if (1) f_stop 2 denoise off #end }", "directives"),
         ):
             scene = self.with_lens(block)
             text = scene.read_text()

@@ -9,7 +9,7 @@ SMALLEST = 24  # pixels: what a finger hits (WCAG 2.2, target size)
 
 # The smallest side of what can be touched; sliders and boxes count with their labels.
 TARGETS = """
-return [...document.querySelectorAll("button, select, a[href], input[type=number], .switch label")].filter(e => e.checkVisibility()).map(e => {
+return [...document.querySelectorAll("button, select, a[href], input[inputmode], .switch label")].filter(e => e.checkVisibility()).map(e => {
     const box = e.getBoundingClientRect();
     return [Math.min(box.width, box.height), e.id || e.textContent];
 });

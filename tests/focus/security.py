@@ -4,17 +4,17 @@
 
 import asyncio
 import http.client
-import os
 import pathlib
 import signal
 import time
 import urllib.parse
 
 from tests.focus import harness
-from tests.focus.harness import SMALL, FocusTest
+from tests.focus.client import ClientTest
+from tests.focus.harness import SMALL
 
 
-class Security(FocusTest):
+class Security(ClientTest):
     def ask(self, address, path=None, method="GET", **headers):
         """Status, headers and body of one request; the path is sent as it is."""
         parts = urllib.parse.urlsplit(address)
@@ -94,18 +94,6 @@ class Security(FocusTest):
                 self.assertIn(asyncio.run(closes(message)), (1008, 1009, 1006))
         self.assertEqual(self.ask(address)[0], 200)
         self.assertNotIn("Traceback", self.evidence())
-
-    def left(self):
-        """Files in the temporary folder, and processes that work in the test's folder."""
-        found = list((self.folder / "tmp").iterdir())
-        for name in filter(str.isdigit, os.listdir("/proc")):
-            try:
-                words = pathlib.Path(f"/proc/{name}/cmdline").read_bytes()
-            except OSError:
-                continue
-            if str(self.folder).encode() in words and b"chrom" not in words:
-                found.append(words)
-        return found
 
     def test_ctrl_c_leaves_no_process_and_no_file(self):
         slow = harness.SCENE.replace("plane { y", "media { scattering { 1, 1 } intervals 50 samples 100 } plane { y")

@@ -79,6 +79,11 @@ class Messages(unittest.TestCase):
         error = povray.error_in("x\nFile '/a/b.pov' line 7: Parse Error: Missing }, found\n  this instead\nFatal error in parser: y\n")
         self.assertEqual((error.file, error.line, error.message), ("/a/b.pov", 7, "Missing }, found this instead"))
 
+    def test_an_error_in_a_file_of_a_long_name_has_its_file_and_line(self):
+        said = "File 'x' line 2: Parse Warning: odd\nFile '/a long\n name/%s\n%s.pov'\n line 7: Parse\n Error: Missing }\nRender failed\n"
+        error = povray.error_in(said % (70 * "a", 70 * "b"))
+        self.assertEqual((error.file, error.line, error.message), (f"/a long name/{70 * 'a'}{70 * 'b'}.pov", 7, "Missing }"))
+
     def test_anything_else_is_told_by_its_end(self):
         self.assertIn("three", povray.error_in("one\ntwo\nthree\n").message)
 

@@ -7,6 +7,7 @@ import os
 from tools.focus import scene_file, scene_text
 from tools.focus.povray import Render, RenderError
 from tools.focus.scene_text import EditError
+from tools.focus.tasks import ended, started
 
 
 class Editor:
@@ -14,33 +15,89 @@ class Editor:
 
     def __init__(self, session):
         self.session = session
+        self.added = 0  # cameras that the last change has added before the one that has the lens
+        self.task = None  # the last of them; each begins when the one before it is over
+
+    def start(self, request):
+        """Puts the block into the scene's file."""
+        self.begin(lambda: self.write(request), "refused", self.tell_all)
+
+    def start_undo(self):
+        """Takes the last change of the file back."""
+        self.begin(self.undo, "refused", self.tell_all)
+
+    def start_trial(self, request, tell):
+        """Finds out whether the block would do in the scene's file; `tell` takes the answer."""
+        self.begin(lambda: self.tried(request), "untried", tell)
+
+    async def tell_all(self, told):
+        """Tells all pages what has become of the file."""
+        await self.session.tell("file", **told)
+
+    def begin(self, work, failed, tell):
+        """Begins something when the one before it is over."""
+        self.task = started(self.answered(work, failed, tell, self.task))
+
+    async def answered(self, work, failed, tell, previous):
+        """Does it, and tells what has become of it."""
+        await ended(previous)
+        try:
+            told = await work()
+        except Exception as error:  # pylint: disable=broad-except
+            told = {"state": failed, "reason": self.session.described(error)["message"]}
+        await tell(told)
+
+    async def change(self, request):
+        """The contents of the scene's file as they are, and with the block, in which the program has found the page's lens;
+        and how many cameras were added before the one that has it."""
+        session = self.session
+        await self.renew_record()
+        index = self.index_to_change()
+        camera, before = session.record["cameras"][index], session.file.bytes()
+        text, behind = session.file.decoded(before), request["behind"]
+        reason = None
+        for added, changed, expected in (
+            (0, lambda: self.in_camera(camera, text, request), request["expect"]),
+            (1, lambda: scene_text.behind_camera(text, camera["line"], behind["block"]), behind["expect"]),
+        ):
+            try:
+                after = session.file.encoded(changed())
+                await self.check(after, camera, added, expected)
+                return before, after, added
+            except (EditError, RenderError) as error:
+                reason = reason or error
+        raise reason
+
+    @staticmethod
+    def in_camera(camera, text, request):
+        """The scene's text with the block in the camera, in place of the old one."""
+        if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
+            raise EditError("the camera's tilt_lens block comes from a macro or another file")
+        return scene_text.with_block(text, camera["line"], request["block"], request["items"])
 
     async def write(self, request):
-        """Puts the block into the scene's file."""
-        session = self.session
-        try:
-            await self.renew_record()
-            camera = self.camera_to_change()
-            text = session.file.text()
-            if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
-                raise EditError("the camera's tilt_lens block comes from a macro or another file")
-            text = scene_text.with_block(text, camera["line"], request["block"], request["items"])
-            await self.check(text, request["expect"])
-            kept = session.file.replace(text)
-        except (EditError, RenderError, OSError) as error:
-            reason = error.message if isinstance(error, RenderError) else str(error)
-            await session.tell("file", state="refused", reason=reason)
-            return
-        await session.tell("file", state="written", kept=kept)
+        """Changes the file; returns the answer to the page."""
+        before, after, added = await self.change(request)
+        kept = self.session.file.replace(before, after)
+        self.choose(added)
+        return {"state": "written", "kept": kept, "chosen": self.session.chosen}
+
+    async def tried(self, request):
+        """Changes nothing; returns the answer to the page."""
+        await self.change(request)
+        return {"state": "tried"}
 
     async def undo(self):
-        """Takes the last change of the file back."""
-        try:
-            self.session.file.undo()
-        except (EditError, OSError) as error:
-            await self.session.tell("file", state="refused", reason=str(error))
-            return
-        await self.session.tell("file", state="undone")
+        """Puts the file back as it was; returns the answer to the page."""
+        self.session.file.undo()
+        self.choose(-self.added)
+        return {"state": "undone", "chosen": self.session.chosen}
+
+    def choose(self, added):
+        """Goes on with the same camera where cameras were added before it."""
+        self.added = added
+        if self.session.chosen is not None:
+            self.session.chosen += added
 
     async def look_at(self, path, name):
         """What the program tells of the cameras of a file, by one pixel of it."""
@@ -61,8 +118,8 @@ class Editor:
         if session.record_stamp != stamp:
             session.take_record(await self.look_at(session.settings.scene, "renewed"), stamp)
 
-    def camera_to_change(self):
-        """The camera statement that the page shows.
+    def index_to_change(self):
+        """Index of the camera statement that the page shows.
         @throws EditError  where there is none that can be changed"""
         session = self.session
         cameras, index = session.record["cameras"], session.chosen
@@ -73,17 +130,18 @@ class Editor:
         camera = cameras[index]
         if not session.is_own(camera):
             raise EditError(f"the camera stands in another file, {os.path.basename(camera['file'])}")
-        if camera["block"] and abs(camera["block"]["scale"] - 1) > 1e-9:
-            raise EditError("the camera is scaled")
-        return camera
+        return index
 
-    async def check(self, text, expected):
-        """@throws EditError  unless the program finds the wanted lens in the changed text"""
+    async def check(self, data, old, added, expected):
+        """@throws EditError  unless the program finds the wanted lens, and what the page does not write, in the changed scene"""
         session = self.session
         path = session.folder / "changed.pov"
-        path.write_bytes(session.file.encoded(text))
+        path.write_bytes(data)
         found = await self.look_at(path, "changed")
-        camera = found["view"] if session.chosen is None else found["cameras"][session.chosen]
+        camera = found["view"] if session.chosen is None else found["cameras"][session.chosen + added]
+        lost = set(old["words"]) & {*scene_text.KEPT, *scene_text.REFUSED} - set(camera["words"])
+        if lost:
+            raise EditError("the changed scene would lose " + ", ".join(sorted(lost)))
         wrong = scene_file.differences(camera, expected)
         if wrong:
             raise EditError("the changed scene would have another " + ", ".join(wrong))

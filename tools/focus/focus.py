@@ -4,19 +4,18 @@
 
 import argparse
 import asyncio
-import contextlib
 import logging
 import os
-import pathlib
 import re
 import signal
 import sys
-import tempfile
 import webbrowser
 
-from tools.focus import wrapper
+from tools.focus import scratch, wrapper
 from tools.focus.options import Options
+from tools.focus.tasks import stopped
 
+ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 HELP = """Options of POV-Ray may follow, as for ./render: +W1280 +H720 Declare=Tilt=4
 Press Ctrl-C to end. See docs/focus.md."""
 
@@ -75,22 +74,36 @@ def real_lenses():
     }
 
 
-async def serve(settings, folder):
-    """Shows the page until the user has had enough."""
+async def serve_until_ended(settings, folder):
+    """Shows the page until a signal, or until it was left. Signals that come before or after this are held back, so that
+    nothing stays behind; returns the exit code."""
+    ended = asyncio.Event()
+    for number in ENDING:
+        asyncio.get_running_loop().add_signal_handler(number, ended.set)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING)
+    try:
+        return await serve(settings, folder, ended)
+    finally:
+        signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
+
+
+async def serve(settings, folder, ended):
+    """Shows the page until an event, or until it was left; returns the exit code."""
     # here, since aiohttp takes its time, and help needs none of it
     from tools.focus.server import Server  # pylint: disable=import-outside-toplevel
     from tools.focus.session import Session  # pylint: disable=import-outside-toplevel
 
     session = Session(settings, folder)
     server = Server(session, settings.port)
-    address = await server.start()
+    try:
+        address = await server.start()
+    except OSError as error:
+        print(f"focus: cannot listen on port {settings.port}: {os.strerror(error.errno)}", file=sys.stderr)
+        return 1
     session.start_preview()
     print(f"Focus of {settings.scene}\n  {address}\nCtrl-C ends it.", flush=True)
     if not settings.no_browser and (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         webbrowser.open(address)
-    ended = asyncio.Event()
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        asyncio.get_running_loop().add_signal_handler(number, ended.set)
     tasks = [
         asyncio.create_task(coroutine)
         for coroutine in (ended.wait(), server.until_left(settings.idle), session.watch())
@@ -99,12 +112,10 @@ async def serve(settings, folder):
         await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
     finally:
         for task in tasks:
-            task.cancel()
-        for task in tasks:
-            with contextlib.suppress(asyncio.CancelledError):
-                await task
-        await server.stop()
+            await stopped(task)
         await session.end()
+        await server.stop()
+    return 0
 
 
 def main(words):
@@ -123,13 +134,13 @@ def main(words):
     settings.options = Options(options)
     settings.program = os.path.abspath(settings.povray)
     settings.lenses = real_lenses()
-    with tempfile.TemporaryDirectory(prefix="focus-") as folder:
-        try:
-            asyncio.run(serve(settings, pathlib.Path(folder)))
-        except OSError as error:
-            print(f"focus: cannot listen on port {settings.port}: {os.strerror(error.errno)}", file=sys.stderr)
-            return 1
-    return 0
+    signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
+    try:
+        with scratch.folder() as folder:
+            return asyncio.run(serve_until_ended(settings, folder))
+    except OSError as error:
+        print(f"focus: {error.filename or 'the folder for pictures'}: {os.strerror(error.errno)}", file=sys.stderr)
+        return 1
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the page may ask for. Whatever is not exactly of these forms is refused."""
+"""What the page may ask for, as a schema. Whatever is not exactly of these forms is refused."""
 
 import json
-import math
-import re
+
+import jsonschema
 
 from tools.focus.scene_text import with_items
 
@@ -14,13 +14,10 @@ QUALITIES = (
     "blur_samples 256 variance 1/8000",
     "blur_samples 1024 variance 1/20000",
 )
-VECTORS = ("location", "direction", "right", "up")
-WORDS = {
-    "tilt_lens", "film_width", "focal_length", "scene_unit", "tilt", "swing", "focus_tilt", "focus_swing", "focal_plane",
-    "focal_points", "shift", "f_stop", "blades",
-}  # fmt: skip
-ITEMS = {"focal_point", "angle", "aperture", "bokeh"}
-NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+WORDS = (
+    "film_width", "focal_length", "scene_unit", "tilt", "swing", "focus_tilt", "focus_swing", "focal_plane", "focal_points",
+    "shift", "f_stop", "blades",
+)  # fmt: skip
 
 
 class BadRequest(Exception):
@@ -33,67 +30,107 @@ def need(condition):
         raise BadRequest
 
 
-def number(value):
-    """A finite number."""
-    need(isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value))
-    return float(value)
+# ---- parts of messages ----
+
+DIGITS = r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?(?:e[-+]?[0-9]{1,3})?"  # a number in a text
+VECTOR_TEXT = rf"<{DIGITS}(?:, {DIGITS}){{2}}>"
+BLOCK_PART = rf"(?:[ \n<>,]|(?:{'|'.join(WORDS)}|{DIGITS})(?=[ \n<>,{{}}]))*"
+BLOCK_TEXT = rf"tilt_lens \{{{BLOCK_PART}(?:\{{{BLOCK_PART}\}}{BLOCK_PART})?\}}"
+
+NUMBER = {"type": "number", "minimum": -1e300, "maximum": 1e300}
+NUMBER_OR_NONE = {"anyOf": [NUMBER, {"type": "null"}]}
 
 
-def vector(value):
-    """Three finite numbers."""
-    need(isinstance(value, list) and len(value) == 3)
-    return [number(part) for part in value]
+def text(pattern):
+    """A text that is of a form as a whole."""
+    return {"type": "string", "maxLength": 2000, "pattern": rf"\A(?:{pattern})\Z"}
 
 
-def camera(value):
-    """Location, direction, right and up."""
-    need(isinstance(value, dict) and set(value) == set(VECTORS))
-    return {name: vector(value[name]) for name in VECTORS}
+def values(item, count):
+    """So many values."""
+    return {"type": "array", "items": item, "minItems": count, "maxItems": count}
 
 
-def block(value):
-    """The text of a tilt_lens block: its words, numbers and signs, and nothing else."""
-    need(isinstance(value, str) and len(value) < 2000)
-    need(re.fullmatch(r"tilt_lens \{[^{}]*(?:\{[^{}]*\}[^{}]*)?\}", value))
-    for part in re.findall(r"[<>{},]|[^<>{}, \n]+", value):
-        need(part in "<>{}," or part in WORDS or re.fullmatch(NUMBER, part))
-    return value
+def record(**parts):
+    """An object of exactly these parts."""
+    return {"type": "object", "properties": parts, "required": list(parts), "additionalProperties": False}
 
 
-def items(value):
-    """Items of the camera that go with the block: text of a number or a vector, or None."""
-    need(isinstance(value, dict) and set(value) <= ITEMS)
-    for text in value.values():
-        need(text is None or re.fullmatch(rf"{NUMBER}|<{NUMBER}(?:, {NUMBER}){{2}}>", str(text)))
-    return value
+def some_of(**parts):
+    """An object with any of these parts."""
+    return {"type": "object", "properties": parts, "additionalProperties": False}
+
+
+VECTOR = values(NUMBER, 3)
+CAMERA = record(location=VECTOR, direction=VECTOR, right=VECTOR, up=VECTOR)
+BLOCK = text(BLOCK_TEXT)
+ITEMS = some_of(
+    focal_point=text(VECTOR_TEXT),
+    angle={"anyOf": [text(DIGITS), {"type": "null"}]},
+    aperture={"type": "null"},
+)
+LENS = {
+    "filmWidth": NUMBER, "focalLength": NUMBER_OR_NONE, "sceneUnit": NUMBER, "shift": values(NUMBER, 2), "fStop": NUMBER,
+    "blades": NUMBER, "bladesAngle": NUMBER,
+}  # fmt: skip
+FOCUS = {
+    "lensTurn": {"tilt": NUMBER, "swing": NUMBER, "focalPoint": VECTOR},
+    "plane": {"planeNormal": VECTOR, "planeDistance": NUMBER},
+    "points": {"points": values(VECTOR, 3)},
+}
+EXPECTED = {"anyOf": [record(family={"const": family}, **LENS, **focus) for family, focus in FOCUS.items()]}
+EXPECT = record(block=EXPECTED, camera=CAMERA)
+CHANGE = {"block": BLOCK, "items": ITEMS, "expect": EXPECT, "behind": record(block=BLOCK, expect=EXPECT)}
+MESSAGES = {
+    "preview": {"camera": CAMERA, "clock": NUMBER, "chosen": {"anyOf": [{"type": "integer", "minimum": 0}, {"type": "null"}]}},
+    "render": {
+        "size": values({"type": "integer", "minimum": 2, "maximum": LARGEST}, 2),
+        "quality": {"type": "integer", "minimum": 0, "maximum": len(QUALITIES) - 1},
+        "camera": CAMERA,
+        "block": BLOCK,
+        "items": ITEMS,
+    },
+    "stop": {},
+    "write": CHANGE,
+    "try": CHANGE,
+    "undo": {},
+}
+OPTIONAL = {"preview"}  # messages whose parts may be missing
+
+
+def schema_of(name):
+    """The schema of the message that asks for this."""
+    schema = (some_of if name in OPTIONAL else record)(do={"const": name}, **MESSAGES[name])
+    return {**schema, "required": schema.get("required", ["do"])}
+
+
+VALIDATORS = {name: jsonschema.Draft7Validator(schema_of(name)) for name in MESSAGES}
+
+
+# ---- messages ----
+
+
+def not_finite(word):
+    """Refuses NaN and Infinity, which Python's JSON takes."""
+    raise BadRequest(word)
+
+
+def read(sent):
+    """A message of the page, checked, as (what it asks for, the rest).
+    @throws BadRequest"""
+    try:
+        message = json.loads(sent, parse_constant=not_finite)
+    except (ValueError, RecursionError):
+        raise BadRequest from None
+    need(isinstance(message, dict) and isinstance(message.get("do"), str))
+    need(message["do"] in VALIDATORS and VALIDATORS[message["do"]].is_valid(message))
+    return message["do"], message
 
 
 def picture(message, kept):
-    """A request for the true picture; `kept` are further items of the block."""
-    size = message.get("size")
-    need(isinstance(size, list) and len(size) == 2 and all(isinstance(n, int) and 2 <= n <= LARGEST for n in size))
-    quality = message.get("quality")
-    need(quality in range(len(QUALITIES)))
-    text = block(message.get("block"))
-    more = [f"{name} {value}" for name, value in items(message.get("items")).items() if value and name == "focal_point"]
-    inside = "\n".join([QUALITIES[quality], *more, with_items(text, kept)])
-    return {"size": size, "camera": camera(message.get("camera")), "inside": inside}
-
-
-def change(message):
-    """A request to change the file."""
-    expect = message.get("expect")
-    need(isinstance(expect, dict) and isinstance(expect.get("block"), dict))
-    need(expect["block"].get("family") in ("lensTurn", "focusTurn", "plane", "points"))
-    camera(expect.get("camera"))
-    return {"block": block(message.get("block")), "items": items(message.get("items")), "expect": expect}
-
-
-def read(text):
-    """A message of the page as (what it asks for, the rest)."""
-    try:
-        message = json.loads(text)
-    except ValueError:
-        raise BadRequest from None
-    need(isinstance(message, dict) and isinstance(message.get("do"), str))
-    return message["do"], message
+    """The parts of a true picture's scene; `kept` are further items of the block. By `lens` the page knows the picture again."""
+    point = message["items"].get("focal_point")
+    more = [f"focal_point {point}"] if point else []
+    inside = "\n".join([QUALITIES[int(message["quality"])], *more, with_items(message["block"], kept)])
+    lens = {"camera": message["camera"], "block": message["block"]}
+    return {"size": [int(side) for side in message["size"]], "camera": message["camera"], "inside": inside, "lens": lens}

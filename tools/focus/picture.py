@@ -3,14 +3,13 @@
 """The true picture: the scene rendered with the page's lens, sent to the page while it grows."""
 
 import asyncio
-import contextlib
 import time
 
 import numpy
 
 from tools.focus import wrapper
-from tools.focus.povray import Render, RenderError
-from tools.focus.tasks import started
+from tools.focus.povray import Render
+from tools.focus.tasks import ended, started
 
 
 def display(colours, gamma):
@@ -45,18 +44,16 @@ class TruePicture:
 
     async def render(self, number, request, previous):
         """Renders the scene with the page's camera."""
-        if previous:
-            with contextlib.suppress(asyncio.CancelledError):
-                await previous
+        await ended(previous)
         session, (width, height) = self.session, request["size"]
-        self.file = None
-        self.values = numpy.zeros((height, width, 4), numpy.uint8)
+        self.file = self.values = None
         begun = time.monotonic()
         covered = 0
 
         async def state(name, **more):
             share, seconds = covered / (width * height), time.monotonic() - begun
-            await session.tell("picture", number=number, size=[width, height], state=name, share=share, seconds=seconds, **more)
+            told = {"number": number, "size": [width, height], "lens": request["lens"], "state": name, "share": share, "seconds": seconds}
+            await session.tell("picture", **told, **more)
 
         async def on_tile(tile):
             nonlocal covered
@@ -70,13 +67,14 @@ class TruePicture:
             await state("growing")
 
         render = Render(session.settings.program, session.folder, "picture", background=True)
-        scene = wrapper.write(session.folder, session.settings.scene, request["camera"], request["inside"], "picture_scene")
         await state("begun")
         try:
+            self.values = numpy.zeros((height, width, 4), numpy.uint8)
+            scene = wrapper.write(session.folder, session.settings.scene, request["camera"], request["inside"], "picture_scene")
             await render.run(render.words(scene, session.options(), (width, height)), False, on_tile)
             self.file, covered = render.picture, width * height
             await state("done")
-        except (RenderError, OSError) as error:
+        except Exception as error:  # pylint: disable=broad-except
             await state("failed", **session.described(error))
         except asyncio.CancelledError:
             await state("stopped")

@@ -3,6 +3,7 @@
 """One run of POV-Ray in the background: its command line, its tiles as they come, its camera, its messages."""
 
 import asyncio
+import contextlib
 import json
 import os
 import re
@@ -26,7 +27,8 @@ def error_in(text):
     """POV-Ray's own words for what is wrong with a scene, from all that it said."""
     text = text.replace("\r", "\n")
     found = re.search(
-        r"^(?:File '(?P<file>.+?)' line (?P<line>\d+): )?(?P<kind>[A-Z]\w* Error|Fatal error[^:\n]*|Error): ?"
+        r"^(?:File '(?P<file>(?:(?!'\s+line\s+\d)[\s\S])+)'\s+line\s+(?P<line>\d+):\s+)?"
+        r"(?P<kind>[A-Z]\w*\s+Error|Fatal error[^:\n]*|Error):\s?"
         r"(?P<rest>.*(?:\n(?!Fatal error|Render failed|POV-Ray finished|=|-|\s*$).*)*)",
         text,
         re.MULTILINE,
@@ -35,13 +37,25 @@ def error_in(text):
         lines = [line for line in text.splitlines() if line.strip()]
         return RenderError("POV-Ray ended without a picture. " + " ".join(lines[-3:]))
     message = re.sub(r"\s*\n\s*", " ", found["rest"]).strip()
-    line = found["line"]
-    return RenderError(message, found["file"], int(line) if line else None)
+    if not found["file"]:
+        return RenderError(message)
+    name = found["file"].replace("\n", "")  # POV-Ray breaks lines in the middle of names, too
+    return RenderError(message, name, int(found["line"]))
 
 
 def quoted(name):
     """A name as POV-Ray takes it whole, whatever blanks it holds."""
     return f"'{name}'" if '"' in str(name) else f'"{name}"'
+
+
+def nameable(path, folder, link):
+    """A path that POV-Ray can be told: one that holds both quotation marks has a link in a folder of ours."""
+    if not {'"', "'"} <= set(str(path)):
+        return path
+    made = folder / link
+    if not made.is_symlink():
+        made.symlink_to(path)
+    return made
 
 
 def with_quotes(option):
@@ -70,7 +84,7 @@ class Render:
         return [
             self.program,
             *map(with_quotes, options),
-            f"+I{quoted(scene)}",
+            f"+I{quoted(nameable(scene, self.folder, 'scene-link.pov'))}",
             f"+W{width}",
             f"+H{height}",
             f"+O{quoted(self.picture)}",
@@ -120,11 +134,10 @@ class Render:
             camera_told = False
             over = False
             while not over:
-                try:
-                    await asyncio.wait_for(self.process.wait(), STEP)
-                    over = True
-                except asyncio.TimeoutError:
-                    pass
+                with contextlib.suppress(TimeoutError):
+                    async with asyncio.timeout(STEP):
+                        await self.process.wait()
+                        over = True
                 if preview and not camera_told and self.camera() is not None:
                     camera_told = True
                     if on_camera:
@@ -151,5 +164,6 @@ class Render:
         """Ends the run, if it is not over."""
         if self.process and self.process.returncode is None:
             self.stopped = True
-            self.process.send_signal(signal.SIGKILL)
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.process.pid, signal.SIGKILL)  # send_signal would take the exit code away from asyncio
             await self.process.wait()

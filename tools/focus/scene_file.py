@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The scene's file: whether it has changed, and its change with a copy that is kept."""
 
-import hashlib
+import contextlib
+import itertools
 import os
 import re
 import shutil
 
-from tools.focus import scene_text
+import numpy
+
+from tools.focus import replacing, scene_text
 from tools.focus.scene_text import EditError
 
 ENCODING = "latin-1"  # every byte is a character, so that what is not changed stays as it was
@@ -15,8 +18,7 @@ ENCODING = "latin-1"  # every byte is a character, so that what is not changed s
 # what says where the focus lies, by family
 FOCUS = {
     "lensTurn": ("tilt", "swing", "focalPoint"),
-    "focusTurn": ("focusTilt", "focusSwing", "focalPoint"),
-    "plane": ("planeNormal", "planeDistance"),
+    "plane": ("plane",),
     "points": ("points",),
 }
 LENS = ("filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle")
@@ -37,6 +39,19 @@ def same(a, b):
     return len(a) == len(b) and all(abs(x - y) <= 1e-6 * size for x, y in zip(a, b))
 
 
+def seen_from(location, block):
+    """A block with its focus as the lens sees it, in which far numbers count no more than near ones; in units of the world."""
+    found = {**block, "sceneUnit": block["sceneUnit"] / block.get("scale", 1)}
+    if block["family"] == "plane":
+        normal = numpy.array(block["planeNormal"]) / numpy.linalg.norm(block["planeNormal"])
+        found["plane"] = list(normal / (block["planeDistance"] - normal @ location))
+    elif block["family"] == "points":
+        found["points"] = [list(numpy.subtract(point, location)) for point in block["points"]]
+    else:
+        found["focalPoint"] = list(numpy.subtract(block["focalPoint"], location))
+    return found
+
+
 def differences(camera, expected):
     """Names of what a camera, as the program tells it, has otherwise than expected."""
     block, wanted = camera["block"], expected["block"]
@@ -47,6 +62,7 @@ def differences(camera, expected):
     wrong = [name for name in CAMERA if not same(camera[name], expected["camera"][name])]
     if block["focalLength"] is not None and "direction" in wrong:
         wrong.remove("direction")  # its length is left to the lens
+    block, wanted = (seen_from(numpy.array(part["location"]), each) for part, each in ((camera, block), (expected["camera"], wanted)))
     return wrong + [name for name in (*LENS, *FOCUS[wanted["family"]]) if not same(block[name], wanted[name])]
 
 
@@ -59,11 +75,6 @@ def stamp(path):
     return info.st_mtime_ns, info.st_size, info.st_ino
 
 
-def digest(data):
-    """A file's contents in short."""
-    return hashlib.sha256(data).hexdigest()
-
-
 class SceneFile:
     """The file of the scene, and the files that it reads."""
 
@@ -71,16 +82,21 @@ class SceneFile:
         self.path = os.path.realpath(scene)
         self.stamps = {self.path: stamp(self.path)}
         self.kept = None  # the copy of the last change
-        self.written = None  # digest of what was written
+        self.written = None  # what was written
 
     def bytes(self):
-        """The file's contents."""
-        with open(self.path, "rb") as stream:
-            return stream.read()
+        """The file's contents.
+        @throws EditError"""
+        return replacing.contents(self.path)
 
     def text(self):
         """The file as text, a character for each byte."""
-        return self.bytes().decode(ENCODING)
+        return self.decoded(self.bytes())
+
+    @staticmethod
+    def decoded(data):
+        """Bytes as such a text."""
+        return data.decode(ENCODING)
 
     @staticmethod
     def encoded(text):
@@ -91,40 +107,44 @@ class SceneFile:
         """Whether the scene asks for the clock."""
         return bool(re.search(r"\bclock\b", scene_text.blanked(self.text())))
 
-    def replace(self, text):
-        """Writes the file whole, after a copy of it was kept; returns the copy's name."""
-        number = 1
-        while os.path.exists(copy := f"{self.path}.before-focus" + (f"-{number}" if number > 1 else "")):
-            number += 1
-        shutil.copy2(self.path, copy)
-        data = self.encoded(text)
-        self.put(data)
-        self.kept, self.written = copy, digest(data)
+    def replace(self, before, after):
+        """Writes new contents in place of those that were read before, which are kept; returns the copy's name.
+        @throws EditError"""
+        replacing.require_writable(self.path)
+        copy = self.keep(before)
+        try:
+            replacing.replace(self.path, before, after)
+        except EditError:
+            os.unlink(copy)
+            raise
+        self.kept, self.written = copy, after
         return os.path.basename(copy)
 
-    def put(self, data):
-        """Replaces the file in one step."""
-        new = f"{self.path}.focus-{os.getpid()}"
-        try:
-            with open(new, "wb") as stream:
-                stream.write(data)
-                stream.flush()
-                os.fsync(stream.fileno())
-            shutil.copymode(self.path, new)
-            os.replace(new, self.path)
-        except OSError:
-            if os.path.exists(new):
-                os.unlink(new)
-            raise
+    def keep(self, data):
+        """Writes a copy beside the scene; returns its path."""
+        with replacing.in_words("no copy of the scene can be kept in its folder"):
+            for number in itertools.count(1):
+                copy = f"{self.path}.before-focus" + (f"-{number}" if number > 1 else "")
+                with contextlib.suppress(FileExistsError):
+                    stream = open(copy, "xb")
+                    break
+            try:
+                with stream:
+                    stream.write(data)
+                shutil.copystat(self.path, copy)
+            except OSError:
+                os.unlink(copy)
+                raise
+        return copy
 
     def undo(self):
-        """Puts the kept copy back."""
+        """Puts the kept copy back.
+        @throws EditError"""
         if self.kept is None:
             raise EditError("there is no change to take back")
-        if digest(self.bytes()) != self.written:
+        if self.bytes() != self.written:
             raise EditError("the file was changed by somebody else since; the copy is kept as " + os.path.basename(self.kept))
-        with open(self.kept, "rb") as stream:
-            self.put(stream.read())
+        replacing.replace(self.path, self.written, replacing.contents(self.kept))
         os.unlink(self.kept)
         self.kept = self.written = None
 
@@ -136,7 +156,7 @@ class SceneFile:
             names |= {os.fsdecode(entry[1:]) for entry in entries if entry.startswith(b"+")}
         except OSError:
             pass
-        names = {name for name in names if not name.startswith(f"{own}/")}
+        names = {name for name in map(os.path.realpath, names) if not name.startswith(f"{os.path.realpath(own)}/")}
         self.stamps = {name: self.stamps.get(name, stamp(name)) for name in names}
 
     def changed(self):

@@ -77,9 +77,14 @@ def camera_at(text, line):
     return ends[0]
 
 
-def indented(block, indent):
+def newline_of(text):
+    """How the lines of a text end: as its first one does."""
+    return "\r\n" if re.match(r"[^\n]*\r\n", text) else "\n"
+
+
+def indented(block, indent, newline):
     """The lines of a block, moved to the right."""
-    return "\n".join((indent if line else "") + line for line in block.splitlines())
+    return newline.join((indent if line else "") + line for line in block.splitlines())
 
 
 def line_indent(text, at):
@@ -98,7 +103,7 @@ def with_item(body, item, value):
         return None
     if value is None:
         before, behind = body[: found.start()].rstrip(" \t"), body[found.end() :].lstrip(" \t")
-        return before + ("" if before.endswith("\n") or behind.startswith("\n") else " ") + behind
+        return before + ("" if before.endswith("\n") or behind.startswith(("\r", "\n")) else " ") + behind
     return body[: found.start()] + f"{item} {value}" + body[found.end() :]
 
 
@@ -158,17 +163,32 @@ def with_block(text, line, block, items):
         if changed is None:
             raise EditError(f"the camera's {item} is an expression")
         body = changed
-    return text[: opening + 1] + with_block_in(body, block, line_indent(text, word)) + text[end:]
+    return text[: opening + 1] + with_block_in(body, block, line_indent(text, word), newline_of(text)) + text[end:]
 
 
-def with_block_in(body, block, indent):
+def behind_camera(text, line, block):
+    """The scene's text with one more camera behind the one whose closing brace stands in a line: the same, but for this block
+    in place of its own, which may come from a macro or have directives.
+    @throws EditError"""
+    word, _, end = camera_at(text, line)
+    if re.search(r"[=(,]\s*$", blanked(text)[:word]):
+        raise EditError("the camera is part of a declaration")
+    number = 1
+    while re.search(rf"\b{(name := f'Focus_Camera_{number}')}\b", text):
+        number += 1
+    indent, newline = line_indent(text, word), newline_of(text)
+    lines = [f"{indent}camera {{", f"{indent}  {name}", indented(block, indent + "  ", newline), indent + "}"]
+    return f"{text[:word]}#declare {name} = {text[word : end + 1]}{newline}{newline.join(lines)}{text[end + 1 :]}"
+
+
+def with_block_in(body, block, indent, newline):
     """A camera's text with another block, or with one more; `indent` is that of the camera's line."""
     old = block_in(body)
     if old is None:
-        return body.rstrip() + "\n" + indented(block, indent + "  ") + "\n" + indent
+        return body.rstrip() + newline + indented(block, indent + "  ", newline) + newline + indent
     start, _, stop = old
     before = body[:start]
-    replacement = indented(block, line_indent(body, start) if before.strip() else "  ")
+    replacement = indented(block, line_indent(body, start) if before.strip() else "  ", newline)
     lead = re.search(r"[ \t]*$", before).group()
     if before.endswith("\n" + lead) or not before:
         before = before[: len(before) - len(lead)]

@@ -6,6 +6,7 @@ It listens on the loopback address only. All addresses begin with a secret; a re
 host's name, learns nothing. What is served was read into memory before: no name in a request ever names a file."""
 
 import asyncio
+import contextlib
 import hmac
 import pathlib
 import secrets
@@ -14,11 +15,13 @@ import time
 from aiohttp import WSMsgType, web
 
 from tools.focus import messages, session as sessions
+from tools.focus.peer import Peer
 
 ADDRESS = "127.0.0.1"
 PAGE = pathlib.Path(__file__).resolve().parent / "page"
 TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml"}
 LONGEST_MESSAGE = 64 * 1024
+MOST_CONNECTIONS = 100  # of those that are no pages; far below what a process may have open
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' {socket}; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -37,11 +40,10 @@ class Server:
         self.session, self.port = session, port
         self.secret = secrets.token_urlsafe(24)
         self.files = page_files()
-        self.sockets = set()
-        self.locks = {}
+        self.peers = set()
         self.last_seen = None  # when the last page left; None before there was one
         session.send = self.send
-        self.runner = None
+        self.runner = self.listener = None
 
     # ---- life ----
 
@@ -54,22 +56,35 @@ class Server:
         app.router.add_get("/{secret}/picture.png", self.picture)
         self.runner = web.AppRunner(app, access_log=None, handle_signals=False)
         await self.runner.setup()
-        site = web.TCPSite(self.runner, ADDRESS, self.port)
-        await site.start()
-        self.port = site._server.sockets[0].getsockname()[1]  # pylint: disable=protected-access
+        self.listener = await asyncio.get_running_loop().create_server(self.connection, ADDRESS, self.port)
+        self.port = self.listener.sockets[0].getsockname()[1]
         return f"http://{ADDRESS}:{self.port}/{self.secret}/"
+
+    def connection(self):
+        """The protocol of a new connection. Where there are too many, the oldest that is no page goes."""
+        pages = [peer.transport for peer in self.peers]
+        transports = [handler.transport for handler in self.runner.server.connections]
+        others = [each for each in transports if each and each not in pages and not each.is_closing()]
+        if len(others) >= MOST_CONNECTIONS:
+            others[0].abort()
+        return self.runner.server()
 
     async def stop(self):
         """Lets all pages go and stops listening."""
-        for socket in list(self.sockets):
-            await socket.close(code=1001)
-        await self.runner.cleanup()
+        self.listener.close()
+        await asyncio.gather(*(peer.close(1001) for peer in self.peers))
+        for handler in self.runner.server.connections:
+            if handler.transport:
+                handler.transport.abort()
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(2):
+                await self.runner.cleanup()
 
     async def until_left(self, idle):
         """Returns when no page has been open for so many seconds, after there was one."""
         while True:
             await asyncio.sleep(0.2)
-            if not self.sockets and self.last_seen and time.monotonic() - self.last_seen > idle:
+            if not self.peers and self.last_seen and time.monotonic() - self.last_seen > idle:
                 return
 
     # ---- who may ask ----
@@ -84,7 +99,7 @@ class Server:
         if not self.own_host(request.headers.get("Host", "")):
             return web.Response(status=403, text="Not this host.\n")
         secret = request.match_info.get("secret", "")
-        if not hmac.compare_digest(secret.encode(), self.secret.encode()):
+        if not hmac.compare_digest(secret.encode(errors="replace"), self.secret.encode()):
             return web.Response(status=404, text="Nothing here.\n")
         origin = request.headers.get("Origin")
         if origin is not None and not self.own_host(origin.removeprefix("http://")):
@@ -124,17 +139,15 @@ class Server:
 
     # ---- the socket ----
 
-    async def send(self, message, only=None):
-        """Sends a message to one page or to all."""
-        for socket in list(self.sockets) if only is None else [only]:
-            try:
-                async with self.locks.setdefault(socket, asyncio.Lock()):
-                    if isinstance(message, bytes):
-                        await socket.send_bytes(message)
-                    else:
-                        await socket.send_str(sessions.as_text(message))
-            except (ConnectionError, RuntimeError):
-                self.sockets.discard(socket)
+    async def send(self, message):
+        """Sends a message to all pages."""
+        self.put(message, self.peers)
+
+    def put(self, message, peers):
+        """Gives a message to the queues of pages."""
+        sent = message if isinstance(message, bytes) else sessions.as_text(message)
+        for peer in peers:
+            peer.put(sent)
 
     async def socket(self, request):
         """Speaks with one page."""
@@ -142,57 +155,63 @@ class Server:
             return web.Response(status=403, text="Not from there.\n")
         socket = web.WebSocketResponse(max_msg_size=LONGEST_MESSAGE, heartbeat=20, compress=False)
         await socket.prepare(request)
-        self.sockets.add(socket)  # first: a tile that comes meanwhile is sent to it, or is in what is sent now
+        peer = Peer(socket, request.transport)
+        for message in self.session.everything():
+            self.put(message, [peer])
+        self.peers.add(peer)  # at once: a tile that comes later is not in what is sent now
         try:
-            for message in self.session.everything():
-                await self.send(message, only=socket)
             async for message in socket:
-                if message.type == WSMsgType.TEXT:
-                    await self.obey(socket, message.data)
-                else:
+                if message.type != WSMsgType.TEXT:
                     break
+                await self.obey(peer, message.data)
         finally:
-            self.sockets.discard(socket)
-            self.locks.pop(socket, None)
+            self.peers.discard(peer)
             self.last_seen = time.monotonic()
+            await peer.close(1000)
         return socket
 
-    async def obey(self, socket, text):
-        """Does what a page asks for, or closes the socket."""
+    async def obey(self, peer, text):
+        """Does what a page asks for, or ends the connection."""
         try:
             what, message = messages.read(text)
-            handler = getattr(self, f"do_{what}", None) if what.isidentifier() else None
-            messages.need(handler)
-            await handler(message)
+            getattr(self, f"do_{what}")(message, peer)
         except messages.BadRequest:
-            await socket.close(code=1008, message=b"bad request")
+            await peer.close(1008, b"bad request")
 
-    async def do_preview(self, message):
+    def do_preview(self, message, _peer):
         """A preview with this camera, this clock, or the scene's own."""
         session = self.session
-        frame = message.get("camera")
         chosen = message.get("chosen")
         if "clock" in message:
-            session.clock = messages.number(message["clock"])
+            session.clock = float(message["clock"])
         if chosen is not None:
-            messages.need(session.record and isinstance(chosen, int) and 0 <= chosen < len(session.record["cameras"]))
-            session.chosen = chosen
-        session.start_preview(None if frame is None else messages.camera(frame))
+            messages.need(session.record and chosen < len(session.record["cameras"]))
+            session.chosen = int(chosen)
+        session.start_preview(message.get("camera"))
 
-    async def do_render(self, message):
+    def do_render(self, message, _peer):
         """The true picture."""
         messages.need(self.session.record)
         self.session.picture.start(messages.picture(message, self.session.kept_in_picture()))
 
-    async def do_stop(self, _message):
+    def do_stop(self, _message, _peer):
         """Stops the true picture."""
         self.session.picture.stop()
 
-    async def do_write(self, message):
+    def do_write(self, message, _peer):
         """Writes the block into the scene."""
         messages.need(self.session.record)
-        await self.session.editor.write(messages.change(message))
+        self.session.editor.start(message)
 
-    async def do_undo(self, _message):
+    def do_try(self, message, peer):
+        """Finds out for one page whether the block would do in the scene."""
+        messages.need(self.session.record)
+
+        async def tell(told):
+            self.put({"type": "file", **told}, [peer])
+
+        self.session.editor.start_trial(message, tell)
+
+    def do_undo(self, _message, _peer):
         """Takes the last change of the scene back."""
-        await self.session.editor.undo()
+        self.session.editor.start_undo()

@@ -9,6 +9,7 @@ import math
 import os
 import struct
 import time
+import traceback
 
 import numpy
 
@@ -16,7 +17,8 @@ from tools.focus import scene_file, scene_text, wrapper
 from tools.focus.editor import Editor
 from tools.focus.picture import TruePicture
 from tools.focus.povray import Render, RenderError
-from tools.focus.tasks import started
+from tools.focus.scene_text import EditError
+from tools.focus.tasks import started, stopped
 
 PREVIEW, PICTURE = 1, 2  # what a tile belongs to
 LOOK = 0.5  # seconds between two looks at the scene's files
@@ -81,7 +83,7 @@ class Session:
     def options(self):
         """The user's options, with the clock of the page."""
         clock = [] if self.clock is None else [f"+K{self.clock!r}"]
-        return [*self.settings.options.words, *wrapper.search(self.settings), *clock]
+        return [*self.settings.options.words, *wrapper.search(self.settings, self.folder), *clock]
 
     def start_preview(self, frame=None):
         """Begins a preview: of the scene's own camera, or of a frame."""
@@ -89,10 +91,7 @@ class Session:
 
     async def preview(self, frame, previous):
         """Makes the preview, after the one before it was stopped."""
-        if previous and not previous.done():
-            previous.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await previous
+        await stopped(previous)
         self.number += 1
         self.frame = frame
         begun = time.monotonic()
@@ -102,7 +101,7 @@ class Session:
             await self.tell("preview", number=self.number, frame=frame, state="done", seconds=seconds)
             if seconds < REFINED_BELOW:
                 await self.pass_over(frame, REFINE, refining=True)
-        except (RenderError, OSError) as error:
+        except Exception as error:  # pylint: disable=broad-except
             await self.tell("error", **self.described(error))
 
     async def pass_over(self, frame, more, refining=False):
@@ -197,14 +196,14 @@ class Session:
         """Items of a camera's block that the page does not write, as text; none where the text cannot be read."""
         try:
             return scene_text.kept_at(self.file.text(), camera["line"]) or [] if self.is_own(camera) else []
-        except (scene_text.EditError, OSError):
+        except EditError:
             return []
 
     def kept_in_picture(self):
         """Such items of the camera that the page shows, which the true picture has as well."""
         index = self.index_in_use() if self.chosen is None else self.chosen
-        found = [] if index is None else self.kept(self.record["cameras"][index])
-        return [item for item in found if item.split()[0] not in scene_text.AIDS]
+        found = [self.kept(camera) for camera in self.record["cameras"][index : index + 1]] if index is not None else []
+        return [item for items in found for item in items if item.split()[0] not in scene_text.AIDS]
 
     async def tell_scene(self):
         """Tells the page of the scene and its cameras."""
@@ -226,15 +225,20 @@ class Session:
         )
 
     def described(self, error):
-        """An error as the page shows it, with the line of the file."""
+        """An error as the page shows it, with the line of the file. A fault of this program is printed, too."""
         if isinstance(error, OSError):  # such as a full disk
             error = RenderError(f"The picture cannot be made: {error.strerror}")
+        elif isinstance(error, EditError):
+            error = RenderError(str(error))
+        elif not isinstance(error, RenderError):
+            traceback.print_exception(error)
+            error = RenderError(f"./focus has a fault: {error!r}")
         told = {"message": error.message, "file": error.file, "line": error.line, "text": None}
         if error.file and error.line:
             with contextlib.suppress(OSError, IndexError):
                 lines = open(error.file, encoding="utf-8", errors="replace").read().splitlines()
                 told["text"] = lines[error.line - 1]
-            told["file"] = os.path.basename(error.file)
+            told["file"] = os.path.basename(os.path.realpath(error.file))
         return told
 
     async def watch(self):
@@ -248,11 +252,8 @@ class Session:
 
     async def end(self):
         """Stops all that runs."""
-        for task in (self.preview_task, self.picture.task):
-            if task:
-                task.cancel()
-                with contextlib.suppress(asyncio.CancelledError, Exception):
-                    await task
+        for task in (self.preview_task, self.picture.task, self.editor.task):
+            await stopped(task)
 
 
 def as_text(message):

@@ -17,3 +17,16 @@ def started(coroutine):
     task = asyncio.create_task(coroutine)
     task.add_done_callback(print_fault)
     return task
+
+
+async def ended(task):
+    """Waits for the end of a task, or of None, and leaves aside how it ended."""
+    if task:
+        await asyncio.wait([task])
+
+
+async def stopped(task):
+    """Ends a task, or None, and waits for that."""
+    if task:
+        task.cancel()
+    await ended(task)

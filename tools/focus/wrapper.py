@@ -7,16 +7,17 @@ import os
 import re
 
 from tools.focus import scene_text
-from tools.focus.povray import quoted
+from tools.focus.povray import nameable, quoted
 from tools.repository import ROOT
 
 INCLUDES = ROOT / "scenes" / "include"
 VECTORS = ("location", "direction", "right", "up")
 
 
-def search(settings):
+def search(settings, folder):
     """Where the scene's include files are looked for."""
-    return [f"+L{quoted(folder)}" for folder in (INCLUDES, os.path.dirname(settings.scene))]
+    places = {"includes": INCLUDES, "beside": os.path.dirname(settings.scene)}
+    return [f"+L{quoted(nameable(place, folder, link))}" for link, place in places.items()]
 
 
 def vector(values):

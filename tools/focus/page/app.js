@@ -35,6 +35,7 @@ model.changed = () => {
     stage.show();
     say();
     text.show();
+    truth.show();
     if (live.show())
         showSide();
 };
@@ -111,7 +112,7 @@ function takeView(view) {
         model.changed();
         return;
     }
-    live.focusIsOpen = model.take(view);
+    model.take(view);
     model.remember();
 }
 
@@ -131,15 +132,21 @@ function takePreviewState(message) {
     status(changedFiles && "this is the new preview.");
     changedFiles = "";
     live.end();
-    if (live.focusIsOpen && blur.values)
+    if (model.open && blur.values)
         supposeFocus();
     else if (model.lens && blur.lens)
         showSide();
 }
 
+function takeFileState(message) {
+    if (!text.take(message) || message.again)
+        return;
+    ownChange = true;
+    chosen = message.chosen;
+}
+
 /// Without a lens in the scene: focus on what the middle of the picture shows, or near it.
 function supposeFocus() {
-    live.focusIsOpen = false;
     for (const [x, y] of [[0, 0], [0, -0.15], [0, -0.3], [0.2, -0.2], [-0.2, -0.2], [0, -0.45], [0, 0.2]]) {
         const point = live.surfaceAt(x, y);
         if (point) {
@@ -148,6 +155,7 @@ function supposeFocus() {
             return;
         }
     }
+    model.open = false;
 }
 
 function complain(error) {
@@ -172,7 +180,7 @@ const takes = {
     scene: takeScene,
     preview: takePreviewState,
     error: complain,
-    file: message => text.take(message) && (ownChange = !message.again),
+    file: takeFileState,
     picture: message => truth.take(message),
     progress: message => message.share < 1 && status(`preview ${Math.floor(100 * message.share)} %`),
     changed: message => (changedFiles = message.files.join(", ")),
@@ -214,7 +222,7 @@ function listen() {
     find("third").onchange = event => model.setThird(event.target.value);
     find("back").onclick = () => model.back();
     document.onkeydown = event => {
-        if ((event.ctrlKey || event.metaKey) && event.key === "z" && event.target.type !== "number") {
+        if ((event.ctrlKey || event.metaKey) && event.key === "z" && event.target.type !== "text") {
             event.preventDefault();
             model.back();
         }

@@ -4,10 +4,15 @@
 /// The lens as text for a scene: the `tilt_lens` block in three forms, and the items of the camera that go with it.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
-import { angleOfView, planeOf, turnOf } from "./lens.js";
+import { planeOf, turnOf } from "./lens.js";
+import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 
 export const FORMS = { points: "three points", plane: "plane", angles: "angles" };
 const DIGITS = 7;
+
+/// What of the block a program must find in the scene: of each, and by family.
+const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
+const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"] };
 
 /// A number with few digits, for a length of this size: what is only rounding beside it is 0.
 export function rounded(value, size = Math.abs(value)) {
@@ -38,21 +43,30 @@ function threePoints(model) {
     return [first, along(first, size, x), along(first, size, y)];
 }
 
-/// The block with rounded numbers, in a form.
-function roundedBlock(model, form) {
-    const { block, lens } = model, reach = length(lens.location) + 1 / Math.min(length(lens.focus), 1e9);
+/// The block with rounded numbers, in a form, in the coordinates of a place.
+function roundedBlock(model, form, { matrix, inverse, scale }) {
+    const { block, lens } = model, location = movedPoint(inverse, lens.location);
     const said = {
-        ...block, filmWidth: rounded(block.filmWidth), sceneUnit: rounded(block.sceneUnit), fStop: rounded(block.fStop),
+        ...block, filmWidth: rounded(block.filmWidth), sceneUnit: rounded(block.sceneUnit * scale), fStop: rounded(block.fStop),
         focalLength: block.focalLength === null ? null : rounded(block.focalLength), shift: block.shift.map(x => rounded(x, block.filmWidth)),
-        bladesAngle: rounded(block.bladesAngle), aperture: 0, scale: 1,
+        bladesAngle: rounded(block.bladesAngle), aperture: 0, scale,
+    };
+    // so many digits as the distance from the lens asks for
+    const point = world => {
+        const local = movedPoint(inverse, world);
+        return roundedVector(local, length(subtract(local, location)));
     };
     if (form === "points")
-        return { ...said, family: "points", points: threePoints(model).map(p => roundedVector(p, Math.max(length(p), 0.01 * reach))) };
-    const plane = planeOf(lens);
-    if (form === "plane")
-        return { ...said, family: "plane", planeNormal: roundedVector(plane.normal, 1), planeDistance: rounded(plane.distance, reach) };
-    const { tilt, swing } = turnOf(lens), point = model.anchor();
-    return { ...said, family: "lensTurn", tilt: rounded(tilt, 10), swing: rounded(swing, 10), focalPoint: roundedVector(point, Math.max(length(point), 0.01 * reach)) };
+        return { ...said, family: "points", points: threePoints(model).map(point) };
+    if (form === "plane") {
+        const { normal, distance } = planeBefore(matrix, planeOf(lens)), reach = Math.abs(distance - dot(normal, location));
+        return {
+            ...said, family: "plane", planeNormal: roundedVector(normal, reach / (reach + length(location))),
+            planeDistance: rounded(distance, reach),
+        };
+    }
+    const { tilt, swing } = turnOf(lens);
+    return { ...said, family: "lensTurn", tilt: rounded(tilt, 10), swing: rounded(swing, 10), focalPoint: point(model.anchor()) };
 }
 
 function focusItems(block) {
@@ -63,9 +77,24 @@ function focusItems(block) {
     return [block.tilt && `tilt ${text(block.tilt)}`, block.swing && `swing ${text(block.swing)}`];
 }
 
+/// What a program must find in the world.
+function expected(block, { matrix, inverse, scale }) {
+    const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
+    const world = {
+        ...block, sceneUnit: block.sceneUnit / scale, points: block.points.map(point => movedPoint(matrix, point)),
+        planeNormal: plane.normal, planeDistance: plane.distance, focalPoint: movedPoint(matrix, block.focalPoint),
+    };
+    return Object.fromEntries([...EXPECTED, ...FOCUS[block.family]].map(name => [name, world[name]]));
+}
+
+/// The number behind `angle` that gives a camera's direction its length.
+const angleOf = ({ direction, right }, { inverse }) =>
+    2 * Math.atan(0.5 * length(movedDirection(inverse, right)) / length(movedDirection(inverse, direction))) * 180 / Math.PI;
+
+/// @param place  the coordinates that the text is for: those in which the camera's items are written, or WORLD
 /// @returns { block: text, items: camera items (text, or null: must go), expect: what a program must find in the scene }
-export function describe(model, form) {
-    const said = roundedBlock(model, form), { camera } = model;
+export function describe(model, form, place = model.place) {
+    const said = roundedBlock(model, form, place), { camera } = model;
     const lines = [
         said.sceneUnit !== 1000 && `scene_unit ${text(said.sceneUnit)}`,
         said.filmWidth !== 36 && `film_width ${text(said.filmWidth)}`,
@@ -82,11 +111,10 @@ export function describe(model, form) {
     if (said.focalLength !== null) {
         items.angle = null;
     } else {
-        const angle = angleOfView({ ...model.lens, direction });
-        if (Math.abs(angle - model.given.angle) > 1e-9) {
+        const angle = angleOf(camera, place);
+        if (Math.abs(angle - angleOf(model.given, place)) > 1e-9) {
             items.angle = text(rounded(angle));
-            const wanted = 0.5 * length(camera.right) / Math.tan(rounded(angle) * Math.PI / 360);
-            direction = times(wanted / dot(model.lens.axis, direction), direction);
+            direction = times(Math.tan(angle * Math.PI / 360) / Math.tan(rounded(angle) * Math.PI / 360), direction);
         }
     }
     if (said.family === "lensTurn")
@@ -94,8 +122,15 @@ export function describe(model, form) {
     return {
         block: `tilt_lens {\n${lines.map(line => `  ${line}`).join("\n")}\n}`,
         items,
-        expect: { block: said, camera: { location: camera.location, direction, right: camera.right, up: camera.up } },
+        expect: { block: expected(said, place), camera: { location: camera.location, direction, right: camera.right, up: camera.up } },
     };
+}
+
+/// What the program is asked to write: the text for the camera, and the block for a camera of this one's name that has no
+/// transformations of its own, for which there are no camera items.
+export function change(model, form) {
+    const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
+    return { ...describe(model, form), behind: { block, expect } };
 }
 
 /// The text to copy: camera items, then the block.

@@ -71,12 +71,10 @@ export function buildKnobs(place, model, lists, done) {
 function row(group, knob, ...children) {
     const label = element("label", { htmlFor: knob.id, textContent: knob.words, title: knob.title ?? "" });
     const made = element("div", { className: "knob", title: knob.title ?? "" }, label, ...children);
-    if (knob.said) {
-        const said = element("p", { className: "said" });
-        said.dataset.said = knob.said;
-        said.setAttribute("role", "status");
-        made.append(said);
-    }
+    const said = element("p", { className: "said" });
+    said.dataset.said = knob.said ?? knob.id;
+    said.setAttribute("role", "status");
+    made.append(said);
     group.append(made);
 }
 
@@ -100,21 +98,46 @@ function choice(group, knob, model, lists, done) {
     };
 }
 
+/// A number as it is written, with a point or a comma.
+function valueOf(written) {
+    const plain = written.trim().replace(",", ".");
+    return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+}
+
+/// Which numbers a knob takes.
+function wantedOf(knob) {
+    if (knob.id === "angle")
+        return { allows: value => value > 0 && value < 180, words: "an angle of more than 0 and less than 180 is needed" };
+    if (knob.slide)
+        return { allows: value => value > 0 && value < Infinity, words: "a number above 0 is needed" };
+    return { allows: Number.isFinite, words: "a number is needed" };
+}
+
 function slider(group, knob, model, lists, done) {
     const scale = knob.slide ?? plain, least = scale.to(knob.least), most = scale.to(knob.most);
     const step = knob.slide ? (most - least) / 400 : knob.digits > 1 ? 0.1 : 0.5;
     const range = element("input", { type: "range", min: least, max: most, step, ariaLabel: `${knob.words}, slider` });
-    const number = element("input", { type: "number", id: knob.id, step: "any" });
+    // text, since a field for numbers hands on nothing where it is written with a comma
+    const number = element("input", { type: "text", inputMode: "decimal", autocomplete: "off", id: knob.id });
     range.oninput = () => knob.turn(model, Number(scale.from(Number(range.value)).toPrecision(4)), lists);
     range.onchange = done;
-    number.onchange = () => {
-        const value = Number(number.value);
-        const positive = knob.slide || knob.id === "angle";
-        if (number.value === "" || !Number.isFinite(value) || (positive && !(value > 0)) || (knob.id === "angle" && value >= 180))
-            number.value = shown(knob, model);
-        else
+    const take = written => {
+        const value = valueOf(written), wanted = wantedOf(knob);
+        if (wanted.allows(value)) {
             knob.turn(model, value, lists);
+        } else {
+            model.refuse(knob.said ?? knob.id, `${written.trim() || "Nothing"} is refused: ${wanted.words}.`);
+            number.value = shown(knob, model);
+        }
         done();
+    };
+    number.onchange = () => take(number.value);
+    number.onkeydown = event => {
+        const value = valueOf(number.value) + { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        if (!Number.isFinite(value))
+            return;
+        event.preventDefault();
+        take(String(value));
     };
     row(group, knob, range, number, element("span", { textContent: knob.unit }));
     return () => {

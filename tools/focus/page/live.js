@@ -21,7 +21,6 @@ export class Live {
         this.complete = false;     // whether nothing more of the preview comes
         this.former = null;        // the preview before of the same scene, while the present one arrives
         this.readAnew = false;     // whether the scene was read anew for the preview that is on its way
-        this.focusIsOpen = false;  // whether the focus waits for what the preview shows
         this.ownView = null;       // the scene's own camera
         this.number = 0;           // of the preview
         this.lastChange = this.lastDrawing = this.timer = 0;
@@ -120,7 +119,7 @@ export class Live {
     askForFrame() {
         clearTimeout(this.timer);
         const now = this.model.lens, then = this.blur.frame;
-        if (!then || this.focusIsOpen || !this.fits)
+        if (!then || this.model.open || !this.fits)
             return;
         const far = v => dot(v, now.axis), scaled = v => v.map(x => x / far(v));
         const moved = length(subtract(scaled(now.direction), scaled(then.direction))) * far(now.direction) / length(now.right);

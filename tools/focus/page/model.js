@@ -32,24 +32,28 @@ export class Model {
         this.block = null;
         this.lens = null;
         this.error = null;
+        this.refused = {};      // knob -> why its last number was not taken
         this.mode = "one";      // or "three"
         this.third = "picked";  // or "level", "upright", "film"
         this.picks = [];
         this.real = null;       // a lens of tilt_lens.inc
         this.changed = () => {};
         this.past = [];
+        this.open = false;      // whether the focus waits for what the preview shows, since neither scene nor user says it
     }
 
     /// Takes note of what the scene's camera has by itself.
-    note({ aperture, direction, right, bokeh }) {
-        this.given = { aperture: aperture > 0, angle: angleOfView({ direction, right, axis: axesOf(this.camera).axis }), bokeh };
+    note({ aperture, direction, right, bokeh, matrix, inverse, scale }) {
+        this.given = { aperture: aperture > 0, direction, right, bokeh };
+        this.place = { matrix, inverse, scale };
     }
 
-    /// Takes a camera as the program tells it. @returns whether the focus is still open, for want of a block
+    /// Takes a camera as the program tells it.
     take(view) {
         const { location, direction, right, up, sky } = view;
         this.camera = { location, direction, right, up, sky };
         this.note(view);
+        this.refused = {};
         this.picks = [];
         this.mode = "one";
         this.third = "picked";
@@ -74,7 +78,6 @@ export class Model {
         block.fStop ??= this.stopOfAperture() ?? START_STOP;
         this.lens = null;
         this.resolve();
-        return this.open;
     }
 
     /// The f-number of a lens that the camera's `aperture` gives, or null.
@@ -91,13 +94,17 @@ export class Model {
 
     /// First focus and scale of a scene without a lens: on what its middle shows, as if it were a model on a table.
     suppose(point) {
-        this.open = false;
-        const distance = length(subtract(point, this.camera.location));
-        this.block.sceneUnit = roundly(MODEL_DISTANCE / distance);
-        this.block.fStop = START_STOP;
+        this.close(point);
         this.block.focalPoint = point;
         this.picks = [point];
         this.resolve();
+    }
+
+    /// The focus does not wait any more; a scale that nobody has chosen is that of such a model.
+    close(point) {
+        if (this.open && this.block.sceneUnit === PLAIN.sceneUnit)
+            this.block.sceneUnit = roundly(MODEL_DISTANCE / length(subtract(point, this.camera.location)));
+        this.open = false;
     }
 
     /// Solves the block; keeps the last lens where there is none.
@@ -113,8 +120,15 @@ export class Model {
         this.changed();
     }
 
+    /// Says beside a knob why what was asked for is not done.
+    refuse(knob, words) {
+        this.refused = { [knob]: words };
+        this.changed();
+    }
+
     /// Makes a change; a state that cannot be is shown as an error and left at the next change.
     change(what) {
+        this.refused = {};
         if (!this.error)
             this.good = { block: structuredClone(this.block), camera: structuredClone(this.camera) };
         what(this.block);
@@ -136,7 +150,7 @@ export class Model {
         const now = this.past.length > 1 ? (this.past.pop(), this.past.at(-1)) : null;
         if (!now)
             return false;
-        Object.assign(this, JSON.parse(now));
+        Object.assign(this, JSON.parse(now), { refused: {} });
         this.resolve();
         return true;
     }
@@ -209,6 +223,7 @@ export class Model {
         const points = this.planePoints();
         if (!this.picks.length)
             return;
+        this.close(this.picks[0]);
         this.change(block => {
             if (points) {
                 block.family = "points";
@@ -246,6 +261,7 @@ export class Model {
     /// Turns the lens, or the plane of sharp focus, about a point of that plane.
     turn(family, part, value) {
         const anchor = this.anchor();
+        this.close(anchor);
         const now = family === "lensTurn" ? turnOf(this.lens) : focusTurnOf(this.lens);
         const said = this.block.family === family && this.error;
         this.mode = "one";
@@ -313,18 +329,18 @@ export class Model {
 
     /// What the chosen real lens cannot do, and what is unusual: knob -> words.
     remarks() {
-        const said = {}, { real, block, lens } = this;
+        const { real, block, lens } = this, said = { ...this.refused };
         if (!lens)
             return said;
         const turn = wholeTurnOf(lens), shift = Math.hypot(...block.shift);
         if (real && turn > real.tilt + 1e-6)
-            said.turn = `This needs ${turn.toFixed(1)}°. The real lens tilts up to ${real.tilt}°.`;
+            said.turn ??= `This needs ${turn.toFixed(1)}°. The real lens tilts up to ${real.tilt}°.`;
         else if (turn > 15)
-            said.turn = `${turn.toFixed(1)}° is much; real lenses stop at about 10°.`;
+            said.turn ??= `${turn.toFixed(1)}° is much; real lenses stop at about 10°.`;
         if (real && shift > real.shift + 1e-6)
-            said.shift = `${shift.toFixed(1)} mm. The real lens shifts up to ${real.shift} mm.`;
+            said.shift ??= `${shift.toFixed(1)} mm. The real lens shifts up to ${real.shift} mm.`;
         if (real && block.fStop < real.fStop - 1e-6)
-            said.fStop = `The real lens opens to f/${real.fStop} only.`;
+            said.fStop ??= `The real lens opens to f/${real.fStop} only.`;
         return said;
     }
 

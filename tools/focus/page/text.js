@@ -3,19 +3,23 @@
 
 /// The lens as text for the scene: its form, copying it, writing it into the scene's file.
 
-import { FORMS, copyText, describe } from "./block.js";
+import { FORMS, change, copyText, describe } from "./block.js";
+
+const sentence = words => words.replace(/\.?$/, ".");
 
 const WORDS = {
     written: ({ kept }) => `Written. The scene as it was is kept as ${kept}.`,
     undone: () => "The scene is as it was before.",
-    refused: ({ reason }) => `Not written: ${reason}. Copy the text and put it in by hand.`,
+    tried: () => "It belongs into the camera of your scene; tried there, it makes this lens.",
+    untried: ({ reason }) => `It could not be tried in the scene: ${sentence(reason)}`,
+    refused: ({ reason }) => `Not written: ${sentence(reason)} Copy the text and put it in by hand.`,
 };
 
 /// @param kept  () -> items of the scene's own block that stay in it, as text
 /// @param ask   sends a message to the program
 export function buildText(find, model, kept, ask) {
     const block = find("block"), said = find("file-said");
-    let form = "plane";
+    let form = "plane", copied = "";
 
     const show = () => {
         block.textContent = copyText(describe(model, form), kept());
@@ -36,24 +40,26 @@ export function buildText(find, model, kept, ask) {
     find("copy").onclick = async () => {
         try {
             await navigator.clipboard.writeText(block.textContent);
-            said.textContent = "Copied. It belongs into the camera of your scene.";
+            copied = "Copied.";
         } catch {
             mark();
-            said.textContent = "The browser does not let this page copy. The text is marked: press Ctrl-C.";
+            copied = "The browser does not let this page copy. The text is marked: press Ctrl-C.";
         }
+        said.textContent = `${copied} Trying it in the scene …`;
+        ask({ do: "try", ...change(model, form) });
     };
-    find("write").onclick = () => ask({ do: "write", ...describe(model, form) });
+    find("write").onclick = () => ask({ do: "write", ...change(model, form) });
     find("undo").onclick = () => ask({ do: "undo" });
 
     return {
         show,
         /// What has become of the scene's file. @returns whether it was changed from here
         take(message) {
-            said.textContent = WORDS[message.state](message);
-            if (message.state === "refused")
-                return false;
-            find("undo").hidden = message.state !== "written";
-            return true;
+            said.textContent = (message.state.endsWith("tried") ? `${copied} ` : "") + WORDS[message.state](message);
+            const changed = message.state === "written" || message.state === "undone";
+            if (changed)
+                find("undo").hidden = message.state !== "written";
+            return changed;
         },
     };
 }

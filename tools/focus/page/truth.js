@@ -4,17 +4,43 @@
 /// The true picture: asks the program for it, shows it as it grows, over the live one.
 
 import { describe } from "./block.js";
+import { WORLD } from "./place.js";
 
 const READING = "Reading the scene …";
 const WIDTHS = [320, 640, 960, 1280, 1920, 2560, 3840];
 
 const time = seconds => (seconds < 90 ? `${seconds.toFixed(seconds < 9.5 ? 1 : 0)} s` : `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`);
 
+const WORDS = {
+    begun: () => READING,
+    growing: ({ share, seconds }) => `${Math.floor(100 * share)} % after ${time(seconds)}`,
+    done: ({ seconds }) => `Done in ${time(seconds)}. Left of the slider the live picture, right of it the true one.`,
+    stopped: ({ share }) => `Stopped at ${Math.floor(100 * share)} %.`,
+    failed: ({ file, line, message }) => `${file ? `${file}, line ${line}: ` : ""}${message}`,
+};
+
 /// @param previewSize  () -> [width, height] of the preview, whose proportions the picture has
 /// @param ask          sends a message to the program
 export function buildTruth(find, stage, model, previewSize, ask) {
     const canvas = find("truth"), said = find("true-said");
-    let number = 0, waiting = [];
+    let number = 0, waiting = [], last = null, other = false;
+
+    /// The present lens as the program is asked for it.
+    const wanted = () => {
+        const { location, right, up, unshifted } = model.lens, { block, items } = describe(model, "plane", WORLD);
+        return { camera: { location, direction: unshifted, right, up }, block, items };
+    };
+    const keyOf = ({ camera: { location, direction, right, up }, block }) => JSON.stringify([location, direction, right, up, block]);
+
+    /// What is known of the picture; one of another lens is dimmed.
+    const show = () => {
+        if (!last)
+            return;
+        if (model.lens && !model.error)
+            other = keyOf(last.lens) !== keyOf(wanted());
+        canvas.classList.toggle("other", other);
+        said.textContent = WORDS[last.state](last) + (other && last.state !== "failed" ? " Of another lens: render again." : "");
+    };
 
     find("width").replaceChildren(...WIDTHS.map(width => {
         const option = document.createElement("option");
@@ -23,12 +49,12 @@ export function buildTruth(find, stage, model, previewSize, ask) {
         return option;
     }));
     find("render").onclick = () => {
-        const { block, items } = describe(model, "plane"), width = Number(find("width").value), size = previewSize();
-        const { location, right, up, unshifted } = model.lens;
+        const width = Number(find("width").value), size = previewSize();
+        last = null;
         said.textContent = READING;  // at once: what was said of the picture before holds no more
         ask({
             do: "render", size: [width, Math.max(2, Math.round(width * size[1] / size[0]))], quality: Number(find("quality").value),
-            camera: { location, direction: unshifted, right, up }, block, items,
+            ...wanted(),
         });
     };
     find("stop").onclick = () => ask({ do: "stop" });
@@ -36,10 +62,13 @@ export function buildTruth(find, stage, model, previewSize, ask) {
         stage.showTruth(false);
         find("hide").hidden = find("save").hidden = true;
         said.textContent = "";
+        last = null;
     };
 
     return {
+        show,
         take(message) {
+            last = message;
             const running = message.state === "begun" || message.state === "growing";
             if (message.state === "begun" || number !== message.number) {
                 number = message.number;
@@ -53,14 +82,7 @@ export function buildTruth(find, stage, model, previewSize, ask) {
             find("hide").hidden = running;
             find("save").hidden = message.state !== "done";
             find("progress").value = message.share;
-            const words = {
-                begun: () => READING,
-                growing: () => `${Math.floor(100 * message.share)} % after ${time(message.seconds)}`,
-                done: () => `Done in ${time(message.seconds)}. Left of the slider the live picture, right of it the true one.`,
-                stopped: () => `Stopped at ${Math.floor(100 * message.share)} %.`,
-                failed: () => `${message.file ? `${message.file}, line ${message.line}: ` : ""}${message.message}`,
-            };
-            said.textContent = words[message.state]();
+            show();
         },
         takeTile(tile) {
             if (tile.number !== number) {

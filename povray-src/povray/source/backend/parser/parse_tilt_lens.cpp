@@ -80,6 +80,8 @@ void TiltLensParser::ParseBlock(Camera& camera)
     while (NextItem(word, seen))
         FindTiltLensItem(word)->parse(*this, word, lens);
     parser.Parse_End();
+    lens.words = seen;
+    lens.facade = DeclaredVector("Tilt_Lens_Facade_Across").value_or(tilt_lens::Vec3());
     lens.written = camera.TiltLens.written;
     lens.items = camera.TiltLens.items;
     lens.statement.focalPoint = camera.TiltLens.statement.focalPoint;

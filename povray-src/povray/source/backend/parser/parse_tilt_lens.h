@@ -8,6 +8,7 @@
 #ifndef POVRAY_BACKEND_PARSE_TILT_LENS_H
 #define POVRAY_BACKEND_PARSE_TILT_LENS_H
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -106,6 +107,8 @@ class TiltLensParser
     void TakeBlurSamples(Camera& camera);
     void WarnOfFocalPoint(const Camera& camera);
     void WarnOfSky(const Camera& camera);
+    void RequireFacade(const Camera& camera);
+    std::optional<tilt_lens::Vec3> DeclaredVector(const char* name);
 
     /// printf-like; throws.
     void ErrorAt(const TiltLensPlace& place, const char* format, ...);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "backend/frame.h"
@@ -32,6 +33,16 @@ namespace
 
 /// Cosine of the angle up to which a camera's sky counts as what is up in the scene, leaned a little.
 const double kSameSky = 0.7;
+
+/// Whether the camera statement has transformations.
+bool IsMoved(const Camera& camera)
+{
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 4; column++)
+            if (camera.Trans->matrix[row][column] != (row == column ? 1.0 : 0.0))
+                return true;
+    return false;
+}
 
 } // namespace
 
@@ -96,15 +107,34 @@ void TiltLensParser::WarnOfFocalPoint(const Camera& camera)
     WarningAt(camera.TiltLens.place, text);
 }
 
+/// A vector that the scene has declared, or nothing.
+std::optional<Vec3> TiltLensParser::DeclaredVector(const char* name)
+{
+    for (int table = parser.Table_Index; table > 0; table--)
+        if (const SYM_ENTRY* entry = parser.Find_Symbol(table, name))
+        {
+            if (entry->Token_Number != VECTOR_ID_TOKEN || entry->Data == NULL)
+                break;
+            return FromPov(reinterpret_cast<const DBL*>(entry->Data));
+        }
+    return std::nullopt;
+}
+
+/// Tilt_Lens_Facade cannot see whether the camera is left-handed or right-handed.
+void TiltLensParser::RequireFacade(const Camera& camera)
+{
+    if (Dot(camera.TiltLens.facade, FromPov(camera.Right)) < 0.0)
+        ErrorAt(camera.TiltLens.place, "Tilt_Lens_Facade: Lower_Left is to the right of Lower_Right, as this camera sees them. It must be "
+                                       "at the left; exchange the two, and give the corner above the new Lower_Left as Upper_Left.");
+}
+
 /// The set-ups of the include file cannot see the camera's sky.
 void TiltLensParser::WarnOfSky(const Camera& camera)
 {
-    const SYM_ENTRY* entry = NULL;
-    for (int table = parser.Table_Index; table > 0 && entry == NULL; table--)
-        entry = parser.Find_Symbol(table, "Tilt_Lens_Sky");
-    if (entry == NULL || entry->Token_Number != VECTOR_ID_TOKEN || entry->Data == NULL)
+    const std::optional<Vec3> declared = DeclaredVector("Tilt_Lens_Sky");
+    if (!declared)
         return;
-    const Vec3 sky = Normalized(FromPov(camera.Sky)), up = Normalized(FromPov(reinterpret_cast<const DBL*>(entry->Data)));
+    const Vec3 sky = Normalized(FromPov(camera.Sky)), up = Normalized(*declared);
     if (!(Dot(sky, up) < kSameSky))
         return;
     char text[320];
@@ -237,7 +267,10 @@ void TiltLensParser::SolveLens(Camera& camera)
     const bool fresh = lens.open;
     lens.open = false;
     if (fresh)
+    {
         WarnOfSky(camera);
+        RequireFacade(camera);
+    }
     if (!lens.HasPoints())
         return;  // rays will find them
     try
@@ -252,7 +285,8 @@ void TiltLensParser::SolveLens(Camera& camera)
     }
     catch (const tilt_lens::OpticsError& error)
     {
-        ErrorAt(lens.place, "%s", error.what());
+        ErrorAt(lens.place, "%s%s", error.what(),
+                IsMoved(camera) ? " Points and planes were moved by the camera's transformations, which act on its items." : "");
     }
 }
 

@@ -57,6 +57,20 @@ std::string Number(const std::optional<double>& value) { return value ? Number(*
 
 std::string Vector(const Vec3& v) { return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]"; }
 
+/// Four rows; a point is the row in front of the matrix.
+std::string Matrix(const MATRIX& m)
+{
+    std::string text;
+    for (const auto& row : m)
+    {
+        text += text.empty() ? "[" : ", ";
+        for (int i = 0; i < 4; i++)
+            text += (i == 0 ? "[" : ", ") + Number(row[i]);
+        text += "]";
+    }
+    return text + "]";
+}
+
 const char* Truth(bool value) { return value ? "true" : "false"; }
 
 /// In quotation marks, all but printable ASCII escaped.
@@ -97,6 +111,14 @@ std::string Block(const Statement& s)
            ", \"scale\": " + Number(s.scale) + "}";
 }
 
+std::string Words(const std::set<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+        text += (text.empty() ? "\"" : ", \"") + word + "\"";
+    return "[" + text + "]";
+}
+
 /// The statement of a solved camera with a point or a plane in place of where the film stands.
 Statement WithFocus(const Camera& camera)
 {
@@ -133,6 +155,9 @@ std::string Described(const Camera& camera)
            ", \"up\": " + Vector(FromPov(camera.Up)) + ", \"sky\": " + Vector(FromPov(camera.Sky)) +
            ", \"focusDistance\": " + Number(camera.Focal_Distance) + ", \"aperture\": " + Number(camera.Aperture) +
            ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
+           ", \"matrix\": " + Matrix(camera.Trans->matrix) + ", \"inverse\": " + Matrix(camera.Trans->inverse) +
+           ", \"scale\": " + Number(camera.TiltLens.statement.scale) +
+           ", \"words\": " + Words(camera.TiltLens.words) +
            ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
 

@@ -16,6 +16,10 @@
 /// `focusDistance`           of POV-Ray's own focal blur, scene units
 /// `aperture`                POV-Ray's number, twice the lens diameter, scene units; 0: none
 /// `bokeh`, `normal`         whether the camera has these items
+/// `matrix`, `inverse`       the transformations in the statement: from the coordinates in which its items are written to
+///                           those of the world, and back; four rows of four, a point is the row in front of it
+/// `scale`                   by which all transformations so far make the camera larger
+/// `words`                   names of the items that the block has
 /// `block`                   the `tilt_lens` block as a Statement (optics.h), or null; where a ray or the film's distance
 ///                           sets the focus, with the point or plane that this makes
 /// and `gamma` of the scene: how values of the picture become light: `sRGB`, a number (power), or null where

@@ -8,6 +8,7 @@
 #ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
 #define POVRAY_BACKEND_TILT_LENS_CAMERA_H
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -74,7 +75,9 @@ struct TiltLensCamera
     WrittenItems written;
     CameraItems items;
     TiltLensPlace place; ///< of the block's first word
+    std::set<std::string> words;  ///< the items that the block has
     tilt_lens::Statement statement;
+    tilt_lens::Vec3 facade;  ///< from the lower left to the lower right corner that Tilt_Lens_Facade was told; 0 without
     tilt_lens::FocusAids aids;  ///< what a preview draws in place of the lens's picture
 
     FocusTarget focusTarget;      ///< in place of the statement's focalPoint

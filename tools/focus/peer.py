@@ -1,0 +1,43 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""One page at the other end of a socket, which may read slowly or not at all."""
+
+import asyncio
+
+from tools.focus.tasks import started, stopped
+
+DEADLINE = 30  # seconds from a message to when it must be on its way
+
+
+class Peer:
+    """A page. What it is sent waits in a queue of its own, so that one which does not read holds nobody up; one that is too
+    slow is let go, and asks for everything again when it goes on."""
+
+    def __init__(self, socket, transport):
+        self.socket, self.transport = socket, transport
+        self.queue = asyncio.Queue()
+        self.task = started(self.write())
+
+    def put(self, message):
+        """Sends a text or bytes in its turn."""
+        self.queue.put_nowait((asyncio.get_running_loop().time() + DEADLINE, message))
+
+    async def write(self):
+        """Sends what is in the queue."""
+        try:
+            while True:
+                deadline, message = await self.queue.get()
+                send = self.socket.send_str if isinstance(message, str) else self.socket.send_bytes
+                async with asyncio.timeout_at(deadline):
+                    await send(message)
+        except (TimeoutError, ConnectionError, RuntimeError):
+            self.transport.abort()
+
+    async def close(self, code, words=b""):
+        """Ends the connection, with a reason."""
+        await stopped(self.task)
+        try:
+            async with asyncio.timeout(1):
+                await self.socket.close(code=code, message=words)
+        except (TimeoutError, ConnectionError):
+            self.transport.abort()

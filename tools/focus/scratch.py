@@ -1,0 +1,46 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The folder for pictures and logs of one call of ./focus. It goes at the end of the call, or, where the call was killed, when
+the next one begins."""
+
+import contextlib
+import fcntl
+import os
+import pathlib
+import shutil
+import tempfile
+
+PREFIX = "focus-"
+LOCK = "in-use"  # locked as long as the call lasts, whatever ends it
+
+
+@contextlib.contextmanager
+def folder():
+    """A new folder."""
+    remove_left()
+    made = pathlib.Path(tempfile.mkdtemp(prefix=PREFIX))
+    try:
+        with open(made / "new", "wb") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            os.rename(made / "new", made / LOCK)
+            yield made
+    finally:
+        shutil.rmtree(made, ignore_errors=True)
+
+
+def remove_left():
+    """Removes the folders of this user's calls that are over."""
+    with os.scandir(tempfile.gettempdir()) as entries:
+        found = [entry.path for entry in entries if entry.name.startswith(PREFIX) and is_ours(entry)]
+    for path in found:
+        with contextlib.suppress(OSError), open(os.path.join(path, LOCK), "rb") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            shutil.rmtree(path, ignore_errors=True)
+
+
+def is_ours(entry):
+    """Whether an entry is a folder of this user's."""
+    try:
+        return entry.is_dir(follow_symlinks=False) and entry.stat(follow_symlinks=False).st_uid == os.geteuid()
+    except OSError:
+        return False
