@@ -26,7 +26,6 @@ const std::map<std::string, Field> fields = {
     FIELD(farFactor),
     FIELD(shrinkageSamples),
     FIELD(varianceRatioPrior),
-    FIELD(blurReach),
     FIELD(reactivationFactor),
     FIELD(pooledPixels),
     FIELD(typicalSampleVariance),
@@ -39,8 +38,8 @@ const std::map<std::string, Field> fields = {
     FIELD(greatestRisk),
     FIELD(riskLimit),
     FIELD(chanceRisk),
-    FIELD(biasOverNoise),
     FIELD(spreadWeight),
+    FIELD(missedWeight),
     FIELD(leastRowVariance),
     FIELD(forecastCost)};
 #undef FIELD

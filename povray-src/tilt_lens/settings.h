@@ -26,10 +26,13 @@ struct Settings
     /// Blocks from a pixel's own to the farthest that it depends on (section 10): filtering needs converged neighbours, whose
     /// stop rule needs their neighbours' first rounds.
     static constexpr std::int64_t dependencyRadius = 2;
+    /// Rows of blocks, from the first that is not finished on, from which a thread takes work while others take what it needs: two rows
+    /// of the usual tiles and what they depend on. No picture depends on it.
+    static constexpr std::int64_t windowRows = 6;
     /// To the farthest pixels whose sample variance counts for one: 3 by 3 (sections 3 and 4).
     static constexpr int neighbourRadius = 1;
     static constexpr int neighbourhoodPixels = (2 * neighbourRadius + 1) * (2 * neighbourRadius + 1);
-    /// To the farthest pixels that local variance ratios and residual variance ratios are pooled over: 5 by 5 (sections 3 and 8).
+    /// To the farthest pixels that local variance ratios are pooled over: 5 by 5 (section 3).
     static constexpr int ratioRadius = 2;
     /// From the middle of a filter to its end (section 8).
     static constexpr int filterRadius = 4;
@@ -75,9 +78,6 @@ struct Settings
 
     /// @name Undetected error (section 4)
     /// @{
-    /// Distance, in blur radii of what a pixel has hit, up to which other pixels may see the same: a point covers all
-    /// pixels within its blur radius, so that two pixels that see it are at most twice that apart.
-    double blurReach = 2.0;
     /// A converged pixel is reactivated for an undetected error of so many times its target: what its neighbours hit is
     /// as uncertain as their samples are few.
     double reactivationFactor = 4.0;
@@ -131,10 +131,10 @@ struct Settings
     float riskLimit = 8.0f;
     /// Risk over noise of the 3 by 3 pixels around one that may be chance.
     float chanceRisk = 2.0f;
-    /// Bias (squared) that filters make over the noise that they leave, where they leave little of it.
-    float biasOverNoise = 1.5f;
     /// Weight of a spread estimate that is wholly made of other pixels' samples, over that of a filter with the same risk.
     float spreadWeight = 16.0f;
+    /// How many times more it weighs where other pixels' samples tell all of the noise, and the pixel's own none of it.
+    float missedWeight = 100.0f;
     /// Mean variance of a row of a block, over `variance`, below which the row is not reconstructed.
     double leastRowVariance = 1.0 / 32.0;
     /// @}

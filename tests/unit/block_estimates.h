@@ -25,7 +25,7 @@ inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer
             PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
             if (!pixel.active)
                 continue;
-            pixel.statistics.BeginRound(until, pixel.statistics.Samples() == 0);
+            pixel.statistics.BeginRound(until);
             while (pixel.statistics.Samples() < until)
             {
                 SampleResult result;

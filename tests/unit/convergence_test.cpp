@@ -122,56 +122,6 @@ TEST(Reactivate, FollowsWhatAllMissedAtFirst)
     }
 }
 
-TEST(Neighbourhood, BlurCoversPixelsUpToTwiceItsRadius)
-{
-    const auto blurred = [](const SampleId& id, SampleResult& result)
-    {
-        const bool there = id.x == kMiddle.left + 8 && id.y == kMiddle.top + 8;
-        result = Grey(there && id.index % 2 ? 1.0 : 0.0);
-        result.blurRadius = there ? 1.5 : 0.0;
-    };
-    Prepared block(Limits(8, 1024, 1e-4), blurred);
-    for (int y = 0; y < int(settings.blockSide); y++)
-        for (int x = 0; x < int(settings.blockSide); x++)
-        {
-            const bool covered = std::abs(x - 8) <= 3 && std::abs(y - 8) <= 3;
-            EXPECT_EQ(IsNonZero(block.around.Blurred(y * settings.blockSide + x).variance), covered) << x << ", " << y;
-        }
-}
-
-/// Each pixel is blurred by another radius, and the block beside it, too.
-TEST(Neighbourhood, WhatIsBlurredIsTheMeanAndTheGreatestOfAllThatCoverAPixel)
-{
-    const auto blurred = [](const SampleId& id, SampleResult& result)
-    {
-        result = Grey(Noise(id, 1));
-        result.blurRadius = 9.0 * Noise({id.x, id.y, 0}, 2);
-    };
-    constexpr int side = int(settings.blockSide);
-    const BlockEstimate own = FirstEstimate(kMiddle, 4, blurred);
-    const BlockEstimate right = FirstEstimate({2 * settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide}, 4, blurred);
-    const FirstRound ownRound(own), rightRound(right);
-    FirstRounds rounds = Alone(ownRound);
-    rounds[5] = &rightRound;
-    const Neighbourhood around(rounds, Limits(4, 1024, 1e-4));
-    for (int y = 0; y < side; y++)
-        for (int x = 0; x < side; x++)
-        {
-            SampleVariation all;
-            for (int v = 0; v < side; v++)
-                for (int u = 0; u <= side; u++)  // one column beside the block
-                {
-                    const FirstRoundPixel& other = (u < side ? ownRound : rightRound).At(kMiddle.left + u, kMiddle.top + v);
-                    const int reach = int(2.0 * other.blurRadius);
-                    if (std::abs(u - x) <= reach && std::abs(v - y) <= reach)
-                        all.Merge(other.variation);
-                }
-            const SampleVariation& found = around.Blurred(y * settings.blockSide + x);
-            ASSERT_NEAR(found.variance[0], all.variance[0] / (side * (side + 1)), 1e-12) << x << ", " << y;
-            ASSERT_EQ(found.maxSquaredDeviation, all.maxSquaredDeviation) << x << ", " << y;
-        }
-}
-
 TEST(Neighbourhood, LooksAtFirstSamplesBesideTheBlock)
 {
     const BlockEstimate own = FirstEstimate(kMiddle, 8, Constant);
@@ -198,7 +148,8 @@ TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < block.estimate.pixels.size(); i++)
     {
-        const PixelEstimate& pixel = block.estimate.pixels[i];
+        PixelEstimate& pixel = block.estimate.pixels[i];
+        pixel.seenVariance = pixel.statistics.Variation().variance;
         const double own = pixel.varianceRatio * pixel.statistics.Variation().variance[0] / 8.0;
         const double variance = own + (i < settings.blockSide ? undetected : 0.0);
         candidates.push_back({i, {variance, variance, variance, 0.0, 0.0}, 0.9 * own});
@@ -223,7 +174,6 @@ TEST(BlockStatistics, NoiseIncludesUndetectedError)
     const auto noisyColumn = [](const SampleId& id, SampleResult& result)
     {
         result = Grey(id.x == kMiddle.left + 5 ? Noise(id, 1) : 0.5);
-        result.blurRadius = id.x == kMiddle.left + 5 ? 2.0 : 0.0;
     };
     Prepared block(Limits(8, 1024, 1e-4), noisyColumn);
     block.Update(8);
@@ -231,7 +181,7 @@ TEST(BlockStatistics, NoiseIncludesUndetectedError)
     for (int x = 0; x < int(settings.blockSide); x++)
     {
         const double noise = block.estimate.statistics->Noise()[8 * settings.blockSide + x];
-        EXPECT_EQ(noise > 0.0, x >= 1 && x <= 9) << x;  // up to twice the blur away
+        EXPECT_EQ(noise > 0.0, x >= 4 && x <= 6) << x;
         if (std::abs(x - 5) > settings.neighbourRadius)
         {
             EXPECT_FLOAT_EQ(noise, block.estimate.pixels[8 * settings.blockSide + x].undetectedNoise) << x;

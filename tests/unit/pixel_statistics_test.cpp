@@ -30,7 +30,7 @@ PixelStatistics StatisticsOf(const std::vector<double>& values)
     PixelStatistics pixel;
     for (std::size_t until = 4; pixel.Samples() < values.size(); until *= 2)
     {
-        pixel.BeginRound(until, pixel.Samples() == 0);
+        pixel.BeginRound(until);
         while (pixel.Samples() < until)
             pixel.Add(Result(values[pixel.Samples()]));
         pixel.EndRound();
@@ -88,14 +88,13 @@ TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
             for (std::uint32_t i = 0; i < 32; i++)
             {
                 results[i].radiance = {0.1 * (i % 7), 1.0 / (i + 1), -0.5 * i, i == 9 ? odd : 0.7, i == 20 ? odd : 0.0};
-                results[i].blurRadius = i % 5;
                 results[i].expectedEmission = i % 4 == 1 ? 0.25 * i : 0.0;
             }
             PixelStatistics together, single;
             for (const std::uint32_t until : {8u, 16u, 32u})
             {
-                together.BeginRound(until, together.Samples() == 0);
-                single.BeginRound(until, single.Samples() == 0);
+                together.BeginRound(until);
+                single.BeginRound(until);
                 for (std::uint32_t i = single.Samples(); i < until; i++)
                     single.Add(results[i]);
                 for (std::uint32_t i = together.Samples(); i < until; i = together.Samples())
@@ -106,7 +105,6 @@ TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
                 EXPECT_EQ(together.NotFinite(), single.NotFinite());
                 EXPECT_EQ(together.EmitterSamples(), single.EmitterSamples());
                 EXPECT_EQ(together.ExpectedEmission(), single.ExpectedEmission());
-                EXPECT_EQ(together.BlurRadius(), single.BlurRadius());
                 EXPECT_EQ(together.Mean(), single.Mean());
                 EXPECT_EQ(together.DualBufferDifference(), single.DualBufferDifference());
                 EXPECT_EQ(together.Variation().variance, single.Variation().variance);
@@ -118,7 +116,7 @@ TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
 TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)
 {
     PixelStatistics pixel;
-    pixel.BeginRound(8, true);
+    pixel.BeginRound(8);
     for (int i = 0; i < 8; i++)
     {
         SampleResult result = Result(i % 2 ? 0.25 : 3.0);
@@ -130,23 +128,6 @@ TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)
     EXPECT_EQ(pixel.ExpectedEmission(), 0.5);
     EXPECT_NEAR(pixel.Variation().variance[0], 0.0, 1e-15);
     EXPECT_NEAR(pixel.Mean()[0], 1.625, 1e-15);
-}
-
-TEST(PixelStatistics, TheBlurIsTheLargestOfTheFirstRound)
-{
-    PixelStatistics pixel;
-    for (const std::uint32_t until : {4u, 8u})
-    {
-        pixel.BeginRound(until, pixel.Samples() == 0);
-        while (pixel.Samples() < until)
-        {
-            SampleResult result = Result(0.5);
-            result.blurRadius = pixel.Samples() == 2 ? 3.0 : pixel.Samples() < 4 ? 1.0 : 100.0;
-            pixel.Add(result);
-        }
-        pixel.EndRound();
-    }
-    EXPECT_EQ(pixel.BlurRadius(), 3.0);
 }
 
 TEST(SampleVariation, MergesBySumAndByTheGreater)

@@ -98,17 +98,12 @@ CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float ra
 }
 
 /// What a pixel has received: red, green, blue, and the shares.
-Float4 SentTo(const SpreadSums& sums, int buffer, int x, int y)
+Float4 SentTo(const SpreadSums& sums, int x, int y)
 {
     Float4 sent;
     for (int c = 0; c < 4; c++)
-        sent[c] = *sums.From(buffer, c, x, y);
+        sent[c] = *sums.From(SpreadSums::Sum(c), x, y);
     return sent;
-}
-
-Float4 SentTo(const SpreadSums& sums, int x, int y)
-{
-    return SentTo(sums, 0, x, y) + SentTo(sums, 1, x, y);
 }
 
 TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
@@ -119,7 +114,7 @@ TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
         for (const float radius : {0.3f, 1.0f, 1.7f, 4.0f, 6.9f, 30.0f, 1e6f})
         {
             auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
-            sums->Add(3, 15, 0, CircleAt(lens, 3.2f + 0.5f * radius, 15.4f, radius), Radiance{0.5, 1.0, 2.0, 0.0, 0.0});
+            sums->Add(3, 15, CircleAt(lens, 3.2f + 0.5f * radius, 15.4f, radius), Radiance{0.5, 1.0, 2.0, 0.0, 0.0});
             double share = sums->OwnShare(3, 15), red = 0.5 * sums->OwnShare(3, 15);
             for (int y = -kReach; y < kSide + kReach; y++)
                 for (int x = -kReach; x < kSide + kReach; x++)
@@ -171,7 +166,7 @@ TEST(SpreadSums, SharesAreOneOverTheNumberOfPixelsThatCouldHaveSentThem)
         if (!clear || count <= 1 || distance(column, row) > 1.0)
             continue;
         auto sums = std::make_unique<SpreadSums>(block, kWidth, kHeight);
-        sums->Add(column, row, 0, {float(x), float(y), float(a), 0.0f, 0.0f, float(b), &lens}, Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+        sums->Add(column, row, {float(x), float(y), float(a), 0.0f, 0.0f, float(b), &lens}, Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
         const auto senders = [&](int u, int v) { return SendersTo(u, x, a, left, left + kWidth) * SendersTo(v, y, b, top, top + kHeight); };
         for (int v = row - kReach; v <= row + kReach; v++)
             for (int u = column - kReach; u <= column + kReach; u++)
@@ -202,14 +197,14 @@ TEST(SpreadSums, AreTheSameWithAvx2AndWithout)
             const auto part = [&] { return size * float(random(-1.0, 1.0)); };
             const CircleOfConfusion circle{column + 0.5f + part(), row + 0.5f + part(), part(), part(), part(), part(), &lens};
             const Radiance radiance{random(0.0, 1.0), random(0.0, 2.0), random(0.0, 30.0), 0.0, 0.0};
-            sums->Add(column, row, i, circle, radiance);
-            plain->AddPlain(column, row, i, circle, radiance);
+            sums->Add(column, row, circle, radiance);
+            plain->AddPlain(column, row, circle, radiance);
         }
         EXPECT_TRUE(sums->IsSpread());
         for (int y = -kReach; y < kSide + kReach; y++)
             for (int x = -kReach; x < kSide + kReach; x++)
-                for (int c = 0; c < 8; c++)
-                    ASSERT_EQ(*sums->From(c / 4, c % 4, x, y), *plain->From(c / 4, c % 4, x, y)) << x << ", " << y;
+                for (int c = 0; c < SpreadSums::kSums; c++)
+                    ASSERT_EQ(*sums->From(SpreadSums::Sum(c), x, y), *plain->From(SpreadSums::Sum(c), x, y)) << x << ", " << y;
         for (int i = 0; i < kSide * kSide; i++)
             ASSERT_EQ(sums->OwnShare(i % kSide, i / kSide), plain->OwnShare(i % kSide, i / kSide));
     }
@@ -234,7 +229,7 @@ double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
                 const AperturePoint seen = Aperture::Disc()(point.lensU, point.lensV);
                 const float atX = x + 0.5f + radius * float(seen.a), atY = y + 0.5f + radius * float(seen.b);
                 const double value = std::pow(left + atX - pixelX - 0.5, 2.0) + std::pow(top + atY - pixelY - 0.5, 2.0);
-                sums.Add(x, y, sample % 4, CircleAt(lens, atX, atY, radius), {value, value, value, 0.0, 0.0});
+                sums.Add(x, y, CircleAt(lens, atX, atY, radius), {value, value, value, 0.0, 0.0});
             }
         const int x = pixelX - left, y = pixelY - top;
         if (std::min(x, y) >= -kReach && std::max(x, y) < kSide + kReach)
@@ -258,12 +253,12 @@ TEST(SpreadSums, WhatIsSharpOrNotFiniteServesItsOwnPixelAlone)
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     const double infinite = std::numeric_limits<double>::infinity();
     auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
-    sums->Add(5, 5, 0, CircleOfConfusion(), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
-    sums->Add(5, 5, 1, CircleAt(lens, 5.5f, 5.5f, 5.0f), Radiance{infinite, 1.0, 1.0, 0.0, 0.0});
-    sums->Add(5, 5, 2, CircleAt(lens, 5.5f, 5.5f, std::nanf("")), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
-    sums->Add(5, 5, 3, CircleAt(lens, float(infinite), 5.5f, 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
-    sums->Add(6, 5, 0, CircleAt(lens, std::nanf(""), 5.5f, 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
-    sums->Add(6, 5, 1, CircleAt(lens, 6.5f, std::nanf(""), 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(5, 5, CircleOfConfusion(), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(5, 5, CircleAt(lens, 5.5f, 5.5f, 5.0f), Radiance{infinite, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(5, 5, CircleAt(lens, 5.5f, 5.5f, std::nanf("")), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(5, 5, CircleAt(lens, float(infinite), 5.5f, 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(6, 5, CircleAt(lens, std::nanf(""), 5.5f, 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+    sums->Add(6, 5, CircleAt(lens, 6.5f, std::nanf(""), 5.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     EXPECT_FALSE(sums->IsSpread());
     EXPECT_EQ(sums->OwnShare(5, 5), 4.0f);
     EXPECT_EQ(sums->OwnShare(6, 5), 2.0f);
@@ -284,7 +279,7 @@ std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float ra
                 for (int sample = 0; sample < (i == 3 ? leftSamples : 2); sample++)
                 {
                     const double value = grey(x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide, sample);
-                    blocks[i]->Add(x, y, sample, CircleAt(lens, x + 0.5f, y + 0.5f, radius), {value, value, value, 0.0, 0.0});
+                    blocks[i]->Add(x, y, CircleAt(lens, x + 0.5f, y + 0.5f, radius), {value, value, value, 0.0, 0.0});
                 }
         places[i] = blocks[i].get();
     }
@@ -300,9 +295,18 @@ TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesAreTheSamples)
         {
             const int at = PaddedBlock::At(x, y);
             EXPECT_NEAR(received->mean[0][at], 0.7, 1e-6);
-            EXPECT_NEAR(received->dualBufferDifference[0][at], 0.0, 1e-6);
+            EXPECT_NEAR(received->variance[at], 0.0, 1e-5);
             EXPECT_NEAR(received->share[at] + 2.0 * received->ownShare[at], 2.0, 1e-4);
         }
+}
+
+TEST(PaddedSpread, VarianceIsThatOfTheSamplesSent)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    const auto received = Received(lens, 3.0f, [](int, int, int sample) { return sample == 0 ? 0.2 : 0.8; });
+    for (int y = 0; y < kSide; y++)
+        for (int x = 0; x < kSide; x++)
+            EXPECT_NEAR(received->variance[PaddedBlock::At(x, y)], 3.0 * 0.3 * 0.3, 1e-5) << x << ", " << y;
 }
 
 /// A surface is not seen more where more rays have met it.
@@ -334,7 +338,7 @@ TEST(PaddedSpread, WhatHasReceivedNothingKeepsItsOwn)
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
     for (int sample = 0; sample < 2; sample++)
-        sums->Add(0, 0, sample, CircleAt(lens, 0.5f, 0.5f, 2.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
+        sums->Add(0, 0, CircleAt(lens, 0.5f, 0.5f, 2.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     PaddedSpread::Sent sent{};
     sent[4] = sums.get();
     const auto received = PaddedSpread::Of(sent, 2);
@@ -363,9 +367,8 @@ TEST(Reconstruction, SpreadSamplesTakeOffMoreNoiseThanFilters)
                 for (int x = 0; x < kSide; x++)
                 {
                     const auto& [a, b] = values[{x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide}];
-                    const double mean = 0.5 * (a + b), difference = a - b;
-                    statistics[i].Set(x, y, {mean, mean, mean, 0.0, 0.0}, {difference, difference, difference, 0.0, 0.0},
-                                      3.0 / 24.0, 2);
+                    const double mean = 0.5 * (a + b);
+                    statistics[i].Set(x, y, {mean, mean, mean, 0.0, 0.0}, 3.0 / 24.0, 0.0, 2);
                 }
             known[i] = &statistics[i];
         }

@@ -362,7 +362,6 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
         const AperturePoint lensPoint = disc(s.lensU, s.lensV);
         const double x = id.x + s.pixelX + blur * lensPoint.a, y = id.y + s.pixelY + blur * lensPoint.b;  // in the plane of the lamp
         result = Grey(std::hypot(x - middle, y - middle) < lamp ? brightness : 0.0);
-        result.blurRadius = blur;
         result.circle = {float(x), float(y), float(blur), 0.0f, 0.0f, float(blur), &footprint};
     };
     SamplingLimits limits = Limits(4, 64, 1e-3);

@@ -72,7 +72,8 @@ void Lamp(const SampleId& id, SampleResult& light)
     const double u = s.lensU - 0.9 * (PixelHash(id.x, id.y, 0, 5) * 0x1p-32);
     const double v = s.lensV - 0.9 * (PixelHash(id.x, id.y, 0, 6) * 0x1p-32);
     light = Grey(u >= 0 && u < 0.1 && v >= 0 && v < 0.1 ? 1.0 : 0.0);
-    light.blurRadius = 100.0;
+    static const LensFootprint footprint(Lens(), Aperture::Disc(), 4096.0, 4096.0);
+    light.circle = {id.x + 0.5f, id.y + 0.5f, 100.0f, 0.0f, 0.0f, 100.0f, &footprint};
 }
 
 double LampMean(std::uint32_t, std::uint32_t)

@@ -19,7 +19,7 @@ namespace
 PixelStatistics Equal(std::uint32_t samples, double value, double expectedEmission = 0.0)
 {
     PixelStatistics pixel;
-    pixel.BeginRound(samples, true);
+    pixel.BeginRound(samples);
     for (std::uint32_t i = 0; i < samples; i++)
     {
         SampleResult result;
@@ -49,16 +49,15 @@ TEST(MissedSquareError, IsTheMeanOverAllShares)
 
 TEST(UndetectedError, IsOfWhatOthersHitAndThePixelShowsLessOf)
 {
-    SampleVariation around, none;
+    SampleVariation around;
     around.variance[1] = 0.25, around.maxSquaredDeviation[1] = 1.0;
-    const Radiance error = UndetectedError(Equal(8, 0.5), around, none);
+    const Radiance error = UndetectedError(Equal(8, 0.5), around);
     EXPECT_NEAR(error[1], MissedSquareError(0.25, 8), 1e-15);
     EXPECT_EQ(error[0], 0.0);
-    EXPECT_EQ(UndetectedError(Equal(8, 0.5), none, around), error) << "what is blurred over it counts alike";
-    EXPECT_LT(UndetectedError(Equal(64, 0.5), around, none)[1], error[1] / 8.0) << "more samples would have hit it";
+    EXPECT_LT(UndetectedError(Equal(64, 0.5), around)[1], error[1] / 8.0) << "more samples would have hit it";
 
     PixelStatistics noisy;
-    noisy.BeginRound(8, true);
+    noisy.BeginRound(8);
     for (int i = 0; i < 8; i++)
     {
         SampleResult result;
@@ -66,7 +65,7 @@ TEST(UndetectedError, IsOfWhatOthersHitAndThePixelShowsLessOf)
         noisy.Add(result);
     }
     noisy.EndRound();
-    EXPECT_EQ(UndetectedError(noisy, around, none)[1], 0.0) << "the pixel has hit as much itself";
+    EXPECT_EQ(UndetectedError(noisy, around)[1], 0.0) << "the pixel has hit as much itself";
 }
 
 TEST(HasSearchedEmitters, AsLongAsTheyMayExceedTheTarget)

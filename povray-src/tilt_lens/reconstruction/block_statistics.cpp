@@ -31,16 +31,13 @@ void CopyRow(const float* from, int place, bool mirror, float* row)
 
 } // namespace
 
-void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference,
-                          double noise, std::uint32_t samples)
+void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, double noise, double missed, std::uint32_t samples)
 {
     const std::size_t i = y * settings.blockSide + x;
     for (std::size_t c = 0; c < mean.size(); c++)
-    {
         planes[kMean + c][i] = mean[c];
-        planes[kDualBufferDifference + c][i] = dualBufferDifference[c];
-    }
     planes[kNoise][i] = noise;
+    planes[kMissed][i] = missed;
     planes[kSamples][i] = samples;
     transparent = transparent || mean[3] != 0.0 || mean[4] != 0.0;
 }

@@ -30,20 +30,18 @@ class BlockStatistics
     enum Plane
     {
         kMean = 0,                  ///< five channels
-        kDualBufferDifference = 5,  ///< five channels: difference of the means of the pixel's two buffers
-        kNoise = 10,                ///< variance of the mean and its undetected error, estimated, summed over the channels
-        kSamples = 11,              ///< taken
+        kNoise = 5,    ///< variance of the mean and its undetected error, estimated, summed over the channels
+        kMissed = 6,   ///< share of the noise that other pixels' samples tell and the pixel's own do not, [0, 1]
+        kSamples = 7,  ///< taken
         kPlanes
     };
 
-    void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, const Radiance& dualBufferDifference, double noise,
-             std::uint32_t samples);
+    void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, double noise, double missed, std::uint32_t samples);
     /// @param width, height  of what was Set
     void RepeatEdges(std::uint32_t width, std::uint32_t height);
 
     const BlockPlane& operator[](std::size_t plane) const { return planes[plane]; }
     const BlockPlane& Mean(std::size_t channel) const { return planes[kMean + channel]; }
-    const BlockPlane& DualBufferDifference(std::size_t channel) const { return planes[kDualBufferDifference + channel]; }
     const BlockPlane& Noise() const { return planes[kNoise]; }
     /// Whether filter or transmit are not zero anywhere.
     bool IsTransparent() const { return transparent; }
@@ -71,11 +69,8 @@ class PaddedBlock
     explicit PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks);
 
     const Plane& Mean(std::size_t channel) const { return planes[BlockStatistics::kMean + channel]; }
-    const Plane& DualBufferDifference(std::size_t channel) const
-    {
-        return planes[BlockStatistics::kDualBufferDifference + channel];
-    }
     const Plane& Noise() const { return planes[BlockStatistics::kNoise]; }
+    const Plane& Missed() const { return planes[BlockStatistics::kMissed]; }
     const Plane& Samples() const { return planes[BlockStatistics::kSamples]; }
     bool IsTransparent() const { return transparent; }
 

@@ -18,9 +18,6 @@ std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent, std::uint
 namespace
 {
 
-/// What pixels have received, in either buffer: red, green, blue, and the shares.
-using Received = std::array<std::array<PaddedSpread::Plane, 4>, 2>;
-
 void AddRow(const float* from, int count, float weight, float* to)
 {
     int i = 0;
@@ -47,30 +44,31 @@ PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t samples)
         const int left = (i % 3 - 1) * kSide, top = (i / 3 - 1) * kSide;
         const int begin = std::max(-kBorder, left - kReach), end = std::min(kSide + kBorder, left + kSide + kReach);
         for (int y = std::max(-kBorder, top - kReach); y < std::min(kSide + kBorder, top + kSide + kReach); y++)
-            for (int buffer = 0; buffer < 2; buffer++)
-                for (int c = 0; c < 4; c++)
-                    AddRow(sent[i]->From(buffer, c, begin - left, y - top), end - begin, weight, &(*received)[buffer][c][PaddedBlock::At(begin, y)]);
+            for (int sum = 0; sum < SpreadSums::kSums; sum++)
+                AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin, weight, &(*received)[sum][PaddedBlock::At(begin, y)]);
         for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
             for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
                 if (sent[i]->OwnSamples(x - left, y - top) > 0.0f)
                     ownShare[PaddedBlock::At(x, y)] = sent[i]->OwnShare(x - left, y - top) / sent[i]->OwnSamples(x - left, y - top);
     }
     for (std::size_t at = 0; at < share.size(); at += 4)
-        Finish((*received)[0], (*received)[1], at);
+        Finish(*received, at);
 }
 
 /// Of four pixels.
-void PaddedSpread::Finish(const std::array<Plane, 4>& a, const std::array<Plane, 4>& b, std::size_t at)
+void PaddedSpread::Finish(const Received& received, std::size_t at)
 {
-    const Float4 none{}, shareA = Load<Float4>(&a[3][at]), shareB = Load<Float4>(&b[3][at]), both = shareA + shareB;
-    const Mask4 known = (shareA > none) & (shareB > none);
-    Store(&share[at], known ? both : none);
+    const Float4 none{}, shares = Load<Float4>(&received[SpreadSums::kShare][at]);
+    const Mask4 known = shares > none;
+    Store(&share[at], shares);
+    Float4 squares = known ? Load<Float4>(&received[SpreadSums::kSquares][at]) / shares : none;
     for (int c = 0; c < 3; c++)
     {
-        const Float4 sumA = Load<Float4>(&a[c][at]), sumB = Load<Float4>(&b[c][at]);
-        Store(&mean[c][at], known ? (sumA + sumB) / both : none);
-        Store(&dualBufferDifference[c][at], known ? sumA / shareA - sumB / shareB : none);
+        const Float4 average = known ? Load<Float4>(&received[c][at]) / shares : none;
+        squares -= average * average;
+        Store(&mean[c][at], average);
     }
+    Store(&variance[at], Max(squares, none));
 }
 
 } // namespace tilt_lens

@@ -31,13 +31,19 @@ class PaddedSpread
     /// @return null where nothing was sent at all
     static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t samples);
 
-    std::array<Plane, 3> mean, dualBufferDifference;  ///< of what other pixels' samples have sent; 0: nothing
+    std::array<Plane, 3> mean;  ///< of what other pixels' samples have sent; 0: nothing
+    Plane variance;  ///< of one of these samples, summed over the channels
     Plane share;     ///< that these samples have sent
     Plane ownShare;  ///< that a sample of the pixel keeps for it, on average, [0, 1]
 
+    /// Number of other pixels' samples that have reached a pixel, about.
+    float SamplesAt(std::size_t at) const { return share[at] > 0.0f && ownShare[at] > 0.0f ? share[at] / ownShare[at] : 0.0f; }
+
   private:
+    using Received = std::array<Plane, SpreadSums::kSums>;
+
     PaddedSpread(const Sent& sent, std::uint32_t samples);
-    void Finish(const std::array<Plane, 4>& a, const std::array<Plane, 4>& b, std::size_t at);
+    void Finish(const Received& received, std::size_t at);
 };
 
 } // namespace tilt_lens

@@ -80,30 +80,26 @@ template<int kChannels, class Vector>
 class FilteredRows
 {
   public:
-    TILT_LENS_INLINED FilteredRows(const PaddedBlock& around, const Part& risky, const Part& wanted) : around(around)
+    TILT_LENS_INLINED FilteredRows(const PaddedBlock& around, const Part& risky) : around(around)
     {
-        FilterRows<kFit5>(risky, wanted);
-        FilterRows<kFit9>(risky, wanted);
-        FilterRows<kMean9>(risky, wanted);
-        FilterRows<kAhead5>(risky, wanted);
-        FilterRows<kBehind5>(risky, wanted);
+        FilterRows<kFit5>(risky);
+        FilterRows<kFit9>(risky);
+        FilterRows<kMean9>(risky);
+        FilterRows<kAhead5>(risky);
+        FilterRows<kBehind5>(risky);
     }
 
     const Plane& Mean(Filter across, int c) const
     {
         return across == kNone ? around.Mean(c) : means[across - 1][c];
     }
-    const Plane& DualBufferDifference(Filter across, int c) const
-    {
-        return across == kNone ? around.DualBufferDifference(c) : differences[across - 1][c];
-    }
 
   private:
     const PaddedBlock& around;
-    std::array<std::array<Plane, kChannels>, kFilters - 1> means, differences;
+    std::array<std::array<Plane, kChannels>, kFilters - 1> means;
 
     template<Filter kFilter>
-    TILT_LENS_INLINED void FilterRows(const Part& risky, const Part& wanted)
+    TILT_LENS_INLINED void FilterRows(const Part& risky)
     {
         const auto filter = [](const Part& part, const Plane& from, Plane& to) TILT_LENS_INLINED_LAMBDA
         {
@@ -113,12 +109,18 @@ class FilteredRows
             higher.ForEach<Vector>([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&to[i], Filtered<Vector, kFilter>(&from[i], 1)); });
         };
         for (int c = 0; c < kChannels; c++)
-        {
             filter(risky, around.Mean(c), means[kFilter - 1][c]);
-            filter(wanted, around.DualBufferDifference(c), differences[kFilter - 1][c]);
-        }
     }
 };
+
+/// The variance that a filter leaves of noise of variance 1 at each pixel.
+constexpr float NoiseLeftBy(Filter filter)
+{
+    float sum = kTaps[filter][0] * kTaps[filter][0];
+    for (int i = 1; i <= settings.filterRadius; i++)
+        sum += (filter == kAhead5 || filter == kBehind5 ? 1.0f : 2.0f) * kTaps[filter][i] * kTaps[filter][i];
+    return sum;
+}
 
 /// A candidate of the bank: pixels of a channel filtered across and down.
 template<int kChannels, class Vector, Filter kAcross, Filter kDown>
@@ -129,12 +131,9 @@ struct ProductFilter
     /// The filter's own tap of the pixel.
     static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
     static constexpr float Preference(int) { return 1.0f; }
+    static constexpr float NoiseLeft(int) { return NoiseLeftBy(kAcross) * NoiseLeftBy(kDown); }
 
     TILT_LENS_INLINED Vector Mean(int c, int i) const { return Filtered<Vector, kDown>(&rows.Mean(kAcross, c)[i], kColumns); }
-    TILT_LENS_INLINED Vector DualBufferDifference(int c, int i) const
-    {
-        return Filtered<Vector, kDown>(&rows.DualBufferDifference(kAcross, c)[i], kColumns);
-    }
 };
 
 /// The mean of candidates, weighted by their risks.
@@ -157,9 +156,9 @@ class RiskWeightedMean
         MeanAround<Vector, settings.nearRiskRadius>(noises, rows, noiseNear);
     }
 
-    /// @param candidate  linear in the pixels: its Mean(channel, i) of the pixels from place i on, the same filter's
-    ///                   DualBufferDifference(channel, i), its CentreTap(i), that is the pixel's own share in it, and
-    ///                   Preference(i), its weight over that of a filter with the same risk
+    /// @param candidate  linear in the pixels: its Mean(channel, i) of the pixels from place i on, its CentreTap(i), that is the
+    ///                   pixel's own share in it, NoiseLeft(i), the share of the pixel's variance that it leaves, and Preference(i),
+    ///                   its weight over that of a filter with the same risk
     template<class Candidate>
     TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
@@ -170,11 +169,9 @@ class RiskWeightedMean
         {
             const Vector weight = candidate.Preference(i) * WeightOf(i);
             Store(&weights[i], Load<Vector>(&weights[i]) + weight);
+            Store(&noiseLeft[i], Load<Vector>(&noiseLeft[i]) + weight * candidate.NoiseLeft(i));
             for (int c = 0; c < kChannels; c++)
-            {
                 Store(&means[c][i], Load<Vector>(&means[c][i]) + weight * candidate.Mean(c, i));
-                Store(&differences[c][i], Load<Vector>(&differences[c][i]) + weight * candidate.DualBufferDifference(c, i));
-            }
         });
     }
 
@@ -188,10 +185,8 @@ class RiskWeightedMean
         const float mean = std::max(means[c][i] / weights[i], std::min(0.0f, own));
         return c < 3 ? mean : std::min(mean, std::max(1.0f, own));
     }
-    float DualBufferDifferenceOf(int c, int i) const
-    {
-        return weights[i] > 0.0f ? differences[c][i] / weights[i] : around.DualBufferDifference(c)[i];
-    }
+    /// A bound of the variance that is left of a pixel's: that of a mean of estimates is at most the mean of their variances.
+    float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
 
     const Part& Risky() const { return risky; }
     const Part& Wanted() const { return wanted; }
@@ -201,8 +196,8 @@ class RiskWeightedMean
     const Rows rows;
     const Part risky, wanted;
     Plane units, noises, noiseAround, noiseNear, risk, limited, riskAround, riskNear;
-    Plane weights{};
-    std::array<Plane, kChannels> means{}, differences{};
+    Plane weights{}, noiseLeft{};
+    std::array<Plane, kChannels> means{};
 
     template<class Candidate>
     TILT_LENS_INLINED void FindRisk(const Candidate& candidate)
@@ -233,76 +228,43 @@ class RiskWeightedMean
     }
 };
 
-/// Squared difference of a pixel's two buffers, before and after filtering.
-struct SquaredDifference
-{
-    float before = 0.0f, after = 0.0f;
-};
-
-void AddTo(SquaredDifference& sum, const SquaredDifference& one)
-{
-    sum.before += one.before;
-    sum.after += one.after;
-}
-
-void DivideBy(SquaredDifference& sum, float divisor)
-{
-    sum.before /= divisor;
-    sum.after /= divisor;
-}
-
-/// Noise after filtering over noise before, each the mean square over the 5 by 5 pixels around, and the bias that goes with it;
-/// 1 where none is noisy.
-BlockPlane ResidualVarianceRatio(const std::vector<SquaredDifference>& differences)
-{
-    const std::vector<SquaredDifference> around = WindowMeans<settings.ratioRadius>(differences, kSide);
-    BlockPlane ratio;
-    std::transform(around.begin(), around.end(), ratio.begin(), [](const SquaredDifference& mean)
-    {
-        if (!(mean.before > 0.0f))
-            return 1.0f;
-        const float noise = std::min(1.0f, mean.after / mean.before);
-        return std::min(1.0f, noise + settings.biasOverNoise * noise * (1.0f - noise));
-    });
-    return ratio;
-}
-
 /// The spread estimate S = t q + (1 - t) others of each pixel, with its own samples' share t, as a candidate; corrected it is
 /// S + F (q - S), where F is the mean over 9 by 9 pixels.
 template<class Vector, bool kCorrected>
 class SpreadCandidate
 {
   public:
-    TILT_LENS_INLINED SpreadCandidate(const PaddedBlock& around, const PaddedSpread& spread, const Part& risky, const Part& wanted)
+    TILT_LENS_INLINED SpreadCandidate(const PaddedBlock& around, const PaddedSpread& spread, const Part& risky)
     {
         for (std::size_t i = 0; i < ownTap.size(); i++)
         {
             const float share = spread.ownShare[i] * around.Samples()[i];
             ownTap[i] = spread.share[i] > 0.0f ? share / (share + spread.share[i]) : 1.0f;
+            const float others = spread.SamplesAt(i), noise = around.Noise()[i];
+            const float noiseOfOthers = others > 0.0f && noise > 0.0f ? std::min(1.0f, spread.variance[i] / (others * noise)) : 1.0f;
+            noiseLeft[i] = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
+            weight[i] = settings.spreadWeight * (1.0f + settings.missedWeight * around.Missed()[i]);
         }
         for (int c = 0; c < 3; c++)
-        {
             Estimate(around.Mean(c), spread.mean[c], risky, means[c]);
-            Estimate(around.DualBufferDifference(c), spread.dualBufferDifference[c], wanted, differences[c]);
-        }
     }
 
     TILT_LENS_INLINED Vector Mean(int c, int i) const { return Load<Vector>(&means[c][i]); }
-    TILT_LENS_INLINED Vector DualBufferDifference(int c, int i) const { return Load<Vector>(&differences[c][i]); }
     TILT_LENS_INLINED Vector CentreTap(int i) const
     {
         return Load<Vector>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
     }
-    /// Geometry speaks for it where the pixel's value is made of others' samples.
+    TILT_LENS_INLINED Vector NoiseLeft(int i) const { return Load<Vector>(&noiseLeft[i]) + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f); }
+    /// Geometry speaks for it where the pixel's value is made of others' samples, and more where the pixel's own have missed something.
     TILT_LENS_INLINED Vector Preference(int i) const
     {
         const Vector others = 1.0f - Load<Vector>(&ownTap[i]), square = others * others;
-        return settings.spreadWeight * square * square;
+        return Load<Vector>(&weight[i]) * square * square;
     }
 
   private:
-    Plane ownTap;
-    std::array<Plane, 3> means, differences;
+    Plane ownTap, noiseLeft, weight;
+    std::array<Plane, 3> means;
 
     TILT_LENS_INLINED void Estimate(const Plane& own, const Plane& others, const Part& part, Plane& estimate) const
     {
@@ -333,25 +295,21 @@ template<int kChannels, class Vector>
 TILT_LENS_INLINED ReconstructedBlock ReconstructChannels(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
 {
     RiskWeightedMean<kChannels, Vector> mean(around, rows);
-    const FilteredRows<kChannels, Vector> filteredRows(around, mean.Risky(), mean.Wanted());
+    const FilteredRows<kChannels, Vector> filteredRows(around, mean.Risky());
     AddBank(mean, filteredRows, std::make_index_sequence<std::size(kBank)>());
     if (kChannels == 3 && spread != nullptr)
     {
-        mean.Add(SpreadCandidate<Vector, false>(around, *spread, mean.Risky(), mean.Wanted()));
-        mean.Add(SpreadCandidate<Vector, true>(around, *spread, mean.Risky(), mean.Wanted()));
+        mean.Add(SpreadCandidate<Vector, false>(around, *spread, mean.Risky()));
+        mean.Add(SpreadCandidate<Vector, true>(around, *spread, mean.Risky()));
     }
     ReconstructedBlock block{};
-    std::vector<SquaredDifference> noise(kPixels);
-    for (int c = 0; c < kChannels; c++)
-        for (int i = 0; i < kPixels; i++)
-        {
-            const int at = At(i % kSide, i / kSide);
+    for (int i = 0; i < kPixels; i++)
+    {
+        const int at = At(i % kSide, i / kSide);
+        for (int c = 0; c < kChannels; c++)
             block.mean[c][i] = mean.MeanOf(c, at);
-            const float plain = around.DualBufferDifference(c)[at], filtered = mean.DualBufferDifferenceOf(c, at);
-            noise[i].before += plain * plain;
-            noise[i].after += filtered * filtered;
-        }
-    block.residualVarianceRatio = ResidualVarianceRatio(noise);
+        block.residualVarianceRatio[i] = std::min(1.0f, mean.NoiseLeftOf(at));
+    }
     return block;
 }
 
@@ -375,7 +333,7 @@ ReconstructedBlock ReconstructTransparent(const PaddedBlock& around, const Padde
 ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread)
 {
     const Part whole(Rows(), 0);
-    const SpreadCandidate<Float4, false> estimate(around, spread, whole, whole);
+    const SpreadCandidate<Float4, false> estimate(around, spread, whole);
     ReconstructedBlock block{};
     for (int i = 0; i < kPixels; i++)
     {

@@ -192,6 +192,9 @@ std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixe
     return densities;
 }
 
+/// Of a colour, summed over its channels.
+TILT_LENS_INLINED float SquareOf(const Float4& value) { return value[0] * value[0] + value[1] * value[1] + value[2] * value[2]; }
+
 /// The pixels of a circle in one row, by their columns, and their shares relative to the sample's own.
 struct RowShares
 {
@@ -214,17 +217,18 @@ struct RowShares
 /// @param planes  red, green, blue, and the shares of pixels
 /// @param first  place of column 0 in a plane
 /// @param value  that they get shares of
+/// @param square  of the colour, summed over the channels
 template<class Vector, class Planes>
-TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value)
+TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square)
 {
+    const auto add = [first](auto& plane, int x, const Vector& part) TILT_LENS_INLINED_LAMBDA
+        { Store(&plane[first + x], Load<Vector>(&plane[first + x]) + part); };
     for (int x = shares.begin; x < shares.end; x += kWidth<Vector>)
     {
         const Vector share = shares.From<Vector>(x);
-        for (int c = 0; c < 4; c++)
-        {
-            float* const sum = &planes[c][first + x];
-            Store(sum, Load<Vector>(sum) + share * value[c]);
-        }
+        for (int c = SpreadSums::kRed; c <= SpreadSums::kShare; c++)
+            add(planes[c], x, share * value[c]);
+        add(planes[SpreadSums::kSquares], x, share * square);
     }
 }
 
@@ -236,14 +240,14 @@ SpreadSums::SpreadSums(const Area& block, double width, double height) :
 }
 
 template<class Vector>
-TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, std::uint32_t number, const CircleOfConfusion& circle,
+TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, const CircleOfConfusion& circle,
                                          const Radiance& radiance)
 {
     Own& itself = own[row * int(settings.blockSide) + column];
     itself.samples += 1.0f;
     const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};
     CirclePixels pixels;
-    if (std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]))
+    if (std::isfinite(SquareOf(value)))
         pixels.Find<Vector>(circle, column, row);
     const bool shaped = pixels.count > 1 && !circle.lens->IsDisc();
     float sum = float(pixels.count);
@@ -254,13 +258,12 @@ TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, std::uint32_t numb
         return;
     }
     spread = true;
-    const int buffer = (column + row + number) % 2;  // so that the only sample of each pixel serves both
-    Send<Vector>(pixels, shaped ? densities.data() : nullptr, sum, value, column, row, buffer);
+    Send<Vector>(pixels, shaped ? densities.data() : nullptr, sum, value, column, row);
 }
 
 template<class Vector>
 TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column,
-                                        int row, int buffer)
+                                        int row)
 {
     LaneNumbers ofColumns, ofRows;  // shares: of columns relative to the sample's own, of rows those of the value
     pixels.across.FindSenders<Vector>(column, columns, ofColumns);
@@ -279,28 +282,28 @@ TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float*
         const RowShares shares{(i == kReach ? ofOthers : ofColumns).of - (column - kReach), pixels.begin[i], pixels.end[i], density};
         if (i == kReach && column >= shares.begin && column < shares.end)
             own[row * int(settings.blockSide) + column].share += shares.DensityAt(column) * ofRows.of[i];
-        AddRow<Vector>(sums[buffer], PlaceOf(0, row + i - kReach), shares, ofRows.of[i] * value);
+        AddRow<Vector>(sums, PlaceOf(0, row + i - kReach), shares, ofRows.of[i] * value, ofRows.of[i] * SquareOf(value));
         if (density != nullptr)
             density += shares.end - shares.begin;
     }
 }
 
-void SpreadSums::AddPlain(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+void SpreadSums::AddPlain(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance)
 {
-    AddBy<Float4>(column, row, number, circle, radiance);
+    AddBy<Float4>(column, row, circle, radiance);
 }
 
-void SpreadSums::AddByAvx2(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+void SpreadSums::AddByAvx2(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance)
 {
-    AddBy<Float8>(column, row, number, circle, radiance);
+    AddBy<Float8>(column, row, circle, radiance);
 }
 
-void SpreadSums::Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance)
+void SpreadSums::Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance)
 {
     if (HasAvx2())
-        AddByAvx2(column, row, number, circle, radiance);
+        AddByAvx2(column, row, circle, radiance);
     else
-        AddPlain(column, row, number, circle, radiance);
+        AddPlain(column, row, circle, radiance);
 }
 
 } // namespace tilt_lens

@@ -89,21 +89,21 @@ class SpreadSums
     /// Pixels that the widest vector holds.
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
+    /// Sums of shares of samples: of red, green, blue, of 1, and of the squared colours, summed over the channels.
+    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSums };
+
     /// @param block  whose pixels send, in the whole picture
     /// @param width, height  of the whole picture, pixels
     SpreadSums(const Area& block, double width, double height);
 
     /// @param column, row  of the sample's pixel in the block
-    /// @param number  of the sample
     /// @param circle  with a centre relative to the block's upper left corner
-    void Add(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
+    void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
     /// The same on processors without AVX2, with the same sums to the last bit.
-    void AddPlain(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
+    void AddPlain(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
 
-    /// Of pixel (x, y), -kReach <= x, y < blockSide + kReach, and of those to the right of it: sums of what other pixels' samples have sent.
-    /// @param buffer  of the samples, which are two halves
-    /// @param c  red, green, blue, and the shares
-    const float* From(int buffer, int c, int x, int y) const { return &sums[buffer][c][PlaceOf(x, y)]; }
+    /// A sum that pixel (x, y), -kReach <= x, y < blockSide + kReach, and those to the right of it have received from other pixels.
+    const float* From(Sum sum, int x, int y) const { return &sums[sum][PlaceOf(x, y)]; }
     /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnSamples(int x, int y) const { return own[y * int(settings.blockSide) + x].samples; }
@@ -122,7 +122,7 @@ class SpreadSums
     using Plane = std::array<float, kSide * kSide + kMostLanes>;
 
     PictureSpan columns, rows;
-    std::array<std::array<Plane, 4>, 2> sums{};
+    std::array<Plane, kSums> sums{};
     std::array<Own, settings.blockSide * settings.blockSide> own{};
     bool spread = false;
 
@@ -130,12 +130,12 @@ class SpreadSums
 
     // Written once and compiled for each kind of processor.
     template<class Vector>
-    void AddBy(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
+    void AddBy(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
     /// @param density  of the lens at each of the pixels; null: the same at all
     /// @param sum      of these
     template<class Vector>
-    void Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column, int row, int buffer);
-    TILT_LENS_FOR_AVX2 void AddByAvx2(int column, int row, std::uint32_t number, const CircleOfConfusion& circle, const Radiance& radiance);
+    void Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column, int row);
+    TILT_LENS_FOR_AVX2 void AddByAvx2(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
 };
 
 } // namespace tilt_lens

@@ -16,13 +16,13 @@ namespace tilt_lens
 namespace
 {
 
-/// Serves the pixels that see what a sample has hit.
+/// Sends a sample to the pixels of its circle of confusion.
 void Spread(const SampleId& id, const SampleResult& result, const Area& block, SpreadSums& spread)
 {
     CircleOfConfusion circle = result.circle;
     circle.x -= block.left;
     circle.y -= block.top;
-    spread.Add(id.x - block.left, id.y - block.top, id.index, circle, result.radiance);
+    spread.Add(id.x - block.left, id.y - block.top, circle, result.radiance);
 }
 
 /// A round of one pixel.
@@ -30,7 +30,7 @@ void Spread(const SampleId& id, const SampleResult& result, const Area& block, S
 void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::uint32_t y, std::uint32_t until, bool ofFirstRound,
                SpreadSums* spread, const Tracer& tracer, SampleResult* results)
 {
-    pixel.BeginRound(until, ofFirstRound);
+    pixel.BeginRound(until);
     SampleRun run{{x, y, pixel.Samples()}, 0, ofFirstRound};
     for (; run.first.index < until; run.first.index += run.count)
     {
@@ -76,15 +76,40 @@ void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, SpreadSums
         }
 }
 
-void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
+template<class Step>
+bool Block::Take(Phase before, Phase during, Phase after, const Step& step)
 {
-    const std::lock_guard<std::mutex> lock(busy);
-    if (phase != Phase::Unsampled)
-        return;
+    if (!phase.compare_exchange_strong(before, during))
+        return false;
+    try
+    {
+        step();
+    }
+    catch (...)
+    {
+        phase = before;
+        throw;
+    }
+    phase = after;
+    return true;
+}
+
+bool Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
+{
+    return Take(Phase::Unsampled, Phase::InFirstRound, Phase::FirstRoundTaken, [&] { FirstStep(limits, trace); });
+}
+
+bool Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
+{
+    return Take(Phase::FirstRoundTaken, Phase::InFurtherRounds, Phase::Converged, [&] { SecondStep(neighbours, limits, trace); });
+}
+
+void Block::FirstStep(const SamplingLimits& limits, const Tracer& trace)
+{
     auto estimate = std::make_unique<BlockEstimate>(area);
     std::uint32_t& samples = estimate->firstSamples;
     const std::shared_ptr<SpreadSums> spread =
-        limits.Denoises() ? std::make_shared<SpreadSums>(area, width, height) : nullptr;
+        limits.variance > 0.0 ? std::make_shared<SpreadSums>(area, width, height) : nullptr;
     do
     {
         samples = samples == 0 ? limits.FirstRound() : 2 * samples;
@@ -99,7 +124,6 @@ void Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
         round->spread = spread;
     afterFirstRound = std::move(estimate);
     firstRound = std::move(round);
-    phase = Phase::FirstRoundTaken;
 }
 
 FirstRounds Block::FirstRoundsOf(const Neighbours& neighbours) const
@@ -110,13 +134,11 @@ FirstRounds Block::FirstRoundsOf(const Neighbours& neighbours) const
     return rounds;
 }
 
-void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
+void Block::SecondStep(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
 {
-    const std::lock_guard<std::mutex> lock(busy);
-    if (phase == Phase::Converged)
-        return;
     const Neighbourhood around(FirstRoundsOf(neighbours), limits);
     BlockEstimate estimate = *afterFirstRound;
+    estimate.spread = around.Spread();
     std::uint32_t samples = estimate.firstSamples;
     while (UpdateConvergence(estimate, around, limits, samples))
     {
@@ -136,7 +158,6 @@ void Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits
     }
     statistics = estimate.statistics;
     afterFirstRound.reset();
-    phase = Phase::Converged;
 }
 
 Rows Block::NoisyRows(const SamplingLimits& limits) const

@@ -6,8 +6,8 @@
 ///
 /// A block is sampled in two steps: the first round, which its neighbours look at, and all further rounds. What a block sees
 /// depends on places in the picture alone, so that neither threads nor tiles nor sub-images change a value (section 10).
-/// Threads may ask for any step at any time; each is done once. A step that is broken off by an exception of the tracer
-/// leaves the block as it was.
+/// Threads may ask for any step at any time: each is taken once, by the first that asks, and nobody waits for it here. A step that is
+/// broken off by an exception of the tracer leaves the block as it was.
 
 #ifndef TILT_LENS_BLOCK_H
 #define TILT_LENS_BLOCK_H
@@ -16,7 +16,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "tilt_lens/math/area.h"
@@ -49,9 +48,12 @@ class Block
 
     const Area area;
 
-    void TakeFirstRound(const SamplingLimits& limits, const Tracer& trace);
+    /// @return  false, with nothing done, where another thread has begun it
+    bool TakeFirstRound(const SamplingLimits& limits, const Tracer& trace);
     /// The neighbours have taken their first rounds.
-    void TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
+    /// @return  false, with nothing done, where another thread has begun it
+    bool TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
+    bool HasFirstRound() const { return phase >= Phase::FirstRoundTaken; }
     bool IsConverged() const { return phase == Phase::Converged; }
 
     /// @name Of a converged block.
@@ -68,16 +70,20 @@ class Block
     /// @}
 
   private:
-    enum class Phase { Unsampled, FirstRoundTaken, Converged };
+    enum class Phase { Unsampled, InFirstRound, FirstRoundTaken, InFurtherRounds, Converged };
 
     const std::uint32_t width, height;
-    std::mutex busy;
     std::atomic<Phase> phase{Phase::Unsampled};
     std::unique_ptr<const BlockEstimate> afterFirstRound;  ///< until the block has converged
     std::unique_ptr<const FirstRound> firstRound;          ///< from the first round on
     std::shared_ptr<const BlockStatistics> statistics;     ///< the last
     std::vector<PixelResult> results;
 
+    /// Takes a step where the block is in phase `before`, whose results are then seen by all threads.
+    template<class Step>
+    bool Take(Phase before, Phase during, Phase after, const Step& step);
+    void FirstStep(const SamplingLimits& limits, const Tracer& trace);
+    void SecondStep(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
     FirstRounds FirstRoundsOf(const Neighbours& neighbours) const;
     /// Takes the samples of active pixels that are missing up to number `until`.
     /// @param spread  takes what they send; may be null

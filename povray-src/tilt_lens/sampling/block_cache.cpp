@@ -4,6 +4,7 @@
 #include "tilt_lens/sampling/block_cache.h"
 
 #include <algorithm>
+#include <array>
 
 #include "tilt_lens/settings.h"
 
@@ -35,7 +36,7 @@ Area BlocksOf(const Area& pixels)
 } // namespace
 
 BlockCache::BlockCache(const SamplingLimits& limits, std::uint32_t width, std::uint32_t height, const Area& rendered) :
-    limits(limits), width(width), height(height), blocks(BlocksOf(rendered)), toCome(std::size_t(blocks.width) * blocks.height)
+    limits(limits), width(width), height(height), blocks(BlocksOf(rendered)), firstRow(blocks.top), toCome(std::size_t(blocks.width) * blocks.height)
 {
     for (std::uint32_t row = blocks.top; row < blocks.Bottom(); row++)
         for (std::uint32_t column = blocks.left; column < blocks.Right(); column++)
@@ -81,39 +82,104 @@ std::shared_ptr<Block> BlockCache::Get(const Place& place)
     return entry.block;
 }
 
-std::shared_ptr<Block> BlockCache::ConvergedBlock(const Place& place, const Tracer& trace)
+void BlockCache::Converge(const std::vector<Place>& wanted, const Tracer& trace)
+{
+    const auto isMissing = [this](const Place& place)
+    {
+        const std::shared_ptr<Block> block = Get(place);
+        return block && !block->IsConverged();
+    };
+    std::vector<Place> missing = wanted;
+    for (;;)
+    {
+        std::unique_lock<std::mutex> lock(mutex);
+        const std::uint64_t stepsBefore = steps;
+        lock.unlock();
+        missing.erase(std::remove_if(missing.begin(), missing.end(), [&](const Place& place) { return !isMissing(place); }), missing.end());
+        if (missing.empty())
+            return;
+        bool advanced = false;
+        for (const Place& place : missing)
+            advanced |= Advance(place, trace);
+        if (advanced || AdvanceAny(trace))
+            continue;
+        lock.lock();
+        stepTaken.wait(lock, [&] { return steps != stepsBefore; });
+    }
+}
+
+/// Tells all threads that wait, also of a step that was broken off.
+template<class Step>
+bool BlockCache::TakeStep(const Step& step)
+{
+    struct Tell
+    {
+        BlockCache& cache;
+        bool taken = true;
+        ~Tell()
+        {
+            if (!taken)
+                return;
+            const std::lock_guard<std::mutex> lock(cache.mutex);
+            cache.steps++;
+            cache.stepTaken.notify_all();
+        }
+    } tell{*this};
+    return tell.taken = step();
+}
+
+/// Takes the steps towards a converged block that no other thread has begun.
+/// @return  whether there was any
+bool BlockCache::Advance(const Place& place, const Tracer& trace)
 {
     const std::shared_ptr<Block> block = Get(place);
     if (!block || block->IsConverged())
-        return block;
+        return false;
     std::array<std::shared_ptr<Block>, 9> held;
     Block::Neighbours neighbours{};
+    bool advanced = false, ready = true;
     for (int i = 0; i < 9; i++)
     {
         // the plain mean of the most samples asks no neighbour
         if (i != 4 && limits.variance == 0.0)
             continue;
         held[i] = i == 4 ? block : Get({place.first + i / 3 - 1, place.second + i % 3 - 1});
-        if (held[i])
-            held[i]->TakeFirstRound(limits, trace);
         neighbours[i] = held[i].get();
+        if (!held[i] || held[i]->HasFirstRound())
+            continue;
+        advanced |= TakeStep([&] { return held[i]->TakeFirstRound(limits, trace); });
+        ready = ready && held[i]->HasFirstRound();
     }
-    block->TakeFurtherRounds(neighbours, limits, trace);
-    return block;
+    if (ready)
+        advanced |= TakeStep([&] { return block->TakeFurtherRounds(neighbours, limits, trace); });
+    return advanced;
 }
 
-std::shared_ptr<const Block> BlockCache::Converged(std::uint32_t x, std::uint32_t y, const Tracer& trace)
+/// The same for the first block of the window that has any to take.
+bool BlockCache::AdvanceAny(const Tracer& trace)
 {
-    return ConvergedBlock({y / settings.blockSide, x / settings.blockSide}, trace);
+    for (const Place& place : Window())
+        if (Advance(place, trace))
+            return true;
+    return false;
 }
 
-BlockCache::BlockAndNeighbours BlockCache::ConvergedAround(std::uint32_t x, std::uint32_t y, const Tracer& trace)
+/// Blocks with pixels to come in the first rows that have any, as many as two rows of tiles depend on.
+std::vector<BlockCache::Place> BlockCache::Window()
 {
-    BlockAndNeighbours around;
-    const Place place(y / settings.blockSide, x / settings.blockSide);
-    for (int i = 0; i < 9; i++)
-        around[i] = ConvergedBlock({place.first + i / 3 - 1, place.second + i % 3 - 1}, trace);
-    return around;
+    const std::lock_guard<std::mutex> lock(mutex);
+    std::vector<Place> places;
+    const auto addRow = [&](std::int64_t row)
+    {
+        for (std::int64_t column = blocks.left; column < blocks.Right(); column++)
+            if (HasToCome({row, column}))
+                places.emplace_back(row, column);
+    };
+    for (; places.empty() && firstRow < blocks.Bottom(); firstRow += places.empty())
+        addRow(firstRow);
+    for (std::int64_t row = firstRow + 1; row < std::min<std::int64_t>(blocks.Bottom(), firstRow + settings.windowRows); row++)
+        addRow(row);
+    return places;
 }
 
 void BlockCache::Release(const Area& tile)

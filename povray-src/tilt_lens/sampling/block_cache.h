@@ -9,7 +9,7 @@
 #ifndef TILT_LENS_BLOCK_CACHE_H
 #define TILT_LENS_BLOCK_CACHE_H
 
-#include <array>
+#include <condition_variable>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -31,12 +31,16 @@ class BlockCache
 
     const SamplingLimits limits;
 
-    /// The converged block that holds pixel (x, y). It stays while the caller holds it.
-    std::shared_ptr<const Block> Converged(std::uint32_t x, std::uint32_t y, const Tracer& trace);
+    using Place = std::pair<std::int64_t, std::int64_t>;  ///< row and column of blocks
 
-    /// The same and the eight around it, row by row; null outside the picture.
-    using BlockAndNeighbours = std::array<std::shared_ptr<const Block>, 9>;
-    BlockAndNeighbours ConvergedAround(std::uint32_t x, std::uint32_t y, const Tracer& trace);
+    static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / settings.blockSide, x / settings.blockSide}; }
+
+    /// Samples until the blocks at these places have converged, those that lie in the picture. While other threads take what is
+    /// missing, this one takes whatever else will be asked for; it waits only where there is none.
+    void Converge(const std::vector<Place>& wanted, const Tracer& trace);
+
+    /// The block at a place; null outside the picture. It stays while the caller holds it.
+    std::shared_ptr<const Block> At(const Place& place) { return Get(place); }
 
     /// Tells that the pixels of `tile` will not be asked for again.
     void Release(const Area& tile);
@@ -45,8 +49,6 @@ class BlockCache
     std::size_t Size() const;
 
   private:
-    using Place = std::pair<std::int64_t, std::int64_t>;  ///< row and column of blocks
-
     struct Entry
     {
         std::shared_ptr<Block> block;
@@ -56,6 +58,9 @@ class BlockCache
     const std::uint32_t width, height;
     const Area blocks;  ///< that hold rendered pixels; counted in blocks
     mutable std::mutex mutex;
+    std::condition_variable stepTaken;
+    std::uint64_t steps = 0;  ///< that were taken or broken off
+    std::int64_t firstRow;             ///< of blocks with pixels to come
     std::vector<std::uint16_t> toCome; ///< of each of `blocks`: pixels that are rendered and not yet released
     std::map<Place, Entry> entries;
 
@@ -64,7 +69,11 @@ class BlockCache
     bool HasToCome(const Place& place) const;
     std::uint16_t& ToCome(const Place& place);
     std::shared_ptr<Block> Get(const Place& place);
-    std::shared_ptr<Block> ConvergedBlock(const Place& place, const Tracer& trace);
+    bool Advance(const Place& place, const Tracer& trace);
+    bool AdvanceAny(const Tracer& trace);
+    std::vector<Place> Window();
+    template<class Step>
+    bool TakeStep(const Step& step);
 };
 
 } // namespace tilt_lens

@@ -22,7 +22,7 @@ FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), sam
     {
         const PixelStatistics& own = pixel.statistics;
         const Radiance relative = RelativeTo(own.Mean(), own.Variation().variance);
-        pixels.push_back({own.Variation(), std::sqrt(LargestChannel(relative)), own.BlurRadius()});
+        pixels.push_back({own.Variation(), std::sqrt(LargestChannel(relative))});
     }
 }
 

@@ -16,6 +16,7 @@
 #include "tilt_lens/math/area.h"
 #include "tilt_lens/reconstruction/block_statistics.h"
 #include "tilt_lens/reconstruction/padded_spread.h"
+#include "tilt_lens/sampling/circle_variance.h"
 #include "tilt_lens/sampling/pixel_statistics.h"
 #include "tilt_lens/settings.h"
 
@@ -29,6 +30,7 @@ struct PixelEstimate
     double variance = 0.0;       ///< of the mean, largest channel; relative to the square of what is above 1
     double undetected = 0.0;     ///< of that, what the samples do not show
     double undetectedNoise = 0.0;  ///< the same, summed over the channels and not relative
+    Radiance seenVariance{};     ///< of one sample, by the pixel's own and those of its circles
     double target = 0.0;         ///< the variance that it may keep, when it was decided last
     double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< after the reconstruction, by the last forecast
     bool active = true;          ///< takes part in the next round
@@ -45,13 +47,19 @@ struct BlockEstimate
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by the dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: nothing is denoised
     std::uint32_t statisticsSamples = 0;        ///< of an active pixel, when `statistics` were made; 0: never
-    std::shared_ptr<const PaddedSpread> spread; ///< what first rounds have sent; null: nothing, or not asked for yet
+    std::shared_ptr<const PaddedSpread> spread; ///< sent by the first rounds of this block and its neighbours; null: nothing, or not yet known
 
     explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
 
     std::size_t QuadrantOf(std::size_t pixel) const
     {
         return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
+    }
+    /// By the samples that other pixels have sent to a pixel.
+    CircleVariance CircleVarianceOf(std::size_t pixel) const
+    {
+        const std::size_t at = PaddedBlock::At(int(pixel % area.width), int(pixel / area.width));
+        return CircleVariance(spread.get(), at, pixels[pixel].statistics.Samples());
     }
     /// Whether no sample of any pixel differs from its others.
     bool IsUniform() const;
@@ -62,7 +70,6 @@ struct FirstRoundPixel
 {
     SampleVariation variation;
     double deviation = 0.0;   ///< standard deviation of one sample, largest channel; relative to what is above 1
-    double blurRadius = 0.0;  ///< the largest that was hit, pixels
 };
 
 /// What other blocks see of a block, all of its first round. Immutable.

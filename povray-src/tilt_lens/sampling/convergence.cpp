@@ -27,17 +27,20 @@ struct MeanVariance
     double undetectedNoise = 0.0;    ///< this part, summed over the channels and not relative
 };
 
-MeanVariance EstimatedVariance(const PixelEstimate& pixel, const SampleVariation& around, const SampleVariation& blurred,
-                               double shrinkage)
+/// @param circle  by the samples of other pixels
+MeanVariance EstimatedVariance(PixelEstimate& pixel, const SampleVariation& around, const CircleVariance& circle, double shrinkage)
 {
     const PixelStatistics& own = pixel.statistics;
-    Radiance undetected = UndetectedError(own, around, blurred), whole;
+    Radiance undetected = UndetectedError(own, around), whole;
+    for (std::size_t c = 0; c < whole.size(); c++)
+        whole[c] = (1.0 - shrinkage) * own.Variation().variance[c] + shrinkage * around.variance[c];
+    whole = circle.Blend(whole);
     for (std::size_t c = 0; c < whole.size(); c++)
     {
-        const double ofSample = (1.0 - shrinkage) * own.Variation().variance[c] + shrinkage * around.variance[c];
         undetected[c] *= pixel.varianceRatio;
-        whole[c] = pixel.varianceRatio * ofSample / own.Samples() + undetected[c];
+        whole[c] = pixel.varianceRatio * whole[c] / own.Samples() + undetected[c];
     }
+    pixel.seenVariance = circle.Blend(own.Variation().variance);
     return {RelativeTo(own.Mean(), whole), RelativeTo(own.Mean(), undetected),
             std::accumulate(undetected.begin(), undetected.end(), 0.0)};
 }
@@ -86,7 +89,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
             continue;
         MeanVariance variance;
         if (!uniform)
-            variance = EstimatedVariance(pixel, around.Around(estimate, i), around.Blurred(i), shrinkage);
+            variance = EstimatedVariance(pixel, around.Around(estimate, i), estimate.CircleVarianceOf(i), shrinkage);
         pixel.variance = LargestChannel(variance.whole);
         pixel.undetected = LargestChannel(variance.undetected);
         pixel.undetectedNoise = variance.undetectedNoise;
@@ -114,7 +117,7 @@ void Reactivate(BlockEstimate& estimate, const Neighbourhood& around)
         if (pixel.active || !IsBesideActive(estimate, i))  // nothing new there
             continue;
         const PixelStatistics& own = pixel.statistics;
-        const Radiance undetected = UndetectedError(own, around.Around(estimate, i), around.Blurred(i)), mean = own.Mean();
+        const Radiance undetected = UndetectedError(own, around.Around(estimate, i)), mean = own.Mean();
         for (std::size_t c = 0; c < undetected.size(); c++)
             pixel.active |= undetected[c] > settings.reactivationFactor * pixel.target * SquaredScale(mean[c]);
     }

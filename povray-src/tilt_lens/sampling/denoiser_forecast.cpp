@@ -30,7 +30,7 @@ Radiance ForecastVariance(const Candidate& candidate, const PixelEstimate& pixel
     for (std::size_t c = 0; c < variance.size(); c++)
     {
         const double seen =
-            pixel.varianceRatio * pixel.statistics.Variation().variance[c] / samples / SquaredScale(mean[c]);
+            pixel.varianceRatio * pixel.seenVariance[c] / samples / SquaredScale(mean[c]);
         variance[c] -= (1.0 - pixel.residualVarianceRatio) * std::min(seen, variance[c]);
     }
     return variance;
@@ -42,16 +42,10 @@ BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, 
 {
     UpdateBlockStatistics(estimate, samples);
     std::array<const BlockStatistics*, 9> known{};
-    PaddedSpread::Sent sent{};
-    for (std::size_t i = 0; i < known.size(); i++)
+    for (std::size_t i = 0; i < known.size() && afterFirstRound; i++)
         if (const FirstRound* round = around.Rounds()[i])
-        {
-            known[i] = afterFirstRound ? round->statistics.get() : nullptr;
-            sent[i] = round->spread.get();
-        }
+            known[i] = round->statistics.get();
     known[4] = estimate.statistics.get();
-    if (!estimate.spread)
-        estimate.spread = PaddedSpread::Of(sent, estimate.firstSamples);
     return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
 
@@ -72,15 +66,16 @@ std::vector<double> VarianceAround(const BlockEstimate& estimate)
 std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate)
 {
     const Area& area = estimate.area;
-    const bool uniform = estimate.IsUniform();  // then there is no noise to estimate
+    const bool uniform = estimate.IsUniform() && !estimate.spread;  // then there is no noise to estimate
     const std::vector<double> none(uniform ? area.Size() : 0);
     const std::vector<double> ratio = uniform ? none : LocalVarianceRatios(estimate), variance = uniform ? none : VarianceAround(estimate);
     const auto made = std::make_shared<BlockStatistics>();
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         const PixelStatistics& pixel = estimate.pixels[i].statistics;
-        made->Set(i % area.width, i / area.width, pixel.Mean(), uniform ? Radiance{} : pixel.DualBufferDifference(),
-                  ratio[i] * variance[i] / pixel.Samples() + estimate.pixels[i].undetectedNoise, pixel.Samples());
+        const double whole = estimate.CircleVarianceOf(i).AtLeast(variance[i]);
+        made->Set(i % area.width, i / area.width, pixel.Mean(), ratio[i] * whole / pixel.Samples() + estimate.pixels[i].undetectedNoise,
+                  whole > 0.0 ? 1.0 - variance[i] / whole : 0.0, pixel.Samples());
     }
     made->RepeatEdges(area.width, area.height);
     return made;

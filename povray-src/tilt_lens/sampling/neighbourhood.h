@@ -7,7 +7,7 @@
 #ifndef TILT_LENS_NEIGHBOURHOOD_H
 #define TILT_LENS_NEIGHBOURHOOD_H
 
-#include <vector>
+#include <memory>
 
 #include "tilt_lens/sampling/block_estimate.h"
 #include "tilt_lens/sampling/sampling_limits.h"
@@ -26,21 +26,18 @@ class Neighbourhood
     double MeanDeviation() const { return meanDeviation; }
     /// Whether no sample of the neighbours differs from the others of its pixel.
     bool IsUniformAround() const { return uniformAround; }
-    /// How the first samples vary of what is blurred so far that it may cover a pixel of the block too, wherever in the
-    /// block or just beside it they are: mean variance, greatest deviation.
-    const SampleVariation& Blurred(std::size_t pixel) const { return blurred[pixel]; }
-    /// The same of the 3 by 3 pixels around one: by all samples so far in the block, by the first ones beside it.
+    /// How the samples of the 3 by 3 pixels around one vary: by all so far in the block, by the first ones beside it. Mean variance,
+    /// greatest deviation.
     SampleVariation Around(const BlockEstimate& estimate, std::size_t pixel) const;
     /// The first rounds' BlockStatistics; null where they are not known.
     const FirstRounds& Rounds() const { return rounds; }
+    /// Samples that the first rounds have sent to other pixels; null: none.
+    std::shared_ptr<const PaddedSpread> Spread() const;
 
   private:
     const FirstRounds rounds;
     double meanDeviation = 0.0;
     bool uniformAround = true;
-    std::vector<SampleVariation> blurred;
-
-    void FindBlurred();
 };
 
 } // namespace tilt_lens

@@ -39,16 +39,10 @@ struct ChannelSums
     }
 };
 
-/// What a run of samples has besides its radiances.
-struct RunMaxima
-{
-    double blurRadius = 0.0, expectedEmission = 0.0;
-};
-
 /// Adds the radiances of a run to a sum and to totals. False, with nothing added, where one of them may be infinite or no number.
 template<class Vector>
 TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
-                                    RunMaxima& maxima)
+                                    double& greatestEmission)
 {
     constexpr std::size_t lanes = kVectorWidth<Vector>, vectors = 4 / lanes;
     ChannelSums<Vector> four[vectors];
@@ -56,13 +50,12 @@ TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t c
     for (std::size_t k = 0; k < vectors; k++)
         four[k].Get(sum, totals, k * lanes);
     last.Get(sum, totals, 4);
-    double blurRadius = 0.0, expectedEmission = 0.0;
+    double expectedEmission = 0.0;
     for (const SampleResult* result = results; result < results + count; result++)
     {
         for (std::size_t k = 0; k < vectors; k++)
             four[k].Add(Load<Vector>(&result->radiance[k * lanes]));
         last.Add(result->radiance[4]);
-        blurRadius = result->blurRadius > blurRadius ? result->blurRadius : blurRadius;
         expectedEmission = result->expectedEmission > expectedEmission ? result->expectedEmission : expectedEmission;
     }
     // a sum of squares that is finite has got finite ones only
@@ -74,19 +67,19 @@ TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t c
     for (std::size_t k = 0; k < vectors; k++)
         four[k].Put(sum, totals, k * lanes);
     last.Put(sum, totals, 4);
-    maxima = {blurRadius, expectedEmission};
+    greatestEmission = expectedEmission;
     return true;
 }
 
-bool AddPlain(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals, RunMaxima& maxima)
+bool AddPlain(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals, double& greatestEmission)
 {
-    return AddRadiances<Double2>(results, count, sum, totals, maxima);
+    return AddRadiances<Double2>(results, count, sum, totals, greatestEmission);
 }
 
 TILT_LENS_FOR_AVX2 bool AddByAvx2(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
-                                  RunMaxima& maxima)
+                                  double& greatestEmission)
 {
-    return AddRadiances<Double4>(results, count, sum, totals, maxima);
+    return AddRadiances<Double4>(results, count, sum, totals, greatestEmission);
 }
 
 const auto addRadiances = HasAvx2() ? AddByAvx2 : AddPlain;
@@ -105,11 +98,10 @@ void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
 
 } // namespace
 
-void PixelStatistics::BeginRound(std::uint32_t until, bool ofFirstRound)
+void PixelStatistics::BeginRound(std::uint32_t until)
 {
     AddTo(sum[0], sum[1]);
     sum[1].fill(0.0);
-    blurIsKnown = ofFirstRound;
     firstBuffer = samples == 0 ? until / 2 : samples;
     if (samples == 0)
     {
@@ -130,12 +122,10 @@ void PixelStatistics::AddEmitterSample(const SampleResult& result)
 void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum)
 {
     samples += count;
-    RunMaxima maxima;
-    if (addRadiances(results, count, bufferSum, totals, maxima))
+    double greatestEmission = 0.0;
+    if (addRadiances(results, count, bufferSum, totals, greatestEmission))
     {
-        if (blurIsKnown)
-            blurRadius = std::max(blurRadius, maxima.blurRadius);
-        for (std::uint32_t i = 0; maxima.expectedEmission > 0.0 && i < count; i++)
+        for (std::uint32_t i = 0; greatestEmission > 0.0 && i < count; i++)
             AddEmitterSample(results[i]);
         return;
     }
@@ -148,8 +138,6 @@ void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t cou
             notFinite++;
         }
         AddOne(result.radiance, bufferSum, totals);
-        if (blurIsKnown)
-            blurRadius = std::max(blurRadius, result.blurRadius);
         AddEmitterSample(result);
     }
 }

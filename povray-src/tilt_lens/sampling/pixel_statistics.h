@@ -49,8 +49,7 @@ class PixelStatistics
 {
   public:
     /// The samples up to number `until` (not included) are to come.
-    /// @param ofFirstRound  their blur radii are known
-    void BeginRound(std::uint32_t until, bool ofFirstRound);
+    void BeginRound(std::uint32_t until);
     /// The next samples. One that is not finite counts as black, and is counted.
     void Add(const SampleResult* results, std::uint32_t count);
     void Add(const SampleResult& result) { Add(&result, 1); }
@@ -60,7 +59,6 @@ class PixelStatistics
     std::uint32_t Samples() const { return samples; }
     std::uint32_t EmitterSamples() const { return emitterSamples; }
     std::uint32_t NotFinite() const { return notFinite; }
-    double BlurRadius() const { return blurRadius; }              ///< the largest of the first round, pixels
     double ExpectedEmission() const { return expectedEmission; }  ///< of the last emitter sample
 
     Radiance Mean() const;
@@ -76,9 +74,8 @@ class PixelStatistics
     SampleVariation variation;
     std::uint32_t samples = 0;
     std::uint32_t firstBuffer = 0;  ///< samples in the first buffer
-    bool blurIsKnown = false;       ///< of the samples of this round
     std::uint32_t emitterSamples = 0, notFinite = 0;
-    double blurRadius = 0.0, expectedEmission = 0.0;
+    double expectedEmission = 0.0;
 
     void AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum);
     void AddEmitterSample(const SampleResult& result);

@@ -29,7 +29,6 @@ struct SampleId
 struct SampleResult
 {
     Radiance radiance;
-    double blurRadius = 0.0;        ///< of the surface that was hit, pixels; 0: it is sharp, or nothing was hit
     double expectedEmission = 0.0;  ///< of an emitter-sampled sample: what its emitters bring the pixel if nothing hides
                                     ///< them (emitter_sampling.h); 0 for any other sample
     CircleOfConfusion circle;       ///< of the surface that was hit, in the whole picture
@@ -49,7 +48,7 @@ struct SampleRun
 {
     SampleId first;
     std::uint32_t count;
-    bool ofFirstRound;  ///< else nobody asks for blur radius and circle of confusion
+    bool ofFirstRound;  ///< else nobody asks for the circle of confusion
 
     SampleId operator[](std::uint32_t i) const { return {first.x, first.y, first.index + i}; }
     /// Of its first sample, in the group.

@@ -13,36 +13,51 @@ void TileSampler::Run(const Area& wanted, const Tracer& trace)
 {
     tile = wanted;
     pixels.assign(tile.Size(), PixelResult());
+    std::vector<BlockCache::Place> own, noisy, around;
     for (std::uint32_t y = tile.top - tile.top % settings.blockSide; y < tile.Bottom(); y += settings.blockSide)
         for (std::uint32_t x = tile.left - tile.left % settings.blockSide; x < tile.Right(); x += settings.blockSide)
-            RunBlock(x, y, trace);
+            own.push_back(BlockCache::PlaceOf(x, y));
+    cache.Converge(own, trace);
+    for (const BlockCache::Place& place : own)
+    {
+        const std::shared_ptr<const Block> block = cache.At(place);
+        ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel) { pixel = block->ResultOf(x, y); });
+        if (block->NoisyRows(cache.limits).IsEmpty())
+            continue;
+        noisy.push_back(place);
+        for (int i = 0; i < 9; i++)
+            around.emplace_back(place.first + i / 3 - 1, place.second + i % 3 - 1);
+    }
+    cache.Converge(around, trace);
+    for (const BlockCache::Place& place : noisy)
+        ReconstructBlock(place);
     cache.Release(tile);
 }
 
-void TileSampler::RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& trace)
+/// Of a block that has converged, as have its neighbours.
+void TileSampler::ReconstructBlock(const BlockCache::Place& place)
 {
-    const std::shared_ptr<const Block> block = cache.Converged(left, top, trace);
-    ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel) { pixel = block->ResultOf(x, y); });
-    const Rows rows = block->NoisyRows(cache.limits);
-    if (rows.IsEmpty())
-        return;
-    std::array<const BlockStatistics*, 9> statistics;
-    PaddedSpread::Sent spread;
-    const BlockCache::BlockAndNeighbours around = cache.ConvergedAround(left, top, trace);
-    std::transform(around.begin(), around.end(), statistics.begin(), [](const std::shared_ptr<const Block>& one)
-        { return one ? one->Statistics() : nullptr; });
-    std::transform(around.begin(), around.end(), spread.begin(), [](const std::shared_ptr<const Block>& one)
-        { return one ? one->Spread() : nullptr; });
-    const std::shared_ptr<const PaddedSpread> received = PaddedSpread::Of(spread, block->FirstSamples());
+    std::array<const BlockStatistics*, 9> statistics{};
+    PaddedSpread::Sent spread{};
+    std::array<std::shared_ptr<const Block>, 9> around;
+    for (int i = 0; i < 9; i++)
+        if ((around[i] = cache.At({place.first + i / 3 - 1, place.second + i % 3 - 1})))
+        {
+            statistics[i] = around[i]->Statistics();
+            spread[i] = around[i]->Spread();
+        }
+    const Block& block = *around[4];
+    const Rows rows = block.NoisyRows(cache.limits);
+    const std::shared_ptr<const PaddedSpread> received = PaddedSpread::Of(spread, block.FirstSamples());
     const PaddedBlock padded(statistics);
     if (cache.limits.max == 1 && !received)
         return;
     const ReconstructedBlock reconstructed =
         cache.limits.max == 1 ? SpreadEstimates(padded, *received) : Reconstruct(padded, received.get(), rows);
-    ForEachPixelOf(*block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel)
+    ForEachPixelOf(block, [&](std::uint32_t x, std::uint32_t y, PixelResult& pixel)
     {
-        const int row = y - block->area.top;
-        const std::size_t i = row * settings.blockSide + x - block->area.left;
+        const int row = y - block.area.top;
+        const std::size_t i = row * settings.blockSide + x - block.area.left;
         const Radiance mean = reconstructed.MeanOf(i);
         if (!rows.Has(row) || !IsFinite(mean))  // beside what a float cannot hold
             return;

@@ -38,7 +38,7 @@ class TileSampler
     Area tile{};
     std::vector<PixelResult> pixels;
 
-    void RunBlock(std::uint32_t left, std::uint32_t top, const Tracer& trace);
+    void ReconstructBlock(const BlockCache::Place& place);
     template<class Visit>
     void ForEachPixelOf(const Block& block, const Visit& visit);
     const PixelResult& At(std::uint32_t x, std::uint32_t y) const { return pixels[tile.IndexOf(x, y)]; }

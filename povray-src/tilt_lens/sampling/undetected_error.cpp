@@ -19,18 +19,17 @@ double MissedSquareError(double share, double n)
     return (2.0 - (2.0 + x * (2.0 + x)) * std::exp(-x)) / (x * n * n);
 }
 
-Radiance UndetectedError(const PixelStatistics& own, const SampleVariation& around, const SampleVariation& blurred)
+Radiance UndetectedError(const PixelStatistics& own, const SampleVariation& around)
 {
     Radiance error{};
-    for (const SampleVariation* others : {&around, &blurred})
-        for (std::size_t c = 0; c < error.size(); c++)
-        {
-            const double excess = others->variance[c] - own.Variation().variance[c];
-            if (!(excess > 0.0))
-                continue;
-            const double deviation = std::max(excess, others->maxSquaredDeviation[c]);
-            error[c] = std::max(error[c], deviation * MissedSquareError(excess / deviation, own.Samples()));
-        }
+    for (std::size_t c = 0; c < error.size(); c++)
+    {
+        const double excess = around.variance[c] - own.Variation().variance[c];
+        if (!(excess > 0.0))
+            continue;
+        const double deviation = std::max(excess, around.maxSquaredDeviation[c]);
+        error[c] = deviation * MissedSquareError(excess / deviation, own.Samples());
+    }
     return error;
 }
 

@@ -20,8 +20,8 @@ double MissedSquareError(double share, double n);
 
 /// Expected square error of a pixel's mean for what others hit and its own samples show less of.
 /// @param own     samples of the pixel
-/// @param around  of the pixels around; @param blurred  of what is blurred over the pixel: whichever is more counts
-Radiance UndetectedError(const PixelStatistics& own, const SampleVariation& around, const SampleVariation& blurred);
+/// @param around  samples of the pixels around
+Radiance UndetectedError(const PixelStatistics& own, const SampleVariation& around);
 
 /// Whether emitter samples have looked for the pixel's emitters for as long as these may exceed the target, or so often
 /// that what hides them is believed.

@@ -19,11 +19,10 @@ namespace pov
 /// Number of the pair that the place within a third of the spectrum is taken from; area lights count from 0.
 static const unsigned int kHuePair = 0x487565;
 
-void TiltLensTracer::TraceColours(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
+void TiltLensTracer::TraceColours(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result)
 {
     const double within = pixel->PaddedPair(index, kHuePair).u;
     tilt_lens::Radiance mixed{};
-    double blurRadius = 0.0;
     for (int colour = pRED; colour <= pBLUE; colour++)
     {
         tilt_lens::CameraRay ray = camera;
@@ -33,15 +32,13 @@ void TiltLensTracer::TraceColours(const tilt_lens::CameraRay& camera, DBL width,
         else
             ray.FindRay(view->lens, hue);
         refusedRays += ray.refused;
-        TraceCameraRay(ray, width, result);
+        TraceCameraRay(ray, result);
         mixed[colour] = result.radiance[colour];
         for (int c = pFILTER; c <= pTRANSM; c++)
             mixed[c] += result.radiance[c] / 3.0;
-        blurRadius = std::max(blurRadius, result.blurRadius);
     }
     result.radiance = mixed;
     result.circle = tilt_lens::CircleOfConfusion();  // the three colours have three circles: it serves its own pixel alone
-    result.blurRadius = blurRadius;
 }
 
 } // namespace pov

@@ -70,7 +70,7 @@ TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
     return owner.tiltLens.get();
 }
 
-void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray, DBL width,
+void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray,
                               tilt_lens::SampleResult* results)
 {
     rays.Make(run);
@@ -81,26 +81,26 @@ void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::
         for (unsigned int i = 0; i < run.count; i++)
         {
             index = run.first.index + i;
-            TraceSample(rays.One(place + i), width, results[i]);
+            TraceSample(rays.One(place + i), results[i]);
         }
     else
-        TraceRays(rays.Rays(), place, run, ray, width, results);
+        TraceRays(rays.Rays(), place, run, ray, results);
 }
 
-void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
+void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result)
 {
     if (HasColours(view->lens) && camera.sample.weight != 0.0)
-        TraceColours(camera, width, result);
+        TraceColours(camera, result);
     else
-        TraceCameraRay(camera, width, result);
+        TraceCameraRay(camera, result);
 }
 
-void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result)
+void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result)
 {
     tilt_lens::CameraRays rays;
     rays.Put(0, camera);
     Ray ray = CameraRayOfPov();
-    TraceRays(rays, 0, {{0, 0, index}, 1, true}, ray, width, &result);
+    TraceRays(rays, 0, {{0, 0, index}, 1, true}, ray, &result);
 }
 
 /// A ray that has yet to begin; within what holds the whole lens.
@@ -115,13 +115,15 @@ Ray TiltLensTracer::CameraRayOfPov() const
 /// Camera rays in, light out.
 /// @param place  of the run's first ray
 void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray,
-                               DBL width, tilt_lens::SampleResult* results)
+                               tilt_lens::SampleResult* results)
 {
     DBL distances[tilt_lens::settings.cameraRaysOfBatch];
     const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
     const unsigned int first = run.first.index, count = run.count;
     const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
+    const bool circlesWanted = run.ofFirstRound && view->limits.variance > 0.0 && view->samplesSpread;
     trace.areaLightSampler = this;
+    trace.lightPath.wanted = circlesWanted;
     LeadGenerators();
     for (unsigned int i = 0; i < count; i++)
     {
@@ -135,13 +137,15 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
             Begin(ray, rays, place + i);
             if (!plain)
                 BeginSpecially(ray, rays, place + i);
-            distances[i] = TraceRay(ray, ticket, rays.samples.weight[place + i], results[i].radiance);
+            TraceRay(ray, ticket, rays.samples.weight[place + i], results[i].radiance);
+            distances[i] = trace.lightPath.Length();
         }
     }
     trace.areaLightSampler = NULL;
+    trace.lightPath.wanted = false;
     EndSample();
-    if (run.ofFirstRound)
-        FindBlur(rays, place, count, distances, width, results);
+    if (circlesWanted)
+        FindCircles(rays, place, count, distances, results);
 }
 
 /// From a point of the lens through the focus of that film point.
@@ -175,36 +179,27 @@ void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays,
 }
 
 /// @param ticket  a new one
-/// @return  distance of what is met
-inline DBL TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, Radiance& radiance)
+inline void TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, Radiance& radiance)
 {
     trace.ForgetRays();
     BeginNumbers();
     areaLightsMet = 0;
     Colour colour;
-    const DBL distance = trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
+    trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
     radiance = {weight * colour[pRED], weight * colour[pGREEN], weight * colour[pBLUE], weight * colour[pFILTER],
                 weight * colour[pTRANSM]};
-    return distance;
 }
 
-/// Of what such rays have met.
-void TiltLensTracer::FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
-                              DBL width, tilt_lens::SampleResult* results) const
+/// The circles of confusion of the points that such rays have hit.
+void TiltLensTracer::FindCircles(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
+                                 tilt_lens::SampleResult* results) const
 {
     const tilt_lens::CameraSamples& samples = rays.samples;
     for (unsigned int i = 0; i < count; i++)
     {
-        const bool traced = samples.weight[place + i] != 0.0;
-        results[i].blurRadius = traced ? view->BlurRadius(rays.w[place + i], distances[i] / rays.length[place + i], width) : 0.0;
-    }
-    if (!view->limits.Denoises())
-        return;
-    for (unsigned int i = 0; i < count; i++)
-    {
         const unsigned int at = place + i;
         results[i].circle = tilt_lens::CircleOfConfusion();
-        if (view->samplesSpread && samples.weight[at] != 0.0)
+        if (samples.weight[at] != 0.0)
             results[i].circle = view->footprint.CircleOf({samples.x[at], samples.y[at]}, {samples.a[at], samples.b[at]},
                                                          rays.length[at] / distances[i] - rays.w[at]);
     }
@@ -296,7 +291,7 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
             camera = tilt_lens::CameraRay(view->lens, view->emitters.Generate({}, id, sequence(id.index)));
         pixel = &sequence;
         index = id.index;
-        TraceSample(camera, width, result);
+        TraceSample(camera, result);
         colour += ToColour(result.radiance);
     }
     colour /= samples;
@@ -318,7 +313,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     areaLightPoints = areaLightPointsSkipped = 0;
     refusedRays = 0;
     sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
-        { TraceRun(rays, run, ray, width, results); });
+        { TraceRun(rays, run, ray, results); });
 
     pixels.clear();
     effort.clear();
@@ -337,7 +332,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     trace.threadData->Stats()[Number_Of_Samples] += statistics.Samples();
 }
 
-void TiltLensTracer::EstimateWork(unsigned int width)
+void TiltLensTracer::EstimateWork()
 {
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::settings.probeSamples, limits.max);
@@ -350,7 +345,7 @@ void TiltLensTracer::EstimateWork(unsigned int width)
         const auto before = raysTraced();
         static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
         tilt_lens::SampleResult results[tilt_lens::settings.probeSamples];
-        TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, ray, width, results);
+        TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, ray, results);
         std::vector<Radiance> tried;
         for (unsigned int sample = 0; sample < samples; sample++)
             tried.push_back(results[sample].radiance);
@@ -366,7 +361,7 @@ void TraceTask::TiltLensSampling()
     unsigned int serial;
 
     TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
-    tracer.EstimateWork(GetViewData()->GetWidth());
+    tracer.EstimateWork();
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {
         radiosity.BeforeTile(highReproducibility ? serial : 0);

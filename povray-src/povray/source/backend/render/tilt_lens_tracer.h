@@ -53,8 +53,7 @@ class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
     void TraceTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone, std::vector<Colour>& pixels);
 
     /// Before the first tile, all threads together trace some pixels, so that progress can be told.
-    /// @param width  of the whole picture, in pixels
-    void EstimateWork(unsigned int width);
+    void EstimateWork();
 
     /// Of the last tile, pixel by pixel; empty for focus aids.
     const std::vector<TiltLensEffort>& Effort() const { return effort; }
@@ -91,19 +90,19 @@ class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
     /// @param ray  as CameraRayOfPov() makes it; may be used again
-    void TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray, DBL width,
+    void TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray,
                   tilt_lens::SampleResult* results);
     /// @name Of the sample that `pixel` and `index` name.
     /// @{
-    void TraceSample(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
-    void TraceColours(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
-    void TraceCameraRay(const tilt_lens::CameraRay& camera, DBL width, tilt_lens::SampleResult& result);
-    DBL TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, tilt_lens::Radiance& radiance);
+    void TraceSample(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);
+    void TraceColours(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);
+    void TraceCameraRay(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);
+    void TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, tilt_lens::Radiance& radiance);
     /// @}
-    void TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray, DBL width,
+    void TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray,
                    tilt_lens::SampleResult* results);
-    void FindBlur(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances, DBL width,
-                  tilt_lens::SampleResult* results) const;
+    void FindCircles(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
+                     tilt_lens::SampleResult* results) const;
     Ray CameraRayOfPov() const;
     void Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const;
     void BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place);

@@ -115,8 +115,7 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
     emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData()),
-             VignettingOf(camera, aperture)),
-    blurPerVergence(0.5 * BlurPerVergence(lens, 1.0))
+             VignettingOf(camera, aperture))
 {
 }
 

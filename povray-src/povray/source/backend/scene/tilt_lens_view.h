@@ -102,13 +102,6 @@ class TiltLensView
     /// What is drawn in place of the lens's picture, or NULL.
     shared_ptr<const TiltLensAids> aids;
 
-    /// Radius in pixels of the blur of a surface that a ray meets at parameter T, for a frame `width`
-    /// pixels wide; w as in MakeRay. The wider axis of the ellipse counts.
-    double BlurRadius(double w, double T, double width) const
-    {
-        return std::fabs(1.0 / T - w) * blurPerVergence * width;
-    }
-
     /// Adds the statistics of a finished tile.
     void Add(const tilt_lens::SamplingStatistics& tile);
 
@@ -119,8 +112,6 @@ class TiltLensView
     std::string Summary(const TiltLensCost& cost) const;
 
   private:
-    const double blurPerVergence;  ///< lens radius in widths of the frame, at parameter 1
-
     TiltLensView(const Camera& camera, ViewData& view);
 
     std::string Skipped() const;

@@ -1,0 +1,140 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/sampling/block_cache.h"
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tile_results.h"
+#include "tilt_lens/sampling/tile_sampler.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+constexpr std::uint32_t kTile = 32, kTiles = 4, kWidth = kTile * kTiles;
+
+SamplingLimits DenoisedLimits()
+{
+    SamplingLimits limits = Limits(4, 64, 1e-3);
+    limits.denoise = true;
+    return limits;
+}
+
+/// Noise whose samples take random times.
+void SlowNoise(const SampleId& id, SampleResult& result)
+{
+    if (id.index == 0 && PixelHash(id.x, id.y, 0, 9) % 64 == 0)
+        std::this_thread::sleep_for(std::chrono::microseconds(PixelHash(id.x, id.y, 0, 10) % 500));
+    WhiteNoise(id, result);
+}
+
+/// Samples all tiles of a picture with some threads, which take tiles in turn as POV-Ray's do.
+std::vector<Radiance> PictureOf(int threads, const Tracer& trace)
+{
+    BlockCache cache(DenoisedLimits(), kWidth, kWidth, {0, 0, kWidth, kWidth});
+    std::vector<Radiance> picture(kWidth * kWidth);
+    std::atomic<std::uint32_t> next{0};
+    const auto work = [&]
+    {
+        for (std::uint32_t i = next++; i < kTiles * kTiles; i = next++)
+        {
+            const Area tile{i % kTiles * kTile, i / kTiles * kTile, kTile, kTile};
+            TileSampler sampler(cache);
+            sampler.Run(tile, trace);
+            for (std::uint32_t y = tile.top; y < tile.Bottom(); y++)
+                for (std::uint32_t x = tile.left; x < tile.Right(); x++)
+                    picture[y * kWidth + x] = sampler.Mean(x, y);
+        }
+    };
+    std::vector<std::future<void>> running;
+    for (int i = 0; i < threads; i++)
+        running.push_back(std::async(std::launch::async, work));
+    for (std::future<void>& one : running)
+        one.get();
+    EXPECT_EQ(cache.Size(), 0u);
+    return picture;
+}
+
+TEST(BlockCache, SamplesNothingTwiceWhateverTheThreads)
+{
+    std::vector<std::atomic<std::uint32_t>> traced(kWidth * kWidth);
+    const Tracer counting([&](const SampleId& id, SampleResult& result)
+    {
+        EXPECT_EQ(traced[id.y * kWidth + id.x]++, id.index);
+        SlowNoise(id, result);
+    });
+    const std::vector<Radiance> alone = PictureOf(1, SlowNoise);
+    EXPECT_EQ(PictureOf(5, counting), alone);
+}
+
+/// A thread whose block another one samples goes on with others: all first rounds but one are taken while one sample takes its time.
+TEST(BlockCache, NoThreadWaitsForABlockThatAnotherSamples)
+{
+    const std::uint32_t others = 2 * settings.blockSide;
+    std::atomic<bool> held{false};
+    std::atomic<std::uint32_t> reached{0};
+    const Tracer trace([&](const SampleId& id, SampleResult& result)
+    {
+        if (id.x == 0 && id.y == 0 && id.index == 0 && !held.exchange(true))
+        {
+            // as long as it takes the other thread to get to rows that its own tile does not need
+            for (int i = 0; i < 20000 && reached < others; i++)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        for (std::uint32_t before = reached; before < id.y && !reached.compare_exchange_weak(before, id.y);)
+        {
+        }
+        WhiteNoise(id, result);
+    });
+    BlockCache cache(DenoisedLimits(), settings.blockSide, 8 * settings.blockSide, {0, 0, settings.blockSide, 8 * settings.blockSide});
+    const auto run = [&](std::uint32_t top)
+    {
+        TileSampler(cache).Run({0, top, settings.blockSide, settings.blockSide}, trace);
+    };
+    std::future<void> first = std::async(std::launch::async, run, 0u);
+    while (!held)
+        std::this_thread::yield();
+    run(settings.blockSide);
+    first.get();
+    EXPECT_GE(reached, others);
+}
+
+TEST(BlockCache, AStepThatIsBrokenOffIsTakenByAnotherThread)
+{
+    std::atomic<bool> thrown{false};
+    const Tracer trace([&](const SampleId& id, SampleResult& result)
+    {
+        if (id.x == 5 && id.y == 5 && !thrown.exchange(true))
+        {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            throw std::runtime_error("stop");
+        }
+        WhiteNoise(id, result);
+    });
+    BlockCache cache(DenoisedLimits(), 2 * settings.blockSide, settings.blockSide, {0, 0, 2 * settings.blockSide, settings.blockSide});
+    const auto run = [&](std::uint32_t left) { TileSampler(cache).Run({left, 0, settings.blockSide, settings.blockSide}, trace); };
+    std::future<void> first = std::async(std::launch::async, run, 0u), second = std::async(std::launch::async, run, settings.blockSide);
+    int broken = 0;
+    for (std::future<void>* one : {&first, &second})
+        try
+        {
+            one->get();
+        }
+        catch (const std::runtime_error&)
+        {
+            broken++;
+        }
+    EXPECT_EQ(broken, 1);
+}
+
+} // namespace
+} // namespace tilt_lens
