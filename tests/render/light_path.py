@@ -1,0 +1,41 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Lamps seen in flat mirrors and through flat panes are blurred as at the end of the whole path of their light. With one sample a
+pixel the picture is made of the circles of confusion alone."""
+
+from tests.render import rendering
+
+SIZE = {"width": 64, "height": 48, "extension": "exr"}
+CAMERA = """
+camera { location <0, 0, -10> look_at 0 angle 40 right 4/3*x aperture 1 focal_point <0, 0, 8> blur_samples 1 tilt_lens { } }
+"""
+MIRROR = "box { <-30, -30, 8>, <30, 30, 9> pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection 1 } }\n"
+PANE = "box { <-30, -30, 8>, <30, 30, 8.001> pigment { rgbt 1 } }\n"
+BALL = "sphere { <0, 0, 18>, 10 pigment { rgbt 1 } }\n"
+
+
+GLOW = "pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 }"
+LAMP = f"texture {{ gradient y texture_map {{ [0 {GLOW}] [1 {GLOW}] }} }}"     # no finish of the object announces it
+
+
+def lamps(z):
+    return "".join(f"sphere {{ <{3*x}, {3*y}, {z}>, 0.6 {LAMP} }}\n" for x in range(-2, 3) for y in (-1, 0, 1))
+
+
+def picture(scene):
+    return rendering.render(CAMERA + scene, **SIZE)
+
+
+class LightPath(rendering.RenderTest):
+    def test_a_flat_mirror_keeps_the_blur_of_what_is_seen_in_it(self):
+        self.assert_near(picture(MIRROR + lamps(-14)), picture(lamps(30)), 1e-5)
+
+    def test_a_flat_pane_keeps_the_blur_of_what_is_behind_it(self):
+        self.assert_near(picture(PANE + lamps(30)), picture(lamps(30)), 1e-5)
+
+    def test_behind_a_curved_surface_the_circle_is_that_of_the_surface(self):
+        self.assert_different(picture(BALL + lamps(30)), picture(lamps(30)), 1e-3)
+
+
+if __name__ == "__main__":
+    rendering.main()
