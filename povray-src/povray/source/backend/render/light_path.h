@@ -14,8 +14,8 @@
 namespace pov
 {
 
-/// Follows TraceRay's recursion: the path of a ray goes on with that of the ray that it gave rise to which brought more than half of its
-/// light.
+/// Follows TraceRay's recursion: the path of a ray goes on with that of the ray that it gave rise to which brought half of its light
+/// or more. Where all is black, it goes on as well.
 class LightPath
 {
   public:
@@ -44,8 +44,8 @@ class LightPath
     void End(Brightest outer, const ObjectBase* hit, double distance, const Colour& colour, double weight)
     {
         const double light = weight * colour.greyscale();
-        length = hit != NULL && 2.0 * brightest.light > light && IsFlat(*hit) ? distance + brightest.length : distance;
-        brightest = light > outer.light ? Brightest{light, length} : outer;
+        length = hit != NULL && 2.0 * brightest.light >= light && IsFlat(*hit) ? distance + brightest.length : distance;
+        brightest = light >= outer.light ? Brightest{light, length} : outer;
     }
 
     /// Of the last ray, scene units; HUGE_VAL if its light comes from nothing that it hit.
