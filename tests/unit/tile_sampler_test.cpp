@@ -420,8 +420,8 @@ TEST(BlockCache, MemoryOfABlock)
 {
     const double pixels = settings.blockSide * settings.blockSide;
     const double seen = sizeof(FirstRoundPixel) + (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
-    EXPECT_LE(sizeof(PixelEstimate) + seen, 700.0);
-    EXPECT_LE(sizeof(PixelResult) + seen + sizeof(BlockStatistics) / pixels, 400.0);
+    EXPECT_LE(sizeof(PixelEstimate) + seen, 640.0);
+    EXPECT_LE(sizeof(PixelResult) + seen + sizeof(BlockStatistics) / pixels, 310.0);
 }
 
 } // namespace

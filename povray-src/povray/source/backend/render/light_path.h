@@ -48,7 +48,7 @@ class LightPath
         brightest = light >= outer.light ? Brightest{light, length} : outer;
     }
 
-    /// Of the last ray, scene units; HUGE_VAL if its light comes from nothing that it hit.
+    /// Length of the last path, scene units; HUGE_VAL where it ends at no surface.
     double Length() const { return length; }
 
   private:
