@@ -32,6 +32,7 @@ RULES = (
     ("longer first rounds", 1, "farShare=2"),
     ("shrinkage of the sample variance", 3, f"shrinkageSamples={ALWAYS}"),
     ("prior of the variance ratio", 3, f"varianceRatioPrior={ALWAYS}"),
+    ("outlying variance ratios", 3, f"outlyingRatio={NEVER}"),
     ("reactivation", 4, f"reactivationFactor={NEVER}"),
     ("pooling in the degrees of freedom", 5, "pooledPixels=1"),
     ("variance target (all pixels keep V)", 6, "leastTarget=1,greatestTarget=1"),

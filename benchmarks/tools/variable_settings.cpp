@@ -26,6 +26,7 @@ const std::map<std::string, Field> fields = {
     FIELD(farFactor),
     FIELD(shrinkageSamples),
     FIELD(varianceRatioPrior),
+    FIELD(outlyingRatio),
     FIELD(reactivationFactor),
     FIELD(pooledPixels),
     FIELD(typicalSampleVariance),

@@ -74,6 +74,8 @@ struct Settings
     /// Noisy pixels, all as noisy, that what was known before counts as: for a quadrant of a block its variance ratio of
     /// the round before, for the 5 by 5 pixels around one that of their quadrant.
     double varianceRatioPrior = 2.0;
+    /// A pixel whose own variance ratio is so many times that of the pixels around keeps its own: filters may then take it for noise.
+    double outlyingRatio = 4.0;
     /// @}
 
     /// @name Undetected error (section 4)

@@ -81,7 +81,7 @@ class Refused(rendering.RenderTest):
                            ("+A-1", "line 2: '+A-1': there is no such option.")):
             with self.subTest(text), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 (pathlib.Path(name) / "own.ini").write_text(f"; first line\n{text}\n")
-                code, told = rendering.Job(STOCK, ("own.ini",)).attempt(pathlib.Path(name), 60)
+                code, told = rendering.Job(STOCK, ("own.ini",)).attempt(pathlib.Path(name))
                 self.assertEqual(code, 1, told)
                 self.assertEqual(told.count(f"File 'own.ini' {said}"), 1, told)
 

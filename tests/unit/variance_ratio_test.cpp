@@ -128,5 +128,25 @@ TEST(LocalVarianceRatios, TellSmoothPixelsFromNoisyOnesBesideThem)
     EXPECT_GT(noisy, 0.5);
 }
 
+/// Of four samples of all pixels but one, two are white and two black in each half.
+TEST(LocalVarianceRatios, APixelThatStandsOutKeepsItsOwn)
+{
+    const auto split = [](const SampleId& id, SampleResult& result)
+    {
+        const bool standsOut = id.x == kMiddle.left + 7 && id.y == kMiddle.top + 9;
+        result = Grey(standsOut ? id.index < 2 : id.index % 2);
+    };
+    BlockEstimate estimate = FirstEstimate(kMiddle, 4, split);
+    UpdateVarianceRatios(estimate, 4);
+    const std::vector<double> ratios = LocalVarianceRatios(estimate);
+    for (std::size_t i = 0; i < ratios.size(); i++)
+    {
+        if (i == 9 * settings.blockSide + 7)
+            EXPECT_EQ(ratios[i], 1.0);
+        else
+            EXPECT_LT(ratios[i], 0.25) << i;
+    }
+}
+
 } // namespace
 } // namespace tilt_lens

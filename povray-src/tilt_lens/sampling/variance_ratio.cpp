@@ -77,17 +77,20 @@ void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples)
 
 std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate)
 {
-    std::vector<VarianceRatioTerms> terms(estimate.pixels.size());
-    for (std::size_t i = 0; i < terms.size(); i++)
-        terms[i].Add(estimate.pixels[i].statistics);
-    terms = WindowMeans<settings.ratioRadius>(terms, estimate.area.width);
+    std::vector<VarianceRatioTerms> own(estimate.pixels.size());
+    for (std::size_t i = 0; i < own.size(); i++)
+        own[i].Add(estimate.pixels[i].statistics);
+    const std::vector<VarianceRatioTerms> around = WindowMeans<settings.ratioRadius>(own, estimate.area.width);
     std::vector<double> ratios;
-    for (std::size_t i = 0; i < terms.size(); i++)
+    for (std::size_t i = 0; i < own.size(); i++)
     {
         const double ofQuadrant = estimate.dualBufferRatio[estimate.QuadrantOf(i)];
-        const double around = terms[i].Ratio(ofQuadrant, Square(2 * settings.ratioRadius + 1));
+        const double local = around[i].Ratio(ofQuadrant, Square(2 * settings.ratioRadius + 1));
         // the dual buffers overstate all ratios of a quadrant alike
-        ratios.push_back(ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, around) / ofQuadrant : 0.0);
+        const double ratio = ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, local) / ofQuadrant : 0.0;
+        // strata that nearly all pixels fill evenly, and this one does not
+        const double itself = own[i].independent > 0.0 ? std::min(1.0, own[i].dualBuffer / own[i].independent) : 0.0;
+        ratios.push_back(itself > settings.outlyingRatio * ratio ? itself : ratio);
     }
     return ratios;
 }

@@ -40,7 +40,7 @@ void DivideBy(VarianceRatioTerms& terms, double divisor);
 void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples);
 
 /// The variance ratio of each pixel from those around it, for the reconstruction: filters that are told too much noise blur
-/// what is no noise.
+/// texture. A pixel whose own ratio stands out keeps its own.
 std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate);
 
 /// What the dual buffers say of the mean of both. With a variance of n^-a, a >= 1, the buffers of a prefix of n differ by
