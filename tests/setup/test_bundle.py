@@ -25,7 +25,7 @@ class Bundle(SetupTest):
         work = cls.scratch.folder / "made here"
         cls.made = cls.scratch.run_command(
             CMAKE, "-DNAME=bundle", f"-DBUILD={BUILD}", "-DVERSION=1", f"-DWORK={work}", f"-DOBJDUMP={cache['CMAKE_OBJDUMP']}",
-            f"-DJEMALLOC={cache['JEMALLOC_LIBRARY']}", "-P", REPOSITORY / "cmake" / "bundle" / "make.cmake", timeout=300)
+            f"-DJEMALLOC={cache['JEMALLOC_LIBRARY']}", "-P", REPOSITORY / "cmake" / "bundle" / "make.cmake")
         # Moved, so that nothing may depend on where it was made
         cls.bundle = cls.scratch.folder / "moved to" / "bundle"
         if (work / "bundle").is_dir():

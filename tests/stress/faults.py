@@ -165,7 +165,8 @@ def full_disk(folder):
         # the state file holds a tenth of the picture in 192 KiB, and more in 512
         left = (0.9 if mounted else 0.95) * size["width"] * size["height"]
         kept = again == 0 and _pixels(said) < left
-        row["clear"] = row["clear"] and "picture.png" in row["said"] and kept and is_whole(folder / "picture.png", whole)
+        named = "picture.png" in row["said"] or "picture.pov-state" in row["said"]
+        row["clear"] = row["clear"] and named and kept and is_whole(folder / "picture.png", whole)
     finally:
         if mounted:
             subprocess.run(["umount", str(folder)], check=False)

@@ -270,9 +270,9 @@ TEST(InnerFocus, RefusesWhatCannotBe)
 {
     ExpectError(kThinGroups, "[20, 28]", "[20, 28, 29]", 6, "\"thickness\" with 3 values, where \"object-distance\" has 2");
     ExpectError(kThinGroups, "[20, 28]", "[20, -1]", 6, "a thickness of -1 for a near focus");
-    ExpectError(kThinGroups, "[20, 28]", "[20, \"far\"]", 6, "\"thickness\" is 'far'");
-    ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[700, 585.714]", 2, "begins with '700'");
-    ExpectError(kThinGroups, "[\"infinity\", 585.714]", "585.714", 2, "begins with '585.714'");
+    ExpectError(kThinGroups, "[20, 28]", "[20, \"far\"]", 6, "\"thickness\" is the text 'far'");
+    ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[700, 585.714]", 2, "begins with 700");
+    ExpectError(kThinGroups, "[\"infinity\", 585.714]", "585.714", 2, "begins with 585.714");
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\"]", 2, "infinity alone");
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\", -3]", 2, "object distance of -3");
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\", 585.714, 600]", 2, "object distance of 600");
