@@ -60,6 +60,7 @@ std::vector<Radiance> PictureOf(int threads, const Tracer& trace)
         running.push_back(std::async(std::launch::async, work));
     for (std::future<void>& one : running)
         one.get();
+    EXPECT_EQ(cache.At({1, 1}), nullptr) << "a block that was released is not made again";
     EXPECT_EQ(cache.Size(), 0u);
     return picture;
 }

@@ -71,15 +71,16 @@ std::shared_ptr<Block> BlockCache::Get(const Place& place)
     if (!IsInside(place))
         return nullptr;
     const std::lock_guard<std::mutex> lock(mutex);
-    Entry& entry = entries[place];
-    if (!entry.block)
-    {
-        entry.block = std::make_shared<Block>(PixelsOf(place), width, height);
-        for (std::int64_t dy = -settings.dependencyRadius; dy <= settings.dependencyRadius; dy++)
-            for (std::int64_t dx = -settings.dependencyRadius; dx <= settings.dependencyRadius; dx++)
-                entry.users += HasToCome({place.first + dy, place.second + dx});
-    }
-    return entry.block;
+    const auto found = entries.find(place);
+    if (found != entries.end())
+        return found->second.block;
+    std::uint32_t users = 0;
+    for (std::int64_t dy = -settings.dependencyRadius; dy <= settings.dependencyRadius; dy++)
+        for (std::int64_t dx = -settings.dependencyRadius; dx <= settings.dependencyRadius; dx++)
+            users += HasToCome({place.first + dy, place.second + dx});
+    if (users == 0)  // released while a thread was looking for work
+        return nullptr;
+    return entries.emplace(place, Entry{std::make_shared<Block>(PixelsOf(place), width, height), users}).first->second.block;
 }
 
 void BlockCache::Converge(const std::vector<Place>& wanted, const Tracer& trace)

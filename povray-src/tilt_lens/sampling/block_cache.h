@@ -39,7 +39,7 @@ class BlockCache
     /// missing, this one takes whatever else will be asked for; it waits only where there is none.
     void Converge(const std::vector<Place>& wanted, const Tracer& trace);
 
-    /// The block at a place; null outside the picture. It stays while the caller holds it.
+    /// The block at a place; null outside the picture, and where no pixel to come depends on it. It stays while the caller holds it.
     std::shared_ptr<const Block> At(const Place& place) { return Get(place); }
 
     /// Tells that the pixels of `tile` will not be asked for again.
