@@ -34,7 +34,7 @@ void TileSampler::Run(const Area& wanted, const Tracer& trace)
     cache.Release(tile);
 }
 
-/// Of a block that has converged, as have its neighbours.
+/// Reconstructs a block that has converged, as have its neighbours.
 void TileSampler::ReconstructBlock(const BlockCache::Place& place)
 {
     std::array<const BlockStatistics*, 9> statistics{};
