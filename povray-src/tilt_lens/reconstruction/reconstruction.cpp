@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
-#include <vector>
 
 #include "tilt_lens/math/simd.h"
-#include "tilt_lens/math/window.h"
 #include "tilt_lens/reconstruction/filters.h"
 #include "tilt_lens/settings.h"
 
@@ -189,7 +187,6 @@ class RiskWeightedMean
     float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
 
     const Part& Risky() const { return risky; }
-    const Part& Wanted() const { return wanted; }
 
   private:
     const PaddedBlock& around;
