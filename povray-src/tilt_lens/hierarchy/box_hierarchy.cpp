@@ -17,7 +17,6 @@ constexpr float kFloatMost = std::numeric_limits<float>::max();
 
 typedef std::vector<BoxItem>::iterator ItemIterator;
 
-/// The fourth lane is not used.
 struct Bounds
 {
     Float4 lower = Float4() + kFloatMost, upper = Float4() - kFloatMost;
@@ -35,7 +34,7 @@ struct Bounds
         upper = Max(upper, otherUpper);
     }
 
-    /// Half of the surface.
+    /// Half of the surface area.
     double Area() const
     {
         const double x = double(upper[0]) - lower[0], y = double(upper[1]) - lower[1], z = double(upper[2]) - lower[2];
@@ -43,10 +42,10 @@ struct Bounds
     }
 };
 
-/// Twice the middle of a box on an axis.
+/// Twice the centre of a box on an axis.
 double Middle(const BoxItem& item, int axis) { return double(item.lower[axis]) + item.upper[axis]; }
 
-/// Some of the items, side by side.
+/// Consecutive items and their bounds.
 struct Range
 {
     ItemIterator begin, end;
@@ -61,7 +60,7 @@ struct Range
     std::ptrdiff_t Size() const { return end - begin; }
 };
 
-/// The part of an axis on which the middles of a range's boxes lie, in bins of equal width.
+/// Surface area heuristic along one axis: the boxes of a range in bins of equal width, by their centres.
 class Bins
 {
   public:
@@ -77,7 +76,7 @@ class Bins
         }
         start = least;
         scale = most > least ? kNumber / (most - least) : HUGE_VAL;
-        if (!(scale < HUGE_VAL))  // all in one place
+        if (!(scale < HUGE_VAL))  // all centres coincide
             return;
         for (ItemIterator item = range.begin; item != range.end; ++item)
         {
@@ -90,8 +89,8 @@ class Bins
 
     int Of(const BoxItem& item) const { return std::min(kNumber - 1, int((Middle(item, axis) - start) * scale)); }
 
-    double Cost() const { return cost; }  ///< area times items of both parts; infinite where there is no split
-    int Split() const { return split; }   ///< the first bin of the second part
+    double Cost() const { return cost; }  ///< sum over both parts of area times number of items; infinite if there is no split
+    int Split() const { return split; }   ///< first bin of the second part
 
   private:
     struct Bin
@@ -135,7 +134,7 @@ class Bins
     }
 };
 
-/// Deeper nodes divide their items evenly: 8^14 = 2^42 items fit below.
+/// Deeper nodes split their items evenly: 14 more levels hold 8^14 = 2^42 items.
 constexpr int kEvenFrom = BoxHierarchy::kMostLevels - 14;
 
 ItemIterator SplitInHalves(const Range& range)
@@ -150,7 +149,7 @@ ItemIterator SplitInHalves(const Range& range)
     return middle;
 }
 
-/// Orders the items of a range of at least two, and returns the first of its second part; neither part is empty.
+/// Partitions a range of at least two items. Returns the beginning of the second part; neither part is empty.
 ItemIterator Split(const Range& range, bool even)
 {
     if (even)

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_hierarchy.h
-/// A bounding volume hierarchy of axis-aligned boxes with eight children a node, for rays that look for what is nearest.
-/// It is made by the surface area heuristic with bins (I. Wald, "On fast Construction of SAH-based Bounding Volume
-/// Hierarchies", 2007), and lies flat in memory. What it holds and how that meets a ray is the caller's.
+/// A bounding volume hierarchy of axis-aligned boxes, eight children per node, for finding the nearest intersection. It is built by
+/// the binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller
+/// defines the items and intersects rays with them.
+///
+/// The folder hierarchy/ only makes POV-Ray faster: it finds the boxes that a ray enters, for scenes with a tilt_lens camera. It
+/// knows no camera and includes math/ alone.
 
 #ifndef TILT_LENS_BOX_HIERARCHY_H
 #define TILT_LENS_BOX_HIERARCHY_H
@@ -18,7 +21,7 @@
 namespace tilt_lens
 {
 
-/// A box and what it bounds.
+/// An item of the hierarchy and its bounding box.
 struct BoxItem
 {
     float lower[3], upper[3];
@@ -28,25 +31,25 @@ struct BoxItem
 class BoxHierarchy
 {
   public:
-    /// No hierarchy has more levels of nodes than that, whatever the boxes.
+    /// Greatest depth in levels of nodes, for any boxes.
     static constexpr int kMostLevels = 40;
 
-    /// @param items  with finite boxes, which bound what they hold in exact arithmetic
+    /// @param items  the boxes must be finite and bound their items in exact arithmetic
     explicit BoxHierarchy(std::vector<BoxItem> items);
 
     std::size_t Bytes() const { return nodes.size() * sizeof(Node) + whats.size() * sizeof(void*); }
 
     struct Count
     {
-        unsigned int tested = 0;   ///< boxes
-        unsigned int entered = 0;  ///< of these, boxes that the ray met
+        unsigned int tested = 0;   ///< boxes tested
+        unsigned int entered = 0;  ///< boxes among them that the ray met
     };
 
-    /// Calls test(what) for all whose boxes the ray enters no later than at `limit`, of each eight children for the nearest
-    /// first. The order is the same whatever the Vector.
-    /// @tparam Vector  as of BoxRay: Float8 within functions for AVX2, else Float4
-    /// @param origin, direction  of the ray, three numbers each, in the boxes' frame and unit; the direction has any length but 0
-    /// @param limit  in lengths of the ray's direction; read again after each test, which may lower it
+    /// Calls test(item) for each item whose box the ray enters at or before `limit`. Nearer children of a node come first. The order
+    /// does not depend on Vector.
+    /// @tparam Vector  see BoxRay: Float8 inside functions for AVX2, else Float4
+    /// @param origin, direction  three numbers each, in the boxes' frame and unit; the direction may have any length but 0
+    /// @param limit  ray parameter, in lengths of the direction; read again after each test, which may lower it
     template<class Vector, class Test>
     Count Walk(const double* origin, const double* direction, const double& limit, const Test& test) const;
 
@@ -56,16 +59,16 @@ class BoxHierarchy
     struct Node
     {
         EightBoxes boxes;
-        std::int32_t children[8];  ///< numbers of nodes; ~i stands for whats[i]
+        std::int32_t children[8];  ///< index of a node, or ~i for item i
     };
 
     struct Waiting
     {
-        float begin;  ///< where the ray enters
+        float begin;  ///< ray parameter of the entry
         std::int32_t child;
     };
 
-    /// The first child that was met, which is taken from these.
+    /// Removes the first child from the set of those that the ray met.
     static TILT_LENS_INLINED Waiting Take(const Node& node, const float* begin, unsigned int& met, Count& count)
     {
         const int i = __builtin_ctz(met);
@@ -74,10 +77,10 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
-    /// The nearest of the children that were met; the others wait on the stack, the nearer ones above the farther ones.
+    /// Returns the nearest of the children that the ray met and pushes the others on the stack, the nearest on top.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
-    std::vector<Node> nodes;  ///< the first one is the root; none if there is nothing
+    std::vector<Node> nodes;  ///< the first is the root; empty without items
     std::vector<const void*> whats;
 };
 
@@ -109,7 +112,7 @@ TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, c
     const BoxRay<Vector> ray(origin, direction);
     Waiting waiting[7 * kMostLevels + 8];
     Waiting* top = waiting;
-    // rounded up
+    // rounded up, so that no box is lost
     const auto reach = [&limit] { return float(limit * (1.0 + 1.2e-7)); };
     float farthest = reach();
     Waiting next = {0.0f, 0};

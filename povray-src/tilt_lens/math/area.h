@@ -3,6 +3,9 @@
 
 /// @file area.h
 /// Rectangles of pixels.
+///
+/// The folder math/ holds types and small functions that know neither lens nor film: vectors, colours, pixel rectangles and
+/// windows, vector registers, number parsing, POV-Ray's lattice noise. It includes no other folder of the library.
 
 #ifndef TILT_LENS_AREA_H
 #define TILT_LENS_AREA_H
@@ -13,7 +16,7 @@
 namespace tilt_lens
 {
 
-/// Pixels of the whole picture; (0, 0) is its upper left corner.
+/// Pixel rectangle; (0, 0) is the upper left corner of the whole picture.
 struct Area
 {
     std::uint32_t left, top, width, height;
@@ -25,7 +28,7 @@ struct Area
     {
         return x >= left && x < Right() && y >= top && y < Bottom();
     }
-    /// The place of a pixel of the area, counted row by row.
+    /// Index of a pixel, row by row.
     std::size_t IndexOf(std::uint32_t x, std::uint32_t y) const
     {
         return (y - top) * std::size_t(width) + (x - left);

@@ -8,12 +8,12 @@
 namespace tilt_lens
 {
 
-/// Where a point lies in the lattice: its cell's hashes and gradients' places, and what its corners count.
+/// The lattice cell of a point: the hashed gradients and the blending weights of its eight corners.
 struct LatticeNoise::Cell
 {
-    Double4 from, to;     ///< the point, seen from the cell's corner with the least coordinates, and from the one opposite
-    Double4 weights[2];   ///< of the four corners at the near z and at the far z: near, far x; the same at the far y
-    int gradients[2][4];  ///< likewise
+    Double4 from, to;     ///< point relative to the cell's lower corner, and to its upper one
+    Double4 weights[2];   ///< of the four corners at near z, at far z; in each, x varies fastest
+    int gradients[2][4];  ///< offsets of the corners' gradients, in the same order
 
     TILT_LENS_INLINED Cell(const LatticeNoise& noise, const double* point)
     {
@@ -58,11 +58,11 @@ TILT_LENS_FOR_AVX2 double LatticeNoise::At(const double* point, bool wide) const
     for (int level = 0; level < 2; level++)
     {
         const double z = (level == 0 ? cell.from : cell.to)[2];
-        // the four corners' numbers, from lying one after the other to side by side
+        // transposed: from one corner after the other to one component after the other
         const int* const gradients = cell.gradients[level];
         const auto numbers = [&](int i) TILT_LENS_FOR_AVX2 -> Double4
         {
-            Double4 corner;  // not by Load(): clang lets no function without AVX return a register to one with it
+            Double4 corner;  // no Load(): clang forbids a function without AVX to return such a register to one with it
             std::memcpy(&corner, row + gradients[i], sizeof(corner));
             return corner;
         };
@@ -99,7 +99,7 @@ TILT_LENS_FOR_AVX2 void LatticeNoise::VectorAt(const double* point, double* vect
         const double z = (level == 0 ? cell.from : cell.to)[2];
         return cell.weights[level][i] * (numbers[0] * 0.5 + numbers[1] * x + numbers[2] * y + numbers[3] * z);
     };
-    // POV-Ray's order
+    // POV-Ray's order of addition
     const Double4 sum = corner(0, 0) + corner(0, 1) + corner(0, 3) + corner(0, 2) +
                         corner(1, 2) + corner(1, 3) + corner(1, 1) + corner(1, 0);
     for (int i = 0; i < 3; i++)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file radiance.h
-/// The value of a sample or a pixel, and the few operations that statistics of it need.
+/// The value of a sample or a pixel, and the operations that its statistics need.
 
 #ifndef TILT_LENS_RADIANCE_H
 #define TILT_LENS_RADIANCE_H
@@ -22,8 +22,8 @@ using Radiance = std::array<double, 5>;
 
 inline double Square(double x) { return x * x; }
 
-/// Each channel becomes operation(itself, that of `value`): two channels side by side, which the compiler does not do by itself, since it
-/// cannot know that the two do not overlap.
+/// result[c] = operation(result[c], value[c]), two channels at a time. The compiler cannot do so by itself, because the arguments may
+/// overlap.
 template<class Operation>
 inline void Combine(Radiance& result, const Radiance& value, const Operation& operation)
 {
@@ -48,13 +48,11 @@ inline void DivideBy(Radiance& value, double divisor)
         channel /= divisor;
 }
 
-/// Whether all channels are finite.
 inline bool IsFinite(const Radiance& value)
 {
     return std::all_of(value.begin(), value.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Whether any channel differs from zero.
 inline bool IsNonZero(const Radiance& value)
 {
     bool nonZero = false;
@@ -63,7 +61,7 @@ inline bool IsNonZero(const Radiance& value)
     return nonZero;
 }
 
-/// The largest channel of variances or of square errors: none of them is negative.
+/// The largest channel of variances or square errors, which are never negative.
 inline double LargestChannel(const Radiance& value)
 {
     double largest = 0.0;
@@ -72,11 +70,11 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// The divisor that makes a variance relative: 1 up to white, the mean's square above, since the eye and every tone curve
-/// see errors of bright pixels relative to their brightness.
+/// Divisor that makes a variance relative: 1 up to white, the squared mean above, because the eye and every tone curve see errors
+/// of bright pixels relative to their brightness.
 inline double SquaredScale(double mean) { return mean > 1.0 ? mean * mean : 1.0; }
 
-/// Each channel of a variance over the SquaredScale of its mean.
+/// Each channel of a variance divided by SquaredScale() of its mean.
 inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
 {
     for (std::size_t c = 0; c < variance.size(); c++)

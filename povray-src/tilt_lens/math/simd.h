@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file simd.h
-/// Vector registers of 16 and 32 bytes: their types, and numbers that lie side by side to and from them. Memory needs no alignment.
+/// Vector registers of 16 and 32 bytes. Memory needs no alignment.
 ///
-/// What is worth it is written once, as a function that is always inlined, and compiled twice: for every processor, and for those
-/// with AVX2, whose registers hold twice as much. No operation is contracted, so that both have the same results. A function
-/// that takes or returns a register of 32 bytes must be inlined, since the two pass it differently.
+/// A vectorised function is written once as an always-inlined template and compiled twice: for every processor with 16 bytes, and
+/// for AVX2 with 32. Multiplications and additions are never contracted, so both give the same results. A function that takes or
+/// returns a 32-byte register must be inlined, because the two builds pass it differently.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
@@ -20,33 +20,33 @@
 namespace tilt_lens
 {
 
-/// Lanes compare to masks: `a < b ? a : b` chooses lane by lane.
+/// Comparisons yield masks: `a < b ? a : b` chooses lane by lane.
 typedef double Double2 __attribute__((vector_size(16)));
 typedef double Double4 __attribute__((vector_size(32)));
 typedef float Float4 __attribute__((vector_size(16)));
-typedef float Float2 __attribute__((vector_size(8)));  ///< what converts to a Double2
+typedef float Float2 __attribute__((vector_size(8)));  ///< converts to Double2
 typedef decltype(Double2() < Double2()) Mask2;
 typedef int Mask4 __attribute__((vector_size(16)));
 typedef float Float8 __attribute__((vector_size(32)));
 typedef int Mask8 __attribute__((vector_size(32)));
 typedef decltype(Double4() < Double4()) LongMask4;
 
-/// How many numbers lie side by side in it.
+/// Number of lanes.
 template<class Vector>
 constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector&>()[0]);
 
-/// Of functions that are called where HasAvx2() only. What they inline is compiled for AVX2, too, without contracted operations.
+/// Marks functions that may be called only if HasAvx2(). Everything inlined into them is compiled for AVX2 as well.
 #if defined(__x86_64__) || defined(__i386__)
 #define TILT_LENS_FOR_AVX2 __attribute__((target("avx2,bmi")))
 #else
 #define TILT_LENS_FOR_AVX2
 #endif
 
-/// Of functions that are written once and compiled for each kind of processor, with the function that calls them.
+/// Marks functions that are compiled anew inside each caller, for the caller's kind of processor.
 #define TILT_LENS_INLINED inline __attribute__((always_inline))
 #define TILT_LENS_INLINED_LAMBDA __attribute__((always_inline))
 
-/// Two instructions: what the processor can do was stored when the program began.
+/// Costs two instructions: the processor was examined at program start.
 inline bool HasAvx2()
 {
 #if defined(__x86_64__) || defined(__i386__)
@@ -56,7 +56,7 @@ inline bool HasAvx2()
 #endif
 }
 
-/// @param from  as many numbers as a Vector holds, which may be a single number
+/// @param from  as many numbers as Vector holds; Vector may be a single number
 template<class Vector, class Number>
 TILT_LENS_INLINED Vector Load(const Number* from)
 {
@@ -76,11 +76,11 @@ TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
         std::memcpy(to, &vector, sizeof(vector));
 }
 
-/// What a comparison of numbers or of vectors gives: bool, or a mask with all bits set in the lanes where it holds.
+/// Result of a comparison: bool for numbers, a mask of all bits for lanes.
 template<class Number>
 using MaskOf = decltype(std::declval<Number>() < std::declval<Number>());
 
-/// @name Lane by lane, or of two numbers; b where either is no number.
+/// @name Lane by lane, or for two numbers; b if either is NaN.
 /// @{
 template<class Vector>
 TILT_LENS_INLINED Vector Min(const Vector& a, const Vector& b)
@@ -105,7 +105,7 @@ TILT_LENS_INLINED Vector SquareRoot(Vector value)
 
 inline double SquareRoot(double value) { return std::sqrt(value); }
 
-/// One bit for each lane: what processors without an instruction for it do.
+/// One bit per lane, for processors without the instruction.
 template<class Mask>
 TILT_LENS_INLINED unsigned int SignBitsOneByOne(const Mask& mask)
 {
@@ -115,7 +115,7 @@ TILT_LENS_INLINED unsigned int SignBitsOneByOne(const Mask& mask)
     return bits;
 }
 
-/// @name One bit for each lane.
+/// @name One bit per lane.
 /// @{
 TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)
 {
@@ -154,12 +154,12 @@ TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const LongMask4& mask)
 }
 /// @}
 
-/// Whether a comparison of 16 or 32 bytes holds in all lanes.
+/// True if a comparison of 16 or 32 bytes holds in all lanes.
 template<class Mask>
 TILT_LENS_INLINED bool All(const Mask& mask)
 {
     if constexpr (sizeof(Mask) == sizeof(Mask8))
-        return SignBits((Mask8)mask) == 0xff;  // the same bits
+        return SignBits((Mask8)mask) == 0xff;
     else
         return SignBits((Mask4)mask) == 0xf;
 }

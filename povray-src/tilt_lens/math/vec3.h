@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vec3.h
-/// Three numbers and the few operations a camera needs. The library has its own so that it builds
-/// and is tested without any POV-Ray header; the frame and the unit of a vector stand where it is
-/// declared. Rays use doubles; the solver, which runs once a camera, uses a longer type.
+/// Three-dimensional vectors. The library has its own type so that it can be built and tested without POV-Ray's headers. The frame
+/// and the unit of a vector stand at its declaration. Rays use doubles; the solver, which runs once per camera, uses a longer type.
 
 #ifndef TILT_LENS_VEC3_H
 #define TILT_LENS_VEC3_H
@@ -24,7 +23,7 @@ struct VecOf
     Number x{}, y{}, z{};
 };
 
-/// A factor: it takes any number that converts, since the vector alone decides the type.
+/// Not deduced from a factor: any number that converts will do, because the vector decides the type.
 template <typename Number>
 using ScalarOf = typename VecOf<Number>::Scalar;
 
@@ -52,7 +51,7 @@ inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// @name Vectors side by side, from and to the place of the first in arrays of their x, y and z.
+/// @name Vectors side by side, loaded from and stored to separate arrays of x, y and z.
 /// @{
 template<class Vector, std::size_t size>
 TILT_LENS_INLINED VecOf<Vector> LoadVectors(const double (&from)[3][size], std::size_t first)
@@ -76,7 +75,7 @@ inline double Length(const Vec3& a)
     return squared > 1e-200 && squared < 1e200 ? std::sqrt(squared) : std::hypot(a.x, a.y, a.z);
 }
 
-/// The same for a type whose exponents reach far beyond those of the doubles that it holds.
+/// For number types whose exponents reach far beyond those of double.
 template <typename N>
 inline N Length(const VecOf<N>& a) { return sqrt(Dot(a, a)); }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file window.h
-/// Means over the square window around each pixel of a rectangle.
+/// Means over the square window around each pixel.
 
 #ifndef TILT_LENS_WINDOW_H
 #define TILT_LENS_WINDOW_H
@@ -15,10 +15,9 @@
 namespace tilt_lens
 {
 
-/// Mean over the pixels at most `kRadius` columns and rows away, as far as they lie in the rectangle: along rows first,
-/// then along columns.
-/// @tparam Value  starts as zero; AddTo(Value&, const Value&) and DivideBy(Value&, double) exist
-/// @param values  of the rectangle's pixels, row by row
+/// Mean over the pixels at most `kRadius` columns and rows away, clipped to the rectangle. Separable: rows first, then columns.
+/// @tparam Value  starts as zero; needs AddTo(Value&, const Value&) and DivideBy(Value&, double)
+/// @param values  one per pixel, row by row
 template<int kRadius, class Value>
 std::vector<Value> WindowMeans(const std::vector<Value>& values, int width)
 {
