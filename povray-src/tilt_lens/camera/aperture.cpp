@@ -21,9 +21,8 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// What follows is for a number or for a vector register of them.
-/// @name Sine and cosine for |x| <= pi/4, by their Taylor series; the first term left out is below
-/// 3e-14. In place of the C library's: faster, and the same on every machine.
+/// @name Sine and cosine for |x| <= pi/4, of a number or a register of them.
+/// Taylor series; the first omitted term is below 3e-14. Faster than the C library's, and equal on every machine.
 /// @{
 template<class Number>
 TILT_LENS_INLINED Number SmallSin(const Number& x)
@@ -47,14 +46,14 @@ TILT_LENS_INLINED Number SmallCos(const Number& x)
 }
 /// @}
 
-/// The concentric map in polar form. The square [-1, 1]^2 consists of concentric squares, which
-/// become concentric circles, in four quarters: right and left of the diagonals, above and below.
+/// The concentric map in polar form. Concentric squares of [-1, 1]^2 become concentric circles. The diagonals divide the square into
+/// four quarters.
 template<class Number>
 struct Concentric
 {
-    decltype(Number() > Number()) sideways;  ///< in the right or left quarter
-    Number radius;  ///< its sign is that of the main coordinate
-    Number slope;   ///< in [-1, 1]: 4/pi of the angle from the quarter's axis towards the other axis
+    decltype(Number() > Number()) sideways;  ///< the point lies in the left or right quarter
+    Number radius;  ///< signed as the quarter's main coordinate
+    Number slope;   ///< in [-1, 1]: 4/pi times the angle from the quarter's axis towards the other axis
 };
 
 template<class Number>
@@ -76,7 +75,9 @@ TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Numbe
     b = c.sideways ? across : along;
 }
 
-/// On a polygon: the number of edges from the first corner on, turning about the middle, and the part of the way to the rim.
+/// Polar position on a polygon.
+/// @param position  edges from the first corner, as a real number
+/// @param radius    0 at the centre, 1 on the edge
 template<class Number>
 TILT_LENS_INLINED void FindPosition(const Number& u, const Number& v, double edges, Number& position, Number& radius)
 {
@@ -140,9 +141,9 @@ const auto mapToDisc = HasAvx2() ? MapToDiscByAvx2 : MapToDiscPlain;
 
 struct Aperture::Outline
 {
-    int blades, edges;                  ///< straight ones: as many for each blade
-    std::vector<AperturePoint> corner;  ///< one more than edges: the first one again at the end
-    double density;                     ///< one over the area
+    int blades, edges;                  ///< edges of the polygon: each blade has the same number
+    std::vector<AperturePoint> corner;  ///< the first corner is repeated at the end
+    double density;                     ///< inverse of the area
 
     AperturePoint Map(double u, double v) const
     {
@@ -151,10 +152,10 @@ struct Aperture::Outline
         return PointAt(position, radius);
     }
 
-    /// @param position, radius  as FindPosition() gives them
+    /// @param position, radius  see FindPosition()
     AperturePoint PointAt(double position, double radius) const
     {
-        // Rounding may reach a whole turn: that is the end of the last edge.
+        // rounding may yield a whole turn: the end of the last edge
         const int edge = std::min(static_cast<int>(position), edges - 1);
         const double t = position - edge;
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
@@ -174,13 +175,13 @@ struct Aperture::Outline
         }
     }
 
-    /// The edge that the direction of a point crosses.
+    /// The edge that the ray from the centre through the point crosses.
     int EdgeTowards(const AperturePoint& point) const
     {
         const double first = std::atan2(corner[0].b, corner[0].a);
         double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
         turns -= std::floor(turns);
-        // the corners of a blade's chords are not at equal angles, those of the blades are
+        // blades span equal angles; the chords of one blade do not
         const int blade = std::min(static_cast<int>(turns * blades), blades - 1);
         int edge = blade * (edges / blades);
         for (int span = edges / blades; span > 1;)
@@ -201,7 +202,7 @@ struct Aperture::Outline
         return side >= 0 ? density : 0.0;
     }
 
-    /// 0 in the middle, 1 on the boundary.
+    /// Relative radius: 0 at the centre, 1 on the edge.
     double Size(const AperturePoint& point) const
     {
         const int edge = EdgeTowards(point);
@@ -211,22 +212,22 @@ struct Aperture::Outline
     }
 };
 
-/// A shape, and what its width and height are multiplied by.
+/// An aperture scaled in width and height.
 struct Aperture::Oval
 {
     Aperture shape;
     double width, height;
 };
 
-/// A shape and the power of its brightness: n of Aperture::Graded.
+/// An aperture whose brightness varies with the radius; power is n of Aperture::Graded().
 struct Aperture::Grade
 {
     Aperture shape;
     double power;
-    bool rim;  ///< that is brighter, not the middle
+    bool rim;  ///< bright at the rim, not in the middle
 
-    /// Moves a point of the square towards the side or the middle, along its own direction: the squared size of the inner squares
-    /// becomes that below which as much light lies.
+    /// Moves a point of the unit square along the line through the centre, so that a concentric square's squared size becomes the
+    /// share of light within it.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;
@@ -271,7 +272,7 @@ Aperture Aperture::Polygon(int blades, double angleRadians, double curvature)
             std::to_string(curvature) +
             ". Allowed: 0 (straight) to 1 (a circle). Give another number, or none.");
 
-    constexpr int enough = 512;  // chords around a curved opening
+    constexpr int enough = 512;  // chords around a curved opening, at least
     const int chords = curvature > 0 ? (enough + blades - 1) / blades : 1;
     const std::vector<AperturePoint> arc = Arc(blades, curvature, chords);
     auto outline = std::make_shared<Outline>();
@@ -323,7 +324,7 @@ Aperture Aperture::Graded(const Aperture& shape, double amount)
     return aperture;
 }
 
-/// 0 in the middle, 1 on the boundary, of a disc or a polygon.
+/// Relative radius in a disc or polygon: 0 at the centre, 1 on the edge.
 double Aperture::Size(const AperturePoint& point) const
 {
     return shape == Shape::Polygon ? outline->Size(point) : std::hypot(point.a, point.b);

@@ -15,7 +15,7 @@ namespace
 
 constexpr int cells = CellDistribution::cells;
 
-/// Mean weight of every cell: columns of constant u, v along each column.
+/// Mean weight of every cell, column by column: constant u, growing v.
 class Tabulation
 {
   public:
@@ -36,7 +36,7 @@ class Tabulation
     const double* Column(int i) const { return &mean[i * cells]; }
 
     /// Scales the greatest mean to 1, so that no sum overflows.
-    /// @return false if there is none above 0
+    /// @return  false if no mean is positive
     bool Normalize()
     {
         const double greatest = *std::max_element(mean.begin(), mean.end());
@@ -59,7 +59,7 @@ class Tabulation
         return std::isfinite(w) && w > 0 ? w : 0.0;
     }
 
-    /// The weights at side x side places spread evenly over a cell.
+    /// Weights at side x side evenly spread places of a cell.
     Range Survey(int i, int j, int side) const
     {
         Range range{HUGE_VAL, 0, 0};
@@ -75,8 +75,7 @@ class Tabulation
         return range;
     }
 
-    /// Whether the weights in a cell and the cells around it differ by more than 1/16 of the
-    /// brightest: an edge runs near.
+    /// True if an edge runs near: weights in the cell and around it differ by more than 1/16 of the brightest.
     bool Varies(int i, int j) const
     {
         double low = HUGE_VAL, high = 0;
@@ -102,7 +101,7 @@ double CellDistribution::Build(const double* weight)
     double total = 0;
     for (int i = 0; i < cells; ++i)
         total += weight[i];
-    double sum = 0;  // ends exactly at total, so cells without weight at the end begin at 1
+    double sum = 0;  // ends exactly at total, so that trailing cells without weight begin at 1
     for (int i = 0; i < cells; ++i)
     {
         bound[i] = total > 0 ? static_cast<float>(sum / total) : 0.0f;

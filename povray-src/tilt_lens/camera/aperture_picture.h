@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file aperture_picture.h
-/// The tables behind Aperture::Picture (aperture.h): how bright the opening is at each place, and points drawn from that.
+/// The tables behind Aperture::Picture(), and sampling from them.
 
 #ifndef TILT_LENS_APERTURE_PICTURE_H
 #define TILT_LENS_APERTURE_PICTURE_H
@@ -17,14 +17,14 @@
 namespace tilt_lens
 {
 
-/// A piecewise constant distribution over [0, 1] in equal cells, inverted in constant expected time
-/// with H.-C. Chen and Y. Asau's index table (1974).
+/// Piecewise constant distribution over [0, 1] in equal cells, inverted in constant expected time with the index table of H.-C. Chen
+/// and Y. Asau (1974).
 class CellDistribution
 {
   public:
     static constexpr int cells = 256;
 
-    /// @return the total weight; 0 leaves a distribution that must not be sampled
+    /// @return  the total weight; if 0, the distribution must not be sampled
     double Build(const double* weight);
 
     struct Place
@@ -33,35 +33,36 @@ class CellDistribution
         double position;  ///< in [0, 1]
     };
 
-    /// The value below which lies the part u, in [0, 1), of the weight.
+    /// Quantile.
+    /// @param u  in [0, 1)
     Place Invert(double u) const;
 
-    /// Density at a position, 1 being that of an even distribution.
+    /// Probability density.
     double Density(double position) const;
 
   private:
-    /// Part of the weight below each cell. Single precision keeps a picture within the processor's
-    /// second cache; a cell with less than 1e-7 of its column is lost in black anyway.
+    /// Cumulative weight below each cell. Single precision keeps a picture within the second-level cache; a cell with less than 1e-7
+    /// of its column is invisibly dark.
     std::array<float, cells + 1> bound;
     std::array<std::uint8_t, cells> first;  ///< cell where the search for i/cells begins
 };
 
-/// Brightness over the square around the lens, as Aperture::Picture describes it.
+/// See Aperture::Picture().
 class AperturePicture
 {
   public:
     /// @throws std::invalid_argument  no place has a positive weight
     explicit AperturePicture(const std::function<double(double u, double v)>& weight);
 
-    /// The point of uniform u, v in [0, 1).
+    /// @param u, v  uniform in [0, 1)
     AperturePoint Map(double u, double v) const;
 
-    /// Of such points, per area of aperture coordinates.
+    /// Density of the mapped points, per area of aperture coordinates.
     double Density(const AperturePoint& point) const;
 
   private:
     CellDistribution marginal;
-    std::vector<CellDistribution> conditional;  ///< of each column
+    std::vector<CellDistribution> conditional;  ///< of b, one for each column
 };
 
 }  // namespace tilt_lens

@@ -17,7 +17,7 @@ namespace
 
 constexpr double kMostLateralColour = 0.25;
 
-/// The farthest that the frame reaches from the lens's axis: squared tangent of the angle.
+/// Squared tangent of the largest angle between the lens's axis and a chief ray of the frame.
 double FarthestOf(const Lens& lens)
 {
     double farthest = 0.0;
@@ -33,10 +33,10 @@ double FarthestOf(const Lens& lens)
     return farthest;
 }
 
-/// A picture that its distortion leaves whole.
+/// Refuses distortion that folds the picture within the frame.
 void RequireUnfolded(const Lens& lens, const Character& character, double unit, double farthest)
 {
-    // in the direction from the axis in which what is focused on recedes, or comes nearer, such that it folds first
+    // the direction across the axis in which distortionNear makes the picture fold first
     const Vec3 across = lens.focus - Dot(lens.focus, lens.normal) * lens.normal;
     const double atAxis = lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal);
     const double fold = FoldOf(atAxis, lens.distortion4, -std::fabs(lens.distortionNear) * Length(across));
@@ -48,7 +48,7 @@ void RequireUnfolded(const Lens& lens, const Character& character, double unit, 
                           Number(std::sqrt(farthest) / unit) + ". Give numbers nearer to 0, or shift or turn less.");
 }
 
-/// The mapped film must lie before the camera everywhere, too.
+/// Requires that the distorted chief rays of the corners lead into the scene, too.
 void RequireBefore(const Lens& lens)
 {
     ForCorners([&](const FilmPoint& corner)
@@ -60,7 +60,7 @@ void RequireBefore(const Lens& lens)
     });
 }
 
-/// Of the two ends of the spectrum one lies half the difference before the film, the other behind it.
+/// The two ends of the spectrum lie half the difference before and behind the film.
 double AxialColourOf(const Lens& lens, const Character& character)
 {
     return 0.5 * character.axialColour * lens.millimetre / (lens.filmDistance * lens.filmDistance);
@@ -90,7 +90,7 @@ void ApplyCharacter(Lens& lens, const Statement& given)
     if (!distorts && character.fieldCurvature == 0.0 && character.opticalVignetting == 0.0 && character.lateralColour == 0.0)
         return;
     const double farthest = FarthestOf(lens);
-    const double unit = 0.5 * Length(lens.right) / Dot(lens.direction, lens.axis);  // tangent of half a film's width
+    const double unit = 0.5 * Length(lens.right) / Dot(lens.direction, lens.axis);  // tangent of half the film's width
     if (distorts)
     {
         lens.distorts = true;
@@ -100,7 +100,7 @@ void ApplyCharacter(Lens& lens, const Statement& given)
         RequireUnfolded(lens, character, unit, farthest);
         RequireBefore(lens);
     }
-    // an image that lies S before the film at the tangent u is sharp on the film for a vergence that is greater by S/s^2
+    // an image S before the film at the tangent u is sharp on the film for a vergence greater by S/s^2
     lens.lateralColour = LateralColourOf(lens, character, unit);
     lens.fieldCurvature = character.fieldCurvature * lens.millimetre / (lens.filmDistance * lens.filmDistance * unit * unit);
 }

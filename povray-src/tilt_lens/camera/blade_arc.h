@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file blade_arc.h
-/// The curved edge of a diaphragm's blade as chords, for the map of a polygon (aperture.h).
+/// The curved edge of a diaphragm blade, as chords for the map of a polygon (aperture.h).
 
 #ifndef TILT_LENS_BLADE_ARC_H
 #define TILT_LENS_BLADE_ARC_H
@@ -15,27 +15,27 @@
 namespace tilt_lens
 {
 
-/// Twice the area of the triangle that two points span with the middle.
+/// Twice the signed area of the triangle with the origin.
 inline double Cross(const AperturePoint& p, const AperturePoint& q)
 {
     return p.a * q.b - p.b * q.a;
 }
 
-/// The edge of one blade between the corners at the angles 0 and 2 pi/blades: chords of an arc, so
-/// placed that each spans a triangle of the same area with the middle.
+/// Chords of the arc between the corners at the angles 0 and 2 pi/blades. Each chord spans a triangle of the same area with the
+/// origin.
 inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
 {
     constexpr double kPi = 3.14159265358979323846;
-    // in the middle of the edge looking outward: half the chord, and the half angle of the arc
+    // frame: middle of the edge, looking outward; half the chord, and half the angle of the arc
     const double half = std::sin(kPi / blades), middle = std::cos(kPi / blades);
     const double spread = std::asin(curvature * half);
-    // the arc's point at a part t of it, -1 to 1; for a curvature of 0 the limit
+    // point of the arc at the fraction t, -1 to 1; the limit for a curvature of 0
     const auto at = [&](double t) -> AperturePoint
     {
         if (spread < 1e-8)
             return {middle, half * t};
         const double radius = 1 / curvature;
-        // cos(spread t) - cos(spread), without its cancellation
+        // cos(spread t) - cos(spread), without cancellation
         const double bulge = 2 * std::sin(spread * (1 + t) / 2) * std::sin(spread * (1 - t) / 2);
         return {middle + radius * bulge, radius * std::sin(spread * t)};
     };
@@ -43,8 +43,7 @@ inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
     std::vector<double> place(chords + 1), sum(chords + 1), moved(chords + 1);
     for (int i = 0; i <= chords; ++i)
         place[i] = 2.0 * i / chords - 1;
-    // Places move to where the area, linear in between, has equal steps; each pass leaves a small
-    // part of what was unequal.
+    // Moves the points to equal steps of area, interpolated linearly. Each pass reduces the inequality to a small part.
     for (int pass = 0; pass < 20; ++pass)
     {
         for (int i = 0; i < chords; ++i)

@@ -16,10 +16,10 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A picture that folds back farther out does not fold.
+/// Tangent beyond which folds are ignored.
 constexpr double kFarthestTangent = 1e6;
 
-/// A chief ray's parts along the lens's axis and across it.
+/// A chief ray's components along the lens's axis and across it.
 struct Split
 {
     double along;
@@ -37,12 +37,13 @@ double Factor(const Lens& lens, const Vec3& chief, const Split& split)
     return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
 
-/// The same along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4, as nearness changes evenly on the way.
+/// The same polynomial along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4, because the nearness of the focus
+/// changes linearly with r.
 struct Bend
 {
     double square, cube, fourth;
 
-    /// @param across  a unit vector at right angles to the axis
+    /// @param across  unit vector at right angles to the axis
     Bend(const Lens& lens, const Vec3& across) :
         square(lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal)),
         cube(lens.distortionNear * Dot(lens.focus, across)),
@@ -54,7 +55,7 @@ struct Bend
     double Slope(double r) const { return 1.0 + r * r * (3.0 * square + 4.0 * r * cube + 5.0 * fourth * r * r); }
 };
 
-/// Film point of a chief ray that ends where the frame lies; `up` may lean against `right`.
+/// Film point of a chief ray that ends in the frame's plane; `up` need not be at right angles to `right`.
 FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
 {
     const Vec3 offset = chief - lens.direction;
@@ -62,8 +63,8 @@ FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
     return {(Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight), y};
 }
 
-/// The r that is bent to the wanted one, below the fold; negative where there is none. Newton's steps within a bracket, which
-/// is halved where they leave it.
+/// Solves Ideal(r) = wanted for r below the fold; negative if there is no solution. Newton's method within a bracket; a step that
+/// leaves the bracket is replaced by bisection.
 double PictureTangent(const Bend& bend, double wanted)
 {
     const double fold = std::sqrt(FoldOf(bend.square, bend.fourth, bend.cube));
@@ -90,7 +91,7 @@ double PictureTangent(const Bend& bend, double wanted)
     return r;
 }
 
-/// Where a falling function crosses 0.
+/// Zero of a falling function.
 template <typename Function>
 double Bisect(const Function& function, double low, double high)
 {
@@ -99,12 +100,11 @@ double Bisect(const Function& function, double low, double high)
     return low;
 }
 
-/// The least root above 0 of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, which is 1 for r = 0. Between the places where it turns it only
-/// grows or only falls.
+/// Least positive root of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, which is 1 at r = 0 and monotone between its turning points.
 double LeastRoot(double a, double c, double b)
 {
     const auto slope = [=](double r) { return 1.0 + r * r * (3.0 * a + r * (4.0 * c + 5.0 * b * r)); };
-    // it turns where 3 a + 6 c r + 10 b r^2 is 0
+    // turning points: 3 a + 6 c r + 10 b r^2 = 0
     const double root = 9.0 * c * c - 30.0 * a * b, q = -(3.0 * c + std::copysign(std::sqrt(std::max(root, 0.0)), c));
     double first = q / (10.0 * b), second = 3.0 * a / q;
     if (first > second)
@@ -130,12 +130,12 @@ double FoldOf(double distortion2, double distortion4, double cube)
         const double least = LeastRoot(distortion2, cube, distortion4);
         return least * least;
     }
-    // the least positive root t of 1 + 3 a t + 5 b t^2, the derivative of r (1 + a r^2 + b r^4) by r
+    // least positive root t of 1 + 3 a t + 5 b t^2, the derivative of r (1 + a r^2 + b r^4)
     const double a = 3.0 * distortion2, b = 5.0 * distortion4;
     const double root = a * a - 4.0 * b;
     if (root < 0.0)
         return kInfinity;
-    const double divisor = -a + std::sqrt(root);  // 2/divisor is the least positive root, or there is none
+    const double divisor = -a + std::sqrt(root);  // 2/divisor is the least positive root, if there is one
     return divisor > 0.0 ? 2.0 / divisor : kInfinity;
 }
 
@@ -175,13 +175,13 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
 {
     if (!lens.distorts)
         return 1.0;
-    // how the ideal chief ray moves with the picture's point, per length on the frame
+    // derivative of the ideal chief ray by the picture's point, per length on the frame
     const Vec3 at = IdealChiefRay(lens, picture);
     const double step = 1e-5 * Length(lens.right);
     const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
     const Vec3 right = step * lens.axisRight, up = step * lens.axisUp;
     const Vec3 byX = (moved(right) - moved(-right)) / (2.0 * step), byY = (moved(up) - moved(-up)) / (2.0 * step);
-    // the inverse of the least singular value of that map, by the eigenvalues of its square
+    // inverse of the least singular value of that map, from the eigenvalues of its square
     const double xx = Dot(byX, byX), yy = Dot(byY, byY), xy = Dot(byX, byY);
     const double least = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
     return 1.0 / std::sqrt(least);

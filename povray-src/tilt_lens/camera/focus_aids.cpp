@@ -22,10 +22,10 @@ const Rgb kBefore[4] = {{0.97, 0.97, 0.97}, {0.99, 0.76, 0.48}, {0.89, 0.46, 0.0
 const Rgb kBox{0.10, 0.10, 0.10}, kInk{1.0, 1.0, 1.0};
 
 const Rgb kNearLimit{0.95, 0.50, 0.05}, kFarLimit{0.05, 0.30, 0.95}, kSharpPlane{1.0, 1.0, 1.0};
-// what lies behind all three is to be seen still, and the blue of the last one too
+// surfaces behind all three must stay visible, and so must the blue of the last
 const double kNearOpacity = 0.25, kFarOpacity = 0.50, kSharpOpacity = 0.20, kLineOpacity = 0.75;
 
-/// Dots of the characters that the scale needs: five rows of three, the left one counting 4.
+/// Bitmap of a character: five rows of three dots, the left one counting 4.
 struct Glyph
 {
     char character;
@@ -38,7 +38,7 @@ const Glyph kGlyphs[] = {
     {'P', {7, 5, 7, 4, 4}}, {'R', {6, 5, 6, 5, 5}}, {'S', {7, 4, 7, 1, 7}}, {'U', {5, 5, 5, 5, 7}},
     {'X', {5, 5, 2, 5, 5}}};
 
-/// The numbers of the scale; a small picture has room for few.
+/// Labels of the scale; small pictures have room for few.
 struct Number
 {
     double blur;
@@ -49,14 +49,14 @@ const Number kNumbers[] = {{-64, "-64", true}, {-16, "-16", false}, {-4, "-4", f
                            {0, "0", true},     {1, "1", false},     {4, "4", false},   {16, "16", false},
                            {64, "64", true}};
 
-/// The scale's layout, in dots of a digit.
+/// Layout of the scale, in dots.
 enum Dots
 {
     kAdvance = 4,   ///< from character to character
     kMargin = 2,    ///< around the box's contents, and between box and picture
     kText = 5,      ///< height of a line
     kBar = 5,       ///< height of the colours
-    kTick = 2,      ///< below a number's place
+    kTick = 2,      ///< below a label's place
     kBoxHeight = kMargin + kText + 1 + kBar + kTick + kText + kMargin
 };
 
@@ -66,7 +66,7 @@ Rgb Mixed(const Rgb& a, const Rgb& b, double share)
             a.blue + (b.blue - a.blue) * share};
 }
 
-/// 1, 2 or 5 times a power of ten, at most `length`.
+/// The greatest 1, 2 or 5 times a power of ten that is at most `length`.
 double RoundLength(double length)
 {
     const double power = std::pow(10.0, std::floor(std::log10(length)));
@@ -99,7 +99,7 @@ FocusMapScale::FocusMapScale(int pictureWidth, int pictureHeight)
     top = pictureHeight - height - kMargin * unit;
     pixels.assign(size_t(width) * height, kBox);
 
-    // the bar leaves room for half of the longest number at both ends
+    // leaves room for half of the longest label at both ends
     const int from = (kMargin + 3 * kAdvance / 2) * unit, span = width - 2 * from;
     const int bar = (kMargin + kText + 1) * unit, numbers = bar + (kBar + kTick) * unit;
     for (int x = 0; x < span; x++)
@@ -153,12 +153,12 @@ FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) :
     width(itsWidth),
     height(itsHeight)
 {
-    // the lines run along the camera's right as far as the plane allows, and across
+    // grid lines follow the camera's right as far as the plane allows, and cross it
     const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;  // at infinity
     const Vec3 across = lens.axisRight - Dot(lens.axisRight, normal) * normal;
     gridX = Normalized(Length(across) > 0.1 ? across : lens.axisUp - Dot(lens.axisUp, normal) * normal);
     gridY = Cross(normal, gridX);
-    // some ten lines over the frame, where the plane of sharp focus crosses the axis or is nearest
+    // about ten lines over the frame, where the plane of sharp focus crosses the axis or is nearest
     const double axisFocus = AxisFocusOf(lens), nearest = 1.0 / Length(lens.focus);
     const double crossing = axisFocus > 0.0 && std::isfinite(axisFocus) ? axisFocus : nearest;
     const double distance = std::isfinite(crossing) ? crossing : lens.filmDistance;
@@ -170,8 +170,8 @@ Vec3 FocusPlanes::Chief(double x, double y) const
     return ChiefRay(lens, FilmPointAt(x, y, width, height));
 }
 
-/// Whether a line of the grid passes through the pixel whose upper left corner is given: the cells of
-/// its corners differ. Far away, where cells are no larger than pixels, there is no grid.
+/// True if a grid line passes through the pixel with this upper left corner: the grid cells of its corners differ. No grid is
+/// drawn where cells are no larger than pixels.
 bool FocusPlanes::OnGridLine(double x, double y) const
 {
     double cell[3][2];

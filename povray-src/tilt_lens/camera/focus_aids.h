@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// What the focus aids draw over a picture that is sharp throughout: the tint of focus_peaking, the
-/// colours and the scale of focus_map, the surfaces of show_planes. Pure functions of the pixel in the
-/// whole picture, so that neither threads nor tiles nor sub-images change one.
+/// Drawings of the focus aids over a picture that is sharp throughout: the tint of focus_peaking, the colours and the scale of
+/// focus_map, the surfaces of show_planes. Pure functions of the pixel in the whole picture, independent of threads, tiles and
+/// sub-images.
 ///
-/// Colours that are made up here are as a display shows them (sRGB, 0 to 1); the caller takes them into
-/// the scene's own light. Blur is BlurDiameter() of optics.h: pixels, positive before the plane of sharp focus.
+/// Colours defined here are display colours (sRGB, 0 to 1); the caller converts them to the scene's light. Blur is BlurDiameter()
+/// of optics.h: in pixels, positive before the plane of sharp focus.
 
 #ifndef TILT_LENS_FOCUS_AIDS_H
 #define TILT_LENS_FOCUS_AIDS_H
@@ -30,7 +30,7 @@ struct FocusAids
 {
     bool peaking = false, map = false, planes = false;
     Rgb peakingColour;           ///< in the scene's light
-    double peakingPixels = 1.0;  ///< what is blurred less counts as sharp
+    double peakingPixels = 1.0;  ///< less blur than this counts as sharp
 
     bool Any() const { return peaking || map || planes; }
 };
@@ -38,29 +38,29 @@ struct FocusAids
 /// Share of focus_peaking's colour in a sharp pixel; the rest is the picture.
 constexpr double kPeakingTint = 0.5;
 
-/// Largest blur that focus_map tells apart, pixels.
+/// Largest blur on focus_map's scale, in pixels.
 constexpr double kMapLimit = 64.0;
 
-/// Where a blur lies on focus_map's scale, from -1 (behind, kMapLimit or more) over 0 (sharp) to 1
-/// (before). Logarithmic, so that both one pixel and fifty can be read: sign(b) log(1 + |b|).
+/// Position of a blur on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that both one
+/// pixel and fifty can be read: sign(b) log(1 + |b|).
 double FocusMapPosition(double blur);
 
-/// Blue behind, white where sharp, orange before; the darker, the more blurred. The two hues stay
-/// apart in all common kinds of colour blindness, and the brightness tells the amount without them.
+/// Blue behind, white in focus, orange before; darker with more blur. The hues stay apart in all common kinds of colour blindness,
+/// and brightness alone tells the amount.
 Rgb FocusMapColour(double blur);
 
-/// The scale that focus_map draws at the bottom of the picture, with its numbers of pixels.
+/// The scale that focus_map draws at the bottom of the picture, labelled in pixels.
 class FocusMapScale
 {
   public:
-    /// For a picture of that size. Nothing is drawn where the numbers have no room (below 64 by 40).
+    /// @param width, height  of the picture; below 64 by 40 there is no room and nothing is drawn
     FocusMapScale(int width, int height);
 
-    /// The scale's pixel there, if it covers that of the picture.
+    /// The scale's colour, if it covers this pixel of the picture.
     std::optional<Rgb> At(int x, int y) const;
 
   private:
-    int unit = 0;  ///< pixels of the picture in one dot of a digit; 0: no scale
+    int unit = 0;  ///< pixels in one dot of a character; 0: no scale
     int left = 0, top = 0, width = 0, height = 0;  ///< of the box, in the picture
     std::vector<Rgb> pixels;
 
@@ -68,21 +68,21 @@ class FocusMapScale
     void Write(int centre, int y, const char* text);
 };
 
-/// A translucent surface in front of what a chief ray meets.
+/// A translucent surface in front of the surface that a chief ray hits.
 struct Veil
 {
     Rgb colour;
     double opacity;
 };
 
-/// The surfaces of show_planes: near limit, plane of sharp focus, far limit, the limits being those of a
-/// blur of one pixel. The plane of sharp focus carries a grid, so that the eye can follow it.
+/// The surfaces of show_planes: near limit, plane of sharp focus, far limit. The limits are those of one pixel of blur. The plane of
+/// sharp focus carries a grid, which makes its slope visible.
 class FocusPlanes
 {
   public:
     FocusPlanes(const Lens& lens, int width, int height);
 
-    /// Surfaces that the chief ray through the middle of a pixel passes on its way to T, nearest first.
+    /// Surfaces that the chief ray through a pixel's centre passes before the ray parameter T, nearest first.
     std::vector<Veil> Before(int x, int y, double T) const;
 
     /// Distance between the grid's lines, in scene units: 1, 2 or 5 times a power of ten.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file frame_table.h
-/// Tables of what changes slowly over the frame: as many places in a row as in a column, from the upper left corner to the
-/// lower right one, row by row. Between places, values are linear.
+/// Square tables of functions that vary slowly over the frame, row by row from the upper left corner to the lower right one, and
+/// bilinear in between.
 
 #ifndef TILT_LENS_FRAME_TABLE_H
 #define TILT_LENS_FRAME_TABLE_H
@@ -16,21 +16,21 @@
 namespace tilt_lens
 {
 
-/// Where a film point lies in a table.
+/// The table cell of a film point.
 struct TablePlace
 {
-    std::size_t at;      ///< of the four places around it the upper left one
-    double right, down;  ///< how far it lies from there towards the next places, 0 to 1
+    std::size_t at;      ///< index of its upper left entry
+    double right, down;  ///< position within the cell, 0 to 1
 };
 
-/// The film point that a place stands for.
-/// @param side  places in a row and in a column
+/// The film point of an entry.
+/// @param side  entries in a row and in a column
 inline FilmPoint FilmPointOfPlace(int side, int row, int column)
 {
     return {double(column) / (side - 1) - 0.5, 0.5 - double(row) / (side - 1)};
 }
 
-/// Film points beside the frame count as the nearest one within: pretrace looks a little past the frame.
+/// Film points beside the frame are clamped to it: the pretrace of radiosity looks a little past the frame.
 inline TablePlace PlaceOf(int side, const FilmPoint& film)
 {
     const int last = side - 2;

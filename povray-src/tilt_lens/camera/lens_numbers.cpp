@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_numbers.cpp
-/// What is told of a solved lens: the numbers that a photographer checks, blur, and warnings.
+/// Numbers of a solved lens for a photographer, blur, and warnings.
 
 #include <cmath>
 #include <limits>
@@ -22,24 +22,23 @@ namespace
 const double kPi = 3.14159265358979323846;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A lens turned further has so little left of its own plane that the picture is of no use; makers
-/// stop at about 10 degrees.
+/// Degrees. Real lenses stop at about 10; beyond this, little of the lens's own picture is left.
 const double kUnusualTilt = 15.0;
 
-/// A shift of more than so many widths of the film; makers stop at a third.
+/// Film widths. Real lenses stop at a third.
 const double kUnusualShift = 1.0;
 
 double Degrees(double radians) { return radians * (180.0 / kPi); }
 
-/// A number that must not be read as the limit it stays below.
+/// Keeps a number below its limit from being printed as the limit.
 std::string NumberBelow(double value, double limit)
 {
     const std::string text = Number(value);
     return text == Number(limit) && value < limit ? "almost " + text : text;
 }
 
-/// A vector of the lens in camera axes, without what is only rounding: the numbers of a parallel lens
-/// are to read 0 and infinity however the camera is turned.
+/// A vector in camera axes, with rounding errors set to 0: a lens parallel to the film must read 0 and infinity for every
+/// orientation of the camera.
 Vec3 InCamera(const Lens& lens, const Vec3& v)
 {
     const double rounding = kRounding * Length(v);
@@ -51,8 +50,8 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
     return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
-/// Whether no chief ray of the frame meets the plane of sharp focus before the lens. The inverse of its distance is
-/// linear over the frame, so that the corners tell.
+/// True if no chief ray of the frame meets the plane of sharp focus in front of the lens. The inverse of the distance is linear over
+/// the frame, so that testing the corners suffices.
 bool IsSharpBehindOnly(const Lens& lens)
 {
     for (double x : {-0.5, 0.5})
@@ -143,7 +142,7 @@ double BlurPerVergence(const Lens& lens, double width) { return lens.diameter * 
 namespace
 {
 
-/// What distortion adds to the blur of what a chief ray meets; where the picture does not show it, what the ideal lens would.
+/// Factor by which distortion enlarges the blur at a chief ray's film point; 1 beyond the fold.
 double StretchOf(const Lens& lens, const Vec3& chief)
 {
     if (!lens.distorts)
@@ -162,8 +161,8 @@ double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
 
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
 {
-    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X, the second grows with the
-    // distance along the axis, T times the axis component of every chief ray
+    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X; the second is proportional to the distance along the axis,
+    // which is T times the axis component of every chief ray
     const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
     return lens.focus + (pixels / perDistance) * lens.axis;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file numbers.h
-/// Numbers of a lens in messages, and what rounding leaves of them.
+/// Numbers in messages, and the tolerance for rounding.
 
 #ifndef TILT_LENS_NUMBERS_H
 #define TILT_LENS_NUMBERS_H
@@ -13,10 +13,10 @@
 namespace tilt_lens
 {
 
-/// What rounding may leave, relative to the numbers it comes from, where nothing ought to be left.
+/// Largest rounding error, relative to the operands, of a difference that ought to be 0.
 inline constexpr double kRounding = 1e-14;
 
-/// Six digits.
+/// Six significant digits.
 inline std::string Number(double value)
 {
     char text[32];

@@ -16,10 +16,9 @@ namespace tilt_lens
 namespace
 {
 
-/// What a camera is solved with: 113 bits, and exponents far beyond those of doubles. The numbers of a
-/// scene are taken as exact, however much of them cancels (a plane of focus a hair from the lens, a camera
-/// 10^12 units from the origin), and the lens is rounded once, at the end. It costs microseconds, once a
-/// camera, and is the same on every machine: it needs nothing of the C library.
+/// Number type of the solver: 113 bits, and exponents far beyond those of double. The numbers of a scene are taken as exact, and the lens
+/// is rounded once, at the end, so that cancellation is harmless (a plane of focus a hair from the lens, a camera 10^12 units from the
+/// origin). Costs microseconds per camera, and does not depend on the C library.
 using Real = boost::multiprecision::cpp_bin_float_quad;
 using RealVec = VecOf<Real>;
 
@@ -40,8 +39,8 @@ std::string Text(const Vec3& v)
     return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
 }
 
-/// The camera's own axes: `right`, what is left of `up`, and the film's normal. In this frame
-/// everything below is solved: x right, y up, z axis.
+/// The camera's axes: x `right`, y the part of `up` across it, z the film's normal. The solver works in this frame, about the lens
+/// centre.
 struct Axes
 {
     RealVec right, up, axis;
@@ -61,7 +60,7 @@ Axes AxesOf(const CameraFrame& camera)
     if (Dot(axis, direction) < 0)
         axis = -axis;  // POV-Ray's cameras are left-handed unless `right` is negative
     const Axes axes{right, up, axis};
-    // of vectors that depend on each other rounding leaves something, too
+    // rounding leaves a remainder even for dependent vectors
     const bool independent = Length(upAcross) > kRounding &&
                              Dot(axis, direction) > kRounding * Length(direction);
     if (!independent || !IsFinite(camera.location))
@@ -71,8 +70,8 @@ Axes AxesOf(const CameraFrame& camera)
     return axes;
 }
 
-/// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis. The
-/// formula treats both turns alike, so that their order does not matter.
+/// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis. Both turns enter alike, so that their
+/// order does not matter.
 RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord,
                      const char* swingWord)
 {
@@ -84,11 +83,12 @@ RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, 
     return Normalized(RealVec{-sin(swing) * cos(tilt), -sin(tilt) * cos(swing), cos(tilt) * cos(swing)});
 }
 
-/// The plane of sharp focus n.X = d (n unit, camera axes, about the lens centre) as k = n/d; reach is
-/// the size of the world coordinates that d was computed from.
+/// k = n/d of the plane of sharp focus n.X = d.
+/// @param normal  unit vector, camera axes
+/// @param reach   size of the world coordinates that the distance was computed from
 RealVec FocusOfPlane(const RealVec& normal, const Real& distance, const Real& reach)
 {
-    // A plane nearer to the lens centre than rounding can tell is a plane through it.
+    // a distance within rounding error counts as 0
     if (!(abs(distance) > kRounding * reach))
         throw OpticsError("The plane of sharp focus passes through the lens centre (its distance from "
                           "the camera's location is " + Number(distance) + "). It must keep away from "
@@ -101,7 +101,7 @@ RealVec FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Stateme
     const RealVec a = Exact(given.points[0]);
     const RealVec ab = Exact(given.points[1]) - a, ac = Exact(given.points[2]) - a;
     const RealVec normal = Cross(Normalized(ab), Normalized(ac));
-    // sine of the angle at A; 1e-12 is what is left of doubles that were typed with a few digits
+    // sine of the angle at A; 1e-12 allows for points typed with few digits
     if (!(Length(normal) > 1e-12))
         throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " +
                           Text(given.points[1]) + ", " + Text(given.points[2]) +
@@ -121,7 +121,7 @@ RealVec FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const St
     return point;
 }
 
-/// k of the families that give the plane of sharp focus itself.
+/// k for the families that state the plane of sharp focus.
 RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
     if (given.family == FocusFamily::FocalPoints)
@@ -142,7 +142,7 @@ RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement&
     return FocusOfPlane(normal, Dot(normal, point), Length(point) + Length(camera.location));
 }
 
-/// Lens normal t, focal length f, film distance s and focus vector k; camera axes, scene units.
+/// Camera axes, scene units.
 struct Solution
 {
     RealVec normal;
@@ -150,7 +150,7 @@ struct Solution
     RealVec focus;
 };
 
-/// Lens turned as given, focus on a point P of the axis or beside it.
+/// Lens turned as stated and focused on a point P, on the axis or beside it.
 Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<Real>& focalLength,
                        const Real& angleFilmDistance)
 {
@@ -164,7 +164,7 @@ Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<R
     {
         const Real s = angleFilmDistance, f = s * along / (s + P.z);
         const Real fromFilm = 1.0 / (s * along);
-        // t/f - z/s with the large terms taken out, so that nothing cancels
+        // t/f - z/s with the large terms removed, against cancellation
         const RealVec k{t.x / f, t.y / f, t.z / along - aside * fromFilm};
         return {t, f, s, k};
     }
@@ -178,14 +178,14 @@ Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<R
     return {t, f, f * P.z / (along - f), k};
 }
 
-/// Lens turned as given, film at a distance: whatever is sharp then.
+/// Lens turned as stated, film at a stated distance; the focus follows.
 Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
 {
     return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
 }
 
-/// Lens turned as given, after it was focused at a distance from the film. Without the turn that distance is the film's and
-/// the subject's from the lens, s + f s / (s - f).
+/// Lens turned as stated after it was focused at a distance from the film. Before the turn, that distance is the sum of the film's
+/// and the subject's distances from the lens, s + f s / (s - f).
 Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength,
                          const Real& angleFilmDistance)
 {
@@ -203,14 +203,14 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
         throw OpticsError("focus_scale " + Number(scale) + " is nearer than any lens of this focal length, " + Number(f) +
                           " units, can focus: film and subject are at least four focal lengths (" + Number(least) + " units) "
                           "apart. Give a larger distance, a larger scene_unit, or film_distance for a picture larger than life.");
-    // of the two places of the lens that fit, the one nearer to the film
+    // of the two solutions, the lens nearer to the film
     return SolveFilm(t, f, 2 * f * scale / (scale + sqrt(scale * (scale - least))));
 }
 
-/// Plane of sharp focus as given, the lens follows.
+/// Plane of sharp focus as stated; the lens follows.
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J
+    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, J being the distance of the hinge line
     const char* backward =
         ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
     if (!focalLength)
@@ -254,11 +254,11 @@ Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statemen
     return SolveLensTurn(t, FocalPointInCamera(axes, camera, given), focalLength, angleFilmDistance);
 }
 
-/// Where the groups of a prescription that focuses by them stand, so that the film need not move; 0 for infinity.
+/// Position of the focusing groups of a prescription, so that the film need not move; 0 for infinity.
 double GroupsOf(const Axes& axes, const CameraFrame& camera, const Statement& statement, const Real& angleFilmDistance,
                 const Real& millimetre)
 {
-    // a film that is placed by hand stays there, behind the lens as it is for infinity
+    // a film placed by film_distance stays there, and the groups stay at infinity
     if (!statement.prescription || statement.prescription->objectDistances.empty() || statement.filmDistance)
         return 0.0;
     Statement ideal = statement;
@@ -272,7 +272,7 @@ double GroupsOf(const Axes& axes, const CameraFrame& camera, const Statement& st
         }
         catch (const OpticsError&)
         {
-            return -HUGE_VAL;  // nearer than this focal length can be focused; what is wrong in other ways is so for all, and told later
+            return -HUGE_VAL;  // nearer than this focal length can focus; all other errors hold for every focal length and are reported later
         }
     });
 }
@@ -284,8 +284,8 @@ Real DiameterOf(const Statement& given, const Real& focalLength)
     return Real(given.aperture) * given.scale / 2;  // POV-Ray's aperture is twice the diameter
 }
 
-/// The lens plane's own right and up, from the axes by the smallest turn that takes z to t: a
-/// polygon or a picture in the lens turns no further than the lens does.
+/// Sets the lens plane's right and up: the camera axes after the smallest rotation that takes z to t. So the aperture's shape turns no
+/// further than the lens does.
 void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diameter)
 {
     const Real radius = diameter / 2, bend = 1 / (1 + t.z);
@@ -295,8 +295,8 @@ void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diamet
     lens.lensY = Rounded(radius * axes.ToWorld(b));
 }
 
-/// `direction` as it was, or made longer or shorter along the axis so that the frame lies at the
-/// film's distance; what lies across the axis is a shift that was there before and stays one.
+/// `direction`, its axial component scaled to the film's distance if a focal length is stated. Its component across the axis is a shift
+/// that the camera already had, and stays.
 RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given,
                        const Real& filmDistance, const Real& filmWidth)
 {
@@ -307,8 +307,7 @@ RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statem
     return direction + (wanted - Dot(axes.axis, direction)) * axes.axis;
 }
 
-/// What a ray multiplies is at most three of these lengths: none leaves the range of doubles, and none
-/// comes so near to zero that it loses digits.
+/// A ray multiplies at most three of these lengths, so that no product overflows or loses digits by underflow.
 bool IsModerate(double length) { return length > 1e-100 && length < 1e100; }
 
 void RequireUsable(const Lens& lens)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file partly_covered.h
-/// What holds for every aperture that rims cover a part of: a point that is covered is drawn again from random numbers.
+/// Common to vignetted apertures: a covered lens point is replaced by a random one.
 
 #ifndef TILT_LENS_PARTLY_COVERED_H
 #define TILT_LENS_PARTLY_COVERED_H
@@ -13,13 +13,13 @@
 namespace tilt_lens
 {
 
-/// Random points that are tried where the sequence's own is covered. Where half is covered, one sample in 2^65 finds nothing.
+/// Random points tried after a covered one. With half of the aperture covered, one sample in 2^65 finds no open point.
 constexpr int kTries = 64;
 
-/// Less open than this in the middle of the picture is refused: the exposure would have to make up for it.
+/// Least open share in the middle of the picture: less would need too long an exposure.
 constexpr double kLeastOpen = 0.01;
 
-/// Uniform numbers between 0 and 1 for these points.
+/// Uniform random numbers between 0 and 1.
 class UniformNumbers
 {
   public:

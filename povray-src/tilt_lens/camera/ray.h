@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file ray.h
-/// The way of a ray: film point and lens point in, ray out. One formula without a division, so nothing
-/// happens where a pixel focuses at infinity or behind the lens:
+/// Ray generation: film point and lens point in, ray out. The formula has no division, so that it holds where a pixel focuses at infinity
+/// or
+/// behind the lens:
 ///
 ///     D = direction + x right + y up      chief ray of the film point
-///     w = k.D                             1/w is where it meets the plane of sharp focus, in units of D
+///     w = k.D                             inverse of the parameter at which D meets the plane of sharp focus
 ///     l = a lensX + b lensY               point of the tilted lens
 ///     ray: from l, along D - w l
 ///
-/// For w > 0 the ray meets the chief ray in front of the lens at D/w, for w < 0 it comes from that
-/// point behind it, for w = 0 it is parallel to the chief ray.
+/// For w > 0 the ray meets the chief ray in front of the lens at D/w; for w < 0 it comes from that point behind the lens; for w = 0 it
+/// is parallel to the chief ray.
 ///
-/// A lens with distortion takes D of another film point (film_point.h), one with field curvature has w = k.D + c a^2/b for a D that
-/// lies a across the lens's axis and b along it; all else is as above.
+/// Distortion replaces D by the chief ray of another film point (film_point.h). Field curvature has w = k.D + c a^2/b for a D that lies a
+/// across the lens's axis and b along it.
 ///
-/// A lens that reaches to the film has one lens point for each film point there that touches it: no ray
-/// leads from a point to itself, and the chief ray stands in.
+/// A lens that reaches the film touches a film point in one lens point. No ray leads from a point to itself: the chief ray stands in.
 
 #ifndef TILT_LENS_RAY_H
 #define TILT_LENS_RAY_H
@@ -31,14 +31,14 @@
 namespace tilt_lens
 {
 
-/// The ray through the lens centre, as IdealChiefRay(), of a lens that may have distortion.
+/// Chief ray (through the lens centre) of any lens, not normalised: see IdealChiefRay().
 inline Vec3 ChiefRay(const Lens& lens, const FilmPoint& film)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, film) : film;
     return IdealChiefRay(lens, ideal);
 }
 
-/// What field curvature adds to w for a chief ray.
+/// Part of w that is due to field curvature.
 inline double FieldVergence(const Lens& lens, const Vec3& chief)
 {
     const double along = Dot(chief, lens.normal);
@@ -46,30 +46,30 @@ inline double FieldVergence(const Lens& lens, const Vec3& chief)
     return lens.fieldCurvature * Dot(across, across) / along;
 }
 
-/// w of a chief ray: 1/w is where it meets the surface of sharp focus, in units of its length.
+/// w of a chief ray: it meets the surface of sharp focus at the parameter 1/w.
 inline double FocusVergence(const Lens& lens, const Vec3& chief)
 {
     const double w = Dot(lens.focus, chief);
     return lens.fieldCurvature == 0.0 ? w : w + FieldVergence(lens, chief);
 }
 
-/// A ray, or rays side by side.
+/// A ray, or several side by side.
 template<class Number>
 struct LensRayOf
 {
     VecOf<Number> origin;     ///< relative to the lens centre, world axes, scene units
-    VecOf<Number> direction;  ///< not normalised: parameter 1/w is the plane of sharp focus
-    Number w;                 ///< as above
+    VecOf<Number> direction;  ///< not normalised: the plane of sharp focus is at the parameter 1/w
+    Number w;                 ///< see above
 };
 
 using LensRay = LensRayOf<double>;
 
 /// @param ideal     film point of the ideal lens
-/// @param vergence  added to w for each unit of the chief ray along the lens's axis
+/// @param vergence  added to w per length of the chief ray along the lens's axis
 inline LensRay RayFromIdeal(const Lens& lens, const FilmPoint& ideal, double a, double b, double vergence)
 {
     const Vec3 chief = IdealChiefRay(lens, ideal);
-    // linear over the frame: where k and D are nearly at right angles, k.D itself would cancel
+    // linear over the frame: k.D would cancel where k and D are nearly at right angles
     double w = lens.focusMiddle + ideal.x * lens.focusRight + ideal.y * lens.focusUp;
     if (lens.fieldCurvature != 0.0)
         w += FieldVergence(lens, chief);
@@ -81,27 +81,27 @@ inline LensRay RayFromIdeal(const Lens& lens, const FilmPoint& ideal, double a, 
     return {point, none ? chief : direction, w};
 }
 
-/// @param x, y  film point as in FilmPoint
-/// @param a, b  lens point in aperture coordinates, in the unit disc: right, up
+/// @param x, y  see FilmPoint
+/// @param a, b  see AperturePoint
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
     return RayFromIdeal(lens, lens.distorts ? IdealFilmPoint(lens, {x, y}) : FilmPoint{x, y}, a, b, 0.0);
 }
 
-/// The same for light of one colour.
-/// @param hue  its place in the spectrum, from -1 (blue end) over 0 (the middle, which MakeRay() has) to 1 (red end)
+/// Ray of one colour.
+/// @param hue  place in the spectrum, -1 (blue end) to 1 (red end); MakeRay() has 0
 inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, double b, double hue)
 {
     const FilmPoint ideal = IdealFilmPoint(lens, {x, y}, 1.0 + hue * lens.lateralColour);
     return RayFromIdeal(lens, ideal, a, b, -hue * lens.axialColour);
 }
 
-/// Whether the lens has colour fringes, so that rays of several colours must be traced.
+/// True if rays of several colours must be traced.
 inline bool HasColours(const Lens& lens) { return lens.lateralColour != 0.0 || lens.axialColour != 0.0 || lens.glassOfColours; }
 
-/// The chief ray D, of any length, of the ray that leads through the lens point l and through P; nothing where that is none, or
-/// one that comes to P from beyond the focus of its film point. On the ray P = l + s (D - w l), so that Y = s D solves
-/// Y = P - l + w(Y) l, where w(Y) = k.Y + c a^2/b. Along the lens's axis Y is P, so that this is quadratic in w(Y).
+/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is no such ray, or if it reaches P
+/// from beyond the focus of its film point. On the ray, P = l + s (D - w l), so that Y = s D solves Y = P - l + w(Y) l with
+/// w(Y) = k.Y + c a^2/b. Y equals P along the lens's axis, so that the equation is quadratic in w(Y).
 inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const Vec3& l)
 {
     const double divisor = 1.0 - Dot(lens.focus, l);
@@ -111,7 +111,7 @@ inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const V
     const double along = Dot(way, lens.normal);
     const Vec3 across = way - along * lens.normal;
     const double perAlong = lens.fieldCurvature / along;
-    // square w^2 - linear w + constant = 0; the root that is that of the ideal lens where the first term vanishes
+    // square w^2 - linear w + constant = 0; of its roots the one that becomes the ideal lens's as c vanishes
     const double square = perAlong * Dot(l, l), linear = divisor - 2.0 * perAlong * Dot(across, l);
     const double constant = Dot(lens.focus, way) + perAlong * Dot(across, across);
     const double root = linear * linear - 4.0 * square * constant;
@@ -120,9 +120,9 @@ inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const V
     return way + (2.0 * constant / (linear + std::sqrt(root))) * l;
 }
 
-/// Vergence difference 1/T - w of a surface point at parameter T of a chief ray: the film image of
-/// the lens outline is this times the lens (in units of `right` and `up` after division by their
-/// lengths). Zero in focus, positive before the plane of sharp focus, finite for T infinite.
+/// Vergence difference 1/T - w of the surface point at parameter T of a chief ray. The circle of confusion is the lens outline times
+/// this, in units of `right` and `up` divided by their lengths. Zero in focus, positive before the plane of sharp focus, finite for
+/// infinite T.
 inline double BlurVergence(const Lens& lens, const Vec3& chief, double T)
 {
     return 1.0 / T - FocusVergence(lens, chief);

@@ -16,11 +16,11 @@ namespace tilt_lens
 namespace
 {
 
-/// Points of the table in a row and in a column. Between them the share is linear: it bends by some 2 over the frame, so that
-/// 1/8 of that over the squared number of steps is missed, less than 1/10000.
+/// Entries in a row and in a column of the table. The second derivative of the share is about 2 over the frame; linear interpolation
+/// errs by 1/8 of that over the squared number of steps, less than 1/10000.
 constexpr int kTableSide = 65;
 
-/// Points of the aperture in a row and in a column that the table's shares are counted with.
+/// Lens points in a row and in a column from which the shares are counted.
 constexpr int kCountSide = 128;
 
 } // namespace
@@ -43,7 +43,7 @@ Vignetting::Vignetting(const Lens& itsLens, const Aperture& aperture, const Char
     exposure = 1.0 / share;
 }
 
-/// On the film's side the chief ray is that of the film point itself, whatever distortion makes of it before the lens.
+/// The fall-off arises behind the lens: the chief ray is that of the film point, without distortion.
 double Vignetting::Falloff(const FilmPoint& film) const
 {
     const Vec3 chief = IdealChiefRay(lens, film);
@@ -66,8 +66,7 @@ Vignetting::Opening Vignetting::OpeningFor(const FilmPoint& film) const
             rimRadius / lensRadius};
 }
 
-/// Counts points of the aperture; one at the edge of what is open counts in part, as if it were as wide as its distance from
-/// the next.
+/// Counts lens points. One near the edge of the opening counts in part, as if it were as wide as its distance from the next.
 void Vignetting::Tabulate(const Aperture& aperture)
 {
     std::vector<AperturePoint> points;
@@ -78,7 +77,7 @@ void Vignetting::Tabulate(const Aperture& aperture)
         for (int column = 0; column < kTableSide; column++)
         {
             const Opening opening = OpeningFor(FilmPointOfPlace(kTableSide, row, column));
-            // how the squared distance from the rim changes across a point
+            // change of the squared distance from the rim across one point's width
             const double ramp = kCountSide / (4.0 * std::fabs(opening.m) * opening.radius);
             double sum = 0.0;
             for (const AperturePoint& point : points)
@@ -123,7 +122,7 @@ double Vignetting::DrawPoint(const Aperture& aperture, const FilmPoint& film, do
     return opening.Left(point) >= 0.0 ? brightness / DrawDensity(film) : 0.0;
 }
 
-/// What is missed where all points that are tried are covered is in the weight.
+/// The weight allows for film points of which every tried lens point is covered.
 double Vignetting::DrawDensity(const FilmPoint& film) const
 {
     const double share = OpenShare(film);

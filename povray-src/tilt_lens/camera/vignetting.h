@@ -2,23 +2,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vignetting.h
-/// How much less light the outer parts of a picture get. A picture stays as bright in its middle as without.
+/// Light fall-off towards the edges of the picture. The centre keeps its brightness.
 ///
-/// Natural vignetting is geometry: a film point sees the lens smaller and slantwise. For a chief ray C on the film's side, z the
-/// film's normal and t the lens's, light falls with
+/// Natural vignetting is geometry: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's
+/// side, z the film's normal and t the lens's, irradiance falls with
 ///
 ///     (z.C) (t.C) / |C|^4
 ///
-/// which is the fourth power of the cosine where both are parallel, and has the true angles and distance of a lens that is
-/// turned or a frame that is shifted.
+/// which is cos^4 if both are parallel, and right for a tilted lens or a shifted frame.
 ///
-/// Optical vignetting is a second stop: a rim at a distance before the lens that covers a part of the aperture from film points
-/// beside the axis. A ray meets the plane of the rim, at the distance h along the lens's axis, at m l + e, with
+/// Optical vignetting is a second stop: a rim before the lens that hides part of the aperture from film points off the axis. A ray
+/// meets the plane of the rim, at the distance h along the lens's axis, at m l + e, with
 ///
 ///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h)
 ///
-/// so that a film point sees a disc of the aperture: what the rim leaves open. Samples are drawn in what is open and weighted
-/// with its share of the aperture, so that an even surface stays free of noise.
+/// so that a film point sees a disc of the aperture through the rim. Samples are drawn in the open part and weighted with its share
+/// of the aperture, so that a uniform surface stays free of noise.
 
 #ifndef TILT_LENS_VIGNETTING_H
 #define TILT_LENS_VIGNETTING_H
@@ -33,45 +32,44 @@
 namespace tilt_lens
 {
 
-/// Immutable: threads share it.
+/// Immutable, and shared by threads.
 class Vignetting
 {
   public:
-    /// None.
+    /// No vignetting.
     Vignetting() = default;
 
-    /// @throws OpticsError  the rim leaves (almost) no light in the middle of the picture
+    /// @throws OpticsError  the rim leaves at most 1 per cent of the light in the middle of the picture
     Vignetting(const Lens& lens, const Aperture& aperture, const Character& character);
 
     bool None() const { return natural == 0.0 && rimDistance == 0.0; }
 
-    /// Brightness at a film point over that of the middle, without what the rim covers, and with the exposure that makes up for
-    /// what it covers in the middle.
+    /// Brightness at a film point relative to the centre: natural fall-off and exposure, without the rim's share. The exposure makes up
+    /// for the light that the rim takes in the centre.
     double Brightness(const FilmPoint& film) const;
 
-    /// Share of the aperture's light that the rim leaves open for a film point: bilinear in a table of the frame, right to 0.001.
+    /// Share of the aperture's light that passes the rim: bilinear in a table over the frame, to within 0.001.
     double OpenShare(const FilmPoint& film) const;
 
-    /// Whether the rim lets a lens point's light through to a film point.
+    /// True if the rim lets light pass from a lens point to a film point.
     bool Passes(const FilmPoint& film, const AperturePoint& point) const;
 
-    /// A lens point that the rim leaves open, from the sequence's own if that is, else from random numbers: each point that is
-    /// open is as likely as in the aperture.
-    /// @param seed   of the random numbers
-    /// @param[out] point
-    /// @return the weight of the sample; 0 for a film point that sees nothing
+    /// Draws a lens point that is not covered: the sequence's own, or else a random one. Open points keep their relative density.
+    /// @param seed        of the random numbers
+    /// @param[out] point  the lens point
+    /// @return            weight of the sample; 0 for a film point that receives no light
     double DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed,
                      AperturePoint& point) const;
 
-    /// How much likelier DrawPoint() makes an open point of the aperture than it is without the rim.
+    /// Density of an open point drawn by DrawPoint() relative to its density without the rim.
     double DrawDensity(const FilmPoint& film) const;
 
-    /// Radius and distance of the rim, scene units; 0 where there is none.
+    /// Scene units; 0 without a rim.
     double RimRadius() const { return rimRadius; }
     double RimDistance() const { return rimDistance; }
 
   private:
-    /// The disc of the aperture that the rim leaves open, in aperture coordinates: of the points p with |m p + e| <= radius.
+    /// The open part of the aperture, in aperture coordinates: points p with |m p + e| <= radius, e = (a, b).
     struct Opening
     {
         double m, a, b, radius;
@@ -86,9 +84,9 @@ class Vignetting
     Lens lens;
     double natural = 0.0;
     double rimDistance = 0.0, rimRadius = 0.0;
-    double middle = 1.0;    ///< natural fall-off in the middle of the picture
-    double exposure = 1.0;  ///< inverse of what the rim leaves open there
-    std::vector<float> open;  ///< shares at the points of a grid over the frame, row by row
+    double middle = 1.0;    ///< natural fall-off in the centre of the picture
+    double exposure = 1.0;  ///< inverse of the open share there
+    std::vector<float> open;  ///< open shares at the entries of a table over the frame
 
     double Falloff(const FilmPoint& film) const;
     Opening OpeningFor(const FilmPoint& film) const;
