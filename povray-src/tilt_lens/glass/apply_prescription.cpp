@@ -19,10 +19,10 @@ namespace tilt_lens
 namespace
 {
 
-/// An f-number that is typed with four digits is that of the glass.
+/// Relative tolerance: an f-number typed with four digits counts as the glass's own.
 constexpr double kSameFNumber = 1e-3;
 
-/// How near, in mm, the film's corner that is farthest towards the scene comes to the last surface's vertex; negative: past it.
+/// Least distance, in mm, from a corner of the film to the last surface's vertex; negative: the film reaches into the glass.
 double RoomBehind(const Lens& lens, const CardinalPoints& points)
 {
     double least = HUGE_VAL;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file apply_prescription.h
-/// The part of Solve() (optics.h) that gives a lens its glass.
+/// The part of Solve() (optics.h) that replaces the ideal lens by glass.
 
 #ifndef TILT_LENS_APPLY_PRESCRIPTION_H
 #define TILT_LENS_APPLY_PRESCRIPTION_H
@@ -12,15 +12,14 @@
 namespace tilt_lens
 {
 
-/// What the statement says of an ideal lens with the focal length and the f-number of its prescription; a statement without one
-/// stays as it is.
+/// The statement of an ideal lens with the prescription's focal length and f-number; unchanged without a prescription.
 Statement IdealStatement(const Statement& given);
 
-/// The statement with its prescription in a state of focus (inner_focus.h); one whose lens moves no groups stays as it is.
+/// The statement with its prescription in a focus state (inner_focus.h); unchanged if the lens moves no groups.
 Statement WithGroups(const Statement& given, double state);
 
 /// Gives a solved ideal lens the glass of its prescription.
-/// @throws OpticsError  an aperture that is wider than the glass, a film that lies within the glass
+/// @throws OpticsError  an aperture wider than the glass; a film within the glass
 void ApplyPrescription(Lens& lens, const Statement& given);
 
 } // namespace tilt_lens

@@ -14,18 +14,17 @@ namespace tilt_lens
 namespace
 {
 
-/// Wavelengths of each third of the spectrum. The image of a point has as many steps in each colour: where the fringes are 16
-/// pixels wide, they are a pixel apart.
+/// Wavelengths in each third of the spectrum. Fringes show as many steps in each colour: if they are 16 pixels wide, one per pixel.
 constexpr int kWavelengths = 16;
 
-/// The partial dispersion (ng - nF) / (nF - nC) of a normal glass.
+/// Partial dispersion (ng - nF) / (nF - nC) of a normal glass.
 double NormalPartialDispersion(double abbe) { return 0.6438 - 0.001682 * abbe; }
 
 double InverseSquare(double wavelength) { return 1.0 / (wavelength * wavelength); }
 
 } // namespace
 
-/// With x = 1/w^2, n = index + (x - xd) (b + c (x + xd)): the slopes between the lines are b + c times the sum of their x.
+/// With x = 1/w^2, n = index + (x - xd) (b + c (x + xd)): the slope between two lines is b + c times the sum of their x.
 double IndexAt(double index, double abbe, double wavelength)
 {
     if (abbe == 0.0)
@@ -63,7 +62,7 @@ GlassOfColours::GlassOfColours(const GlassLens& lens, const Prescription& prescr
     }
 }
 
-/// Thirds begin behind the end of the one before, as TraceColours() has them.
+/// A third includes its upper end, as in TraceColours().
 const GlassLens& GlassOfColours::Of(double hue) const
 {
     const int count = int(lenses.size()), place = int(std::ceil(0.5 * (hue + 1.0) * count)) - 1;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file dispersion.h
-/// A lens of glass for light of other wavelengths than that of the d line.
+/// Dispersion of glass.
 ///
-/// A glass's index n at the d line (587.6 nm) and its Abbe number V = (n - 1) / (nF - nC) fix two points of its dispersion. A
-/// third one is that of a normal glass: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. The index between and beyond is
-/// Cauchy's equation of three terms through all of them, n = A + B/w^2 + C/w^4 for a wavelength w.
+/// A glass's index n at the d line (587.6 nm) and its Abbe number V = (n - 1) / (nF - nC) fix two points of its dispersion curve.
+/// The third is that of a normal glass: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. Cauchy's equation of three terms,
+/// n = A + B/w^2 + C/w^4 for the wavelength w, is fitted to all three.
 ///
-/// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (the line of normal glasses); M. Born,
-/// E. Wolf, Principles of Optics, section 2.3.4 (Cauchy's equation).
+/// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (the line of normal glasses); M. Born, E. Wolf,
+/// Principles of Optics, section 2.3.4 (Cauchy's equation).
 
 #ifndef TILT_LENS_DISPERSION_H
 #define TILT_LENS_DISPERSION_H
@@ -27,25 +27,25 @@ namespace tilt_lens
 /// @{
 constexpr double kLineD = 587.5618, kLineF = 486.1327, kLineC = 656.2725, kLineG = 435.8343;
 
-/// Of a colour by its place in the spectrum, from -1 (blue end, 400) to 1 (red end, 700): its thirds are blue, green and red.
+/// @param hue  place in the spectrum, -1 (blue end, 400 nm) to 1 (red end, 700 nm); its thirds are blue, green and red
 constexpr double WavelengthOf(double hue) { return 550.0 + 150.0 * hue; }
 /// @}
 
 /// Index of refraction of a glass.
-/// @param index, abbe  at the d line, and the Abbe number; without one (0) the index is the same for all
+/// @param index  at the d line
+/// @param abbe   Abbe number; 0: the same index for all wavelengths
 double IndexAt(double index, double abbe, double wavelength);
 
-/// The lens with its indices at a wavelength.
 Prescription AtWavelength(const Prescription& prescription, double wavelength);
 
 /// @throws PrescriptionError  a glass without Abbe number
 void RequireAbbeNumbers(const Prescription& prescription);
 
-/// A lens of glass, with its stop as it is set, for the colours of the spectrum. Immutable: threads share it.
+/// A lens of glass, stopped down, for the colours of the spectrum. Immutable, and shared by threads.
 class GlassOfColours
 {
   public:
-    /// @param prescription  that the lens was made of
+    /// @param prescription  that of the lens
     GlassOfColours(const GlassLens& lens, const Prescription& prescription);
 
     /// @param hue  from -1 to 1

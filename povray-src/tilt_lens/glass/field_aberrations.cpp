@@ -13,10 +13,10 @@ namespace tilt_lens
 namespace
 {
 
-/// Between neighbouring rays, in direction cosines: the square of it is lost beside 1, and it is far above rounding.
+/// Distance of neighbouring rays, in direction cosines: its square vanishes beside 1, yet it is far above rounding.
 constexpr double kStep = 1e-5;
 
-/// A ray of a film point in the plane through the axis.
+/// Rays from a film point in the plane through the axis.
 struct Aimed
 {
     const GlassLens& lens;
@@ -28,7 +28,7 @@ struct Aimed
         return ray && lens.Trace(*ray, stop) == Passage::Passed ? ray : std::optional<GlassRay>();
     }
 
-    /// The direction to the middle of the stop, by secants from the paraxial one.
+    /// The direction to the centre of the stop, by the secant method from the paraxial one.
     std::optional<double> MiddleOfStop() const
     {
         double l = ParaxialAim(lens.Cardinal(), film).l, before = l + 1e-3;
@@ -66,7 +66,7 @@ std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double
     const auto above = aimed.Towards(*middle + kStep, 0.0, stop), below = aimed.Towards(*middle - kStep, 0.0, stop);
     if (!chief || !beside || !above || !below)
         return {};
-    // inverse distance from H at which neighbours meet: where y + z dy/dz vanishes for one and the chief ray, which has none
+    // inverse distance from H at which neighbours meet: y + z dy/dz vanishes for the one; the chief ray has y = 0
     const auto atH = [](double place, double slope, double z) { return place - slope * z; };
     const double besideSlope = Slope(beside->direction.y, *beside);
     const double sagittal = -besideSlope / atH(beside->origin.y, besideSlope, beside->origin.z);
@@ -74,7 +74,7 @@ std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double
     const double apart = atH(above->origin.x, aboveSlope, above->origin.z) - atH(below->origin.x, belowSlope, below->origin.z);
     const double tangential = -(aboveSlope - belowSlope) / apart;
     const double focused = 1.0 / points.focalLength - 1.0 / filmDistance, square = filmDistance * filmDistance;
-    // where the chief ray meets the plane of sharp focus, or in which direction it leaves for infinity
+    // the chief ray's point on the plane of sharp focus, or its direction if that is at infinity
     const double chiefSlope = Slope(chief->direction.x, *chief);
     const double shown = focused * atH(chief->origin.x, chiefSlope, chief->origin.z) + chiefSlope;
     return FieldAberrations{shown / (-height / filmDistance) - 1.0, (sagittal - focused) * square, (tangential - focused) * square};

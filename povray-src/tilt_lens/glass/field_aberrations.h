@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file field_aberrations.h
-/// What a lens of glass does to a picture beside its axis, in the numbers that `distortion` and `field_curvature` of the ideal
-/// lens take.
+/// Distortion and field curvature of a lens of glass, in the units of `distortion` and `field_curvature` of the ideal lens.
 
 #ifndef TILT_LENS_FIELD_ABERRATIONS_H
 #define TILT_LENS_FIELD_ABERRATIONS_H
@@ -17,15 +16,15 @@ namespace tilt_lens
 
 struct FieldAberrations
 {
-    double distortion;  ///< where an ideal lens would show what the film shows there, farther from the axis by this part
-    double sagittal;    ///< mm by which the image lies before the film for rays beside each other, at the same distance from the axis
-    double tangential;  ///< the same for rays one above the other, in the plane through the axis
+    double distortion;  ///< relative: an ideal lens shows the same point at (1 + this) times the distance from the axis
+    double sagittal;    ///< mm by which the sagittal image (rays at equal distance from the axis) lies before the film
+    double tangential;  ///< mm by which the tangential image (rays in the plane through the axis) lies before the film
 };
 
-/// Of rays near the one through the middle of the stop.
+/// From rays near the chief ray, which passes the centre of the stop.
 /// @param filmDistance  mm, from H' along the axis, to a film at right angles to it
 /// @param height        mm, of the film point from the axis
-/// @return nothing where that ray does not pass
+/// @return              none if the chief ray does not pass
 std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double filmDistance, double height);
 
 } // namespace tilt_lens

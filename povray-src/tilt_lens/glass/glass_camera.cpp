@@ -58,7 +58,7 @@ GlassCamera::Node GlassCamera::NodeAt(const FilmPoint& film, std::optional<Pupil
     node.radial = view->bounds.radial;
     node.tangential = view->bounds.tangential;
     node.open = view->open / view->stop;
-    // the solid angle is projected on the lens; the film is turned against it
+    // the solid angle is projected on the lens's plane; the film is tilted against it
     if (const std::optional<GlassRay> ray = RayTowards(place, view->bounds.centre))
     {
         const Vec3 filmNormal{Dot(lens.axis, axisX), Dot(lens.axis, axisY), Dot(lens.axis, lens.normal)};
@@ -78,7 +78,7 @@ void GlassCamera::Tabulate()
     }
 }
 
-/// Places that see nothing get the ellipse of the nearest that sees something: between the two, something may be seen.
+/// Gives entries without any light the ellipse of the nearest lit entry, because points between the two may be lit.
 void GlassCamera::FillUnseen()
 {
     const std::vector<Node> found = nodes;

@@ -4,13 +4,12 @@
 /// @file glass_camera.h
 /// Camera rays through a lens of glass that is tilted, swung and shifted as a whole about its front principal point.
 ///
-/// The film point of the picture's point (x, y) lies where that of an ideal lens does, moved by the lens's separation of principal
-/// points along the lens's axis: then the plane of sharp focus, tilt, swing and shift mean what they mean for the ideal
-/// lens, to first order, and what differs is what the glass does.
+/// The film point of the picture's point (x, y) is that of an ideal lens, moved along the lens's axis by the separation of the
+/// principal points. So the plane of sharp focus, tilt, swing and shift agree with the ideal lens to first order.
 ///
-/// Samples are drawn evenly in the directions that pass (pupil_view.h): from an ellipse around them, which a table knows for
-/// each place of the frame; a direction that the lens refuses is drawn again. What share of the directions the rims leave
-/// open is in the sample's weight, so that an even surface has no noise, as for an ideal lens with optical_vignetting.
+/// Samples are uniform over the directions that pass (pupil_view.h): drawn from an ellipse around them, tabulated over the frame,
+/// and drawn again if the lens blocks them. The share of directions left open is in the sample's weight, so that a uniform surface
+/// has no noise.
 
 #ifndef TILT_LENS_GLASS_CAMERA_H
 #define TILT_LENS_GLASS_CAMERA_H
@@ -31,79 +30,77 @@
 namespace tilt_lens
 {
 
-/// A sample's ray.
 struct GlassSample
 {
     LensRay ray;
-    double weight;          ///< of its radiance; 0: there is nothing to trace
-    std::uint32_t refused;  ///< rays before it that the lens let not through
+    double weight;          ///< of the ray's radiance; 0: nothing to trace
+    std::uint32_t refused;  ///< rays drawn before it that the lens blocked
 };
 
-/// Film points, and what draws their samples' directions, side by side.
+/// Four film points and their random numbers, side by side.
 struct FourGlassPoints
 {
-    double x[4], y[4];      ///< film points
+    double x[4], y[4];      ///< film points, as FilmPoint
     double u[4], v[4];      ///< in [0, 1)
-    std::uint32_t seed[4];  ///< of the random numbers that directions are drawn again with
-    unsigned int wanted;    ///< a bit for each of them that a sample is wanted of, the lowest for the first
+    std::uint32_t seed[4];  ///< for drawing blocked directions again
+    unsigned int wanted;    ///< one bit for each point that needs a sample, the lowest for the first
 };
 
-/// Their samples; as GlassSample and LensRay have them.
+/// Fields as in GlassSample and LensRay.
 struct FourGlassSamples
 {
     double origin[3][4], direction[3][4], w[4], weight[4];
     std::uint32_t refused[4];
 };
 
-/// Immutable: threads share it.
+/// Immutable, and shared by threads.
 class GlassCamera
 {
   public:
     /// @param lens      with glass
-    /// @param aperture  a shape of even brightness within the unit disc
-    /// @param natural   share of the natural fall-off of light, 0 to 1
-    /// @throws std::invalid_argument  the lens leaves (almost) no light in the middle of the picture
+    /// @param aperture  a shape of uniform brightness within the unit disc
+    /// @param natural   share of the natural light fall-off, 0 to 1
+    /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the middle of the picture
     GlassCamera(const Lens& lens, const Aperture& aperture, double natural);
 
-    /// Of light of the d line.
+    /// At the d line.
     void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(*glass, points, samples); }
 
-    /// One of them.
-    /// @param u, v, seed  as FourGlassPoints has them
+    /// @param u, v, seed  see FourGlassPoints
     GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(*glass, film, u, v, seed); }
 
-    /// The same for light of one colour, of a lens with dispersion. How much of it the rims cover is taken as for the d line, so that
-    /// an even grey surface has no colour.
-    /// @param hue  its place in the spectrum, from -1 (blue end) to 1 (red end)
+    /// Light of one colour, for a lens with dispersion. The share that the rims block is that of the d line, so that a uniform grey
+    /// surface has no colour.
+    /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end)
     GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
     {
         return DrawThrough(lens.glassOfColours->Of(hue), film, u, v, seed);
     }
 
-    /// Whether rays of several colours must be traced.
+    /// True if rays of several colours must be traced.
     bool HasColours() const { return lens.glassOfColours != nullptr; }
 
-    /// A ray through the middle of what the film point sees; nothing where that is covered.
+    /// Ray through the centre of the film point's view; none if that is blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
-    /// Brightness of a film point over that of the middle of the picture.
+    /// Brightness relative to the centre of the picture.
     double Brightness(const FilmPoint& film) const;
 
     /// Share of the stop's light that the rims leave open.
     double OpenShare(const FilmPoint& film) const;
 
-    /// In the lens's frame, mm.
+    /// Lens frame, mm.
     Vec3 FilmInLens(const FilmPoint& film) const { return filmMiddle + film.x * filmRight + film.y * filmUp; }
 
-    /// Around the directions that a film point sees.
+    /// Ellipse around the directions that a film point sees.
     PupilEllipse BoundsAt(const FilmPoint& film) const;
 
   private:
-    /// Places of the table in a row and in a column of the frame; odd, so that the middle is one. Between them the share that is
-    /// open is linear: where it bends by 4 over the frame, 1/8 of that over the squared number of steps is missed, 1/2000.
+    /// Entries in a row and in a column; odd, so that one is the centre. Linear interpolation of the open share errs by 1/8 of its second
+    /// derivative (up to 4 over the frame) over the squared number of steps: 1/2000.
     static constexpr int kTableSide = 33;
 
-    /// A place of the frame. The ellipse's centre counts from the paraxial aim, so that it changes little from place to place.
+    /// Entry of the table. The ellipse's centre is relative to the paraxial aim, so that it varies little over the frame.
     struct Node
     {
         double l = 0.0, m = 0.0, radial = 0.0, tangential = 0.0;

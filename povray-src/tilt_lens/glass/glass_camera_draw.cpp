@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Draws samples through a lens of glass, four side by side.
+// Samples rays through a lens of glass, four side by side.
 
 #include "tilt_lens/glass/glass_camera.h"
 
@@ -18,10 +18,9 @@ namespace tilt_lens
 namespace
 {
 
-/// The least part of a ray's direction that lies along the camera's axis, where that scales the direction.
+/// Least axial component of a ray's direction, which scales the direction.
 constexpr double kLeastAlong = 0.01;
 
-/// x axisX + y axisY + z axisZ
 template<class Number>
 TILT_LENS_INLINED VecOf<Number> AlongAxes(const VecOf<Number>& v, const Vec3& axisX, const Vec3& axisY, const Vec3& axisZ)
 {
@@ -29,7 +28,6 @@ TILT_LENS_INLINED VecOf<Number> AlongAxes(const VecOf<Number>& v, const Vec3& ax
             v.x * axisX.z + v.y * axisY.z + v.z * axisZ.z};
 }
 
-/// Copies one of four rays.
 void Copy(std::size_t i, const FourGlassRays& from, FourGlassRays& to)
 {
     for (int axis = 0; axis < 3; axis++)
@@ -41,17 +39,17 @@ void Copy(std::size_t i, const FourGlassRays& from, FourGlassRays& to)
 
 } // namespace
 
-/// What four film points see, side by side.
+/// Views of four film points, side by side.
 struct GlassCamera::FourPupils
 {
     double place[3][4];                           ///< film points, lens frame, mm
-    double l[4], m[4], radial[4], tangential[4];  ///< their ellipses of directions
-    double axisL[4], axisM[4];                    ///< of the ellipses, radial
+    double l[4], m[4], radial[4], tangential[4];  ///< ellipses of directions
+    double axisL[4], axisM[4];                    ///< radial axes of the ellipses
     double brightness[4];
-    unsigned int seen = 0;                        ///< a bit for each film point that sees something
+    unsigned int seen = 0;                        ///< one bit for each film point that receives light
 };
 
-/// The means of the table's four places around film points, side by side.
+/// Bilinear interpolation in the table, side by side.
 template<class Vector>
 struct GlassCamera::Interpolation
 {
@@ -97,7 +95,7 @@ GlassCamera::Node GlassCamera::Between(const FilmPoint& film) const
             mean(&Node::natural)[0]};
 }
 
-/// As long as the film point's chief ray along the camera's axis, so that parameters of hits compare with those of ideal rays.
+/// Scales the direction to the axial length of the film point's chief ray, so that ray parameters compare with those of ideal rays.
 template<class Number>
 TILT_LENS_INLINED LensRayOf<Number> GlassCamera::ToWorld(const Number& x, const Number& y, const GlassRayOf<Number>& ray) const
 {
@@ -133,7 +131,7 @@ TILT_LENS_INLINED void GlassCamera::FindPupils(const FourGlassPoints& points, Fo
 
 /// Rays from the film points through points of their ellipses.
 /// @param a, b  points of the unit disc
-/// @return  a bit for each that there is
+/// @return      one bit for each ray that exists
 template<class Vector>
 TILT_LENS_INLINED unsigned int GlassCamera::Aim(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays)
 {
@@ -153,10 +151,10 @@ TILT_LENS_INLINED unsigned int GlassCamera::Aim(const FourPupils& pupils, const 
     return found;
 }
 
-/// Draws directions until the lens lets one of each film point through.
-/// @param waiting     a bit for each film point that a ray is wanted from
+/// Draws directions until one of each film point passes the lens.
+/// @param waiting     one bit for each film point that needs a ray
 /// @param[out] drawn  the rays that leave the lens
-/// @return  a bit for each of them
+/// @return            one bit for each of them
 template<class Vector>
 TILT_LENS_INLINED unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils,
                                                      unsigned int waiting, FourGlassRays& drawn, std::uint32_t (&refused)[4]) const

@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Steps that find the widest ray to 1e-12 of the first surface.
+/// Finds the widest ray to 1e-12 of the first surface.
 constexpr int kHalvings = 40;
 
 double IndexBefore(const Prescription& prescription, std::size_t row)
@@ -37,17 +37,17 @@ CardinalPoints CardinalPointsOf(const Prescription& prescription)
     double length = 0.0;
     for (std::size_t i = 0; i + 1 < count; i++)
         length += prescription.rows[i].thickness;
-    const double frontPrincipal = (whole.d - 1.0) / whole.c, rearPrincipal = (1.0 - whole.a) / whole.c;  // behind each vertex
+    const double frontPrincipal = (whole.d - 1.0) / whole.c, rearPrincipal = (1.0 - whole.a) / whole.c;  // from its vertex
     points.frontVertex = frontPrincipal;
     points.rearVertex = frontPrincipal - length;
     points.separation = length + rearPrincipal - frontPrincipal;
     points.backFocus = whole.a * points.focalLength;
 
-    // the stop as the scene sees it: rays through its middle have b reduced = -a height before the first surface
+    // entrance pupil: rays through the stop's centre have b reduced = -a height before the first surface
     const ParaxialMap before = MapBetween(prescription, 0, stop);
     points.entrancePupil = frontPrincipal - before.b / before.a;
     points.entranceRadius = 1.0 / before.a;
-    // and as the film sees it
+    // exit pupil
     const ParaxialMap behind = MapBetween(prescription, stop, count);
     points.exitPupil = points.rearVertex + behind.b / behind.d;
     points.exitMagnification = 1.0 / behind.d;
@@ -71,7 +71,7 @@ GlassLens::GlassLens(const Prescription& prescription) : cardinal(CardinalPoints
     cardinal.fNumber = cardinal.focalLength / (2.0 * WidestRay());
 }
 
-/// Height of the widest ray that comes in parallel to the axis and passes: between one that does and one that does not.
+/// Height of the widest ray parallel to the axis that passes, by bisection.
 double GlassLens::WidestRay() const
 {
     double passes = 0.0, ends = std::sqrt(surfaces.back().squaredRim);
@@ -94,7 +94,7 @@ void GlassLens::TakeIndices(const Prescription& prescription)
     }
 }
 
-/// The stop's radius is where the beam's outermost ray crosses it.
+/// The stop's radius is the height at which the beam's outermost ray crosses it.
 void GlassLens::StopDown(double fNumber)
 {
     const double height = 0.5 * cardinal.focalLength / fNumber;
@@ -153,7 +153,7 @@ namespace
 
 using Surfaces = std::vector<GlassSurface>;
 
-/// Rays side by side to a conic or an aspherical surface, one after the other.
+/// Several rays at a conic or an aspherical surface, one after the other.
 template<class Vector>
 TILT_LENS_INLINED MaskOf<Vector> CrossOneByOne(const GlassSurface& surface, bool rims, GlassRayOf<Vector>& rays)
 {
@@ -227,7 +227,7 @@ double GlassLens::RearRadius() const { return std::sqrt(surfaces.front().squared
 GlassLens::Front GlassLens::FrontBox() const
 {
     const GlassSurface& front = surfaces.back();
-    // where the surface bends away and back, its sag at the rim does not tell its extent; the ball around the vertex does
+    // an aspherical surface may bend back, so that its sag at the rim does not bound it; the ball around the vertex does
     const double radius = std::sqrt(front.squaredRim);
     return {radius, front.z - radius, front.z + radius};
 }

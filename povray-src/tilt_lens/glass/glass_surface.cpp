@@ -11,20 +11,20 @@ namespace tilt_lens
 namespace
 {
 
-/// Newton's steps to an aspherical surface, and how exact they must be, as a part of the ray's height or of 1 mm.
+/// Newton's method to an aspherical surface: greatest number of steps, and tolerance relative to the ray's height or to 1 mm.
 constexpr int kMostSteps = 30;
 constexpr double kNearEnough = 1e-13;
 
-/// The ray's origin moves to the conic; the normal, of any length, points to the scene. False where there is none, or the ray comes
-/// from beyond where the surface turns back.
+/// Moves the ray's origin to the conic. The normal, of any length, points to the scene. False if there is no intersection, or if it
+/// lies beyond the point where the surface turns back.
 bool IntersectConic(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;
     const Vec3& d = ray.direction;
-    // on the plane through the vertex
+    // intersection with the plane through the vertex
     const double way = (surface.z - ray.origin.z) / d.z;
     const double x = ray.origin.x + way * d.x, y = ray.origin.y + way * d.y;
-    // c (x^2 + y^2 + (1 + conic) z^2) = 2 z along the ray: square t^2 - 2 half t + constant = 0, the root near the vertex
+    // c (x^2 + y^2 + (1 + conic) z^2) = 2 z along the ray: square t^2 - 2 half t + constant = 0, of which the root near the vertex
     const double constant = c * (x * x + y * y), half = d.z - c * (x * d.x + y * d.y);
     const double square = c * (1.0 + surface.conic * d.z * d.z);
     const double root = half * half - square * constant;
@@ -37,7 +37,7 @@ bool IntersectConic(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
     return normal.z > 0.0;
 }
 
-/// From the conic's point by Newton's steps along the ray.
+/// Newton's method along the ray, from the conic's point.
 bool IntersectAspheric(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;
@@ -48,7 +48,7 @@ bool IntersectAspheric(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
         if (!(inner > 0.0))
             return false;
         const double root = std::sqrt(inner);
-        double sag = c * square / (1.0 + root), slope = c / root;  // slope: of the sag by the height, over the height
+        double sag = c * square / (1.0 + root), slope = c / root;  // slope: derivative of the sag by the height, over the height
         double power = square;
         for (std::size_t j = 0; j < surface.aspheric.size(); j++)
         {

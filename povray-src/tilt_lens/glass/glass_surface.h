@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_surface.h
-/// One surface of a lens of glass: where rays meet it, and Snell's law there. Spheres and planes, of which most lenses are made, are
-/// written once for one ray and for rays side by side in vector registers (simd.h); both have the same results to the last bit.
+/// One surface of a lens of glass: intersection and Snell's law. Spheres and planes, the most common surfaces, are written once for
+/// one ray and for rays side by side (simd.h), with equal results to the last bit.
 ///
-/// Frame: that of glass_lens.h.
-///
-/// Source of the transfer to a surface without a case for planes: W. J. Smith, Modern Optical Engineering, chapter 10.
+/// Frame: see glass_lens.h. Source: W. J. Smith, Modern Optical Engineering, chapter 10 (a transfer to a surface that needs no special
+/// case for planes).
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H
@@ -20,7 +19,7 @@
 namespace tilt_lens
 {
 
-/// A ray, or rays side by side: directions have length 1.
+/// A ray, or several side by side; directions have length 1.
 template<class Number>
 struct GlassRayOf
 {
@@ -39,24 +38,24 @@ TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
 struct GlassSurface
 {
     double z;             ///< of its vertex
-    double curvature;     ///< 1/mm, positive where the centre lies towards the scene
+    double curvature;     ///< 1/mm, positive if the centre lies towards the scene
     double ratio;         ///< index on the side of the film over that of the scene
-    double squaredRim;    ///< of the clear radius
-    bool stop, sphere;    ///< or plane, else a conic or an aspherical surface
+    double squaredRim;    ///< square of the clear radius
+    bool stop, sphere;    ///< sphere or plane; else conic or aspherical
     double conic;
-    std::vector<double> aspheric;  ///< of height towards the scene
+    std::vector<double> aspheric;  ///< coefficients of the sag towards the scene
 };
 
-/// How rays cross a surface, each in its lane.
+/// Outcome at a surface, lane by lane.
 template<class Number>
 struct Crossing
 {
-    MaskOf<Number> met;        ///< the surface
-    MaskOf<Number> withinRim;  ///< of its clear opening
-    MaskOf<Number> refracted;  ///< else all light is reflected
+    MaskOf<Number> met;        ///< the ray meets the surface
+    MaskOf<Number> withinRim;  ///< within its clear opening
+    MaskOf<Number> refracted;  ///< else totally reflected
 };
 
-/// The number of the way that a ray goes.
+/// Negates the value for rays towards the film.
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Number Signed(const Number& value)
 {
@@ -64,9 +63,9 @@ TILT_LENS_INLINED Number Signed(const Number& value)
 }
 
 /// Snell's law.
-/// @param cosine     of the normal, of length 1, and the direction
-/// @param direction  becomes that behind the surface
-/// @return  false where all light is reflected
+/// @param cosine     of the unit normal and the direction
+/// @param direction  in: before the surface; out: behind it
+/// @return           false for total reflection
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Number& cosine, const VecOf<Number>& normal, VecOf<Number>& direction)
 {
@@ -77,10 +76,10 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
     return left >= 0.0;
 }
 
-/// Sphere or plane: c |p|^2 = 2 p.z for a point p counted from the vertex, so that along the ray c t^2 - 2 half t + constant = 0. The
-/// root near the vertex is meant; the square root itself is the cosine of the ray and the normal (-c p.x, -c p.y, 1 - c p.z). A sphere
-/// is not met beyond where it turns back.
-/// @param ray  becomes that behind the surface, where it is met and refracts
+/// Sphere or plane: c |p|^2 = 2 p.z for p relative to the vertex, so that c t^2 - 2 half t + constant = 0 along the ray. The root near the
+/// vertex counts. The square root is the cosine between the ray and the normal (-c p.x, -c p.y, 1 - c p.z). Beyond the point where a
+/// sphere turns back, it is not met.
+/// @param ray  becomes the refracted ray, if the surface is met and refracts
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)
 {
@@ -95,8 +94,8 @@ TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, Glas
     return {met, withinRim, Refract<towardsScene>(surface, cosine, normal, ray.direction)};
 }
 
-/// To the stop's plane.
-/// @return  whether they pass its opening
+/// Moves the ray to the stop's plane.
+/// @return  true within its opening
 template<class Number>
 TILT_LENS_INLINED MaskOf<Number> CrossStop(const GlassSurface& surface, GlassRayOf<Number>& ray)
 {

@@ -16,10 +16,10 @@ namespace tilt_lens
 namespace
 {
 
-/// By which the distance that a file states may differ from that of its glass: digits are rounded, and some sources estimate it.
+/// Relative tolerance of the stated distance: files round digits, and some sources estimate it.
 constexpr double kStatedDistance = 0.05;
 
-/// Steps that halve the way between two states: until doubles end.
+/// Bisection steps between two states, down to double precision.
 constexpr int kHalvings = 60;
 
 double ThicknessOf(const PrescriptionRow& row, double state)
@@ -31,7 +31,7 @@ double ThicknessOf(const PrescriptionRow& row, double state)
     return (1.0 - share) * from + share * row.nearThickness[before];
 }
 
-/// From the last surface to the film.
+/// Distance from the last surface to the film.
 double BehindLast(const Prescription& prescription, double state)
 {
     const PrescriptionRow& last = prescription.rows.back();
@@ -67,7 +67,7 @@ double ObjectDistanceOf(const Prescription& prescription, double state)
 
 double StateFor(const Prescription& prescription, const std::function<double(double focalLength)>& filmVergence)
 {
-    // above 0 where the film would have to stand nearer than it does: the lens is focused too near
+    // true if the film would have to stand nearer than it does
     const auto tooNear = [&](double state)
     {
         const double focalLength = CardinalPointsOf(InState(prescription, state)).focalLength;

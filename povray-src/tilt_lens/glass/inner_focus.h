@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_focus.h
-/// Lenses that focus by moving groups of their glass, while the film stays.
+/// Lenses that focus by moving groups of glass while the film stays.
 ///
-/// A prescription may state the distances between its surfaces for infinity and for one or more nearer focuses. These are states 0,
-/// 1, 2, ... of the lens; between two of them each distance changes evenly. Makers' cams differ from that between the states, and the
-/// sharpness with them; the focus itself does not, because the state is sought in which the lens is focused where it is to be.
+/// A prescription may state the distances between its surfaces for infinity and for one or more nearer focuses: states 0, 1, 2, ...
+/// Between two states each distance is interpolated linearly. Real cams differ there, and so does the sharpness, but not the focus:
+/// the state is solved for the wanted focus.
 ///
-/// The film stands as far behind the last surface as the image of infinity does in state 0, and farther by what the thickness of the
-/// last row is greater in the state than at infinity. Files state that back focus in few digits; with the traced one, state 0 is
-/// focused at infinity exactly. What no state reaches, nearer than the last one or beyond infinity, as a turned plane may be, the
-/// film's own way makes up for, as in a lens on bellows.
+/// The film stands at the image of infinity of state 0, plus the difference of the last row's thickness between the state and
+/// infinity. Files state that back focus in few digits; with the traced one, state 0 is focused at infinity exactly. For a focus
+/// nearer than the last state, or beyond infinity, as a tilted plane may need, the film moves, as in a lens on bellows.
 
 #ifndef TILT_LENS_INNER_FOCUS_H
 #define TILT_LENS_INNER_FOCUS_H
@@ -23,22 +22,22 @@
 namespace tilt_lens
 {
 
-/// The lens in a state: its rows' thicknesses are those of it, and no group moves any more.
+/// The lens in a state: the rows' thicknesses are those of the state, and no group moves any more.
 Prescription InState(const Prescription& prescription, double state);
 
-/// How far behind H' (mm) the film of an unturned lens stands in a state.
+/// Distance in mm from H' to the film of an untilted lens in a state.
 double FilmPlaceOf(const Prescription& prescription, double state);
 
-/// From the first surface to what the lens is focused on in a state (mm), by rays near the axis; negative: beyond infinity.
+/// Distance in mm from the first surface to the focus in a state, by paraxial rays; negative: beyond infinity.
 double ObjectDistanceOf(const Prescription& prescription, double state);
 
-/// The state in which a lens is focused without moving its film, or the nearest one to it.
-/// @param filmVergence  for a focal length (mm) the inverse of the distance from H' (1/mm) at which the film of an ideal lens must stand;
-///                      negative infinity where none is far enough
+/// The state that focuses the lens without moving the film, or the nearest to it.
+/// @param filmVergence  for a focal length (mm), the inverse of the distance from H' (1/mm) at which an ideal lens needs the film;
+///     negative infinity if no distance is large enough
 double StateFor(const Prescription& prescription, const std::function<double(double focalLength)>& filmVergence);
 
-/// Whether glass and film are focused where the file says that they are.
-/// @param line  that says so
+/// Checks the stated object distances against traced ones.
+/// @param line  that states them
 /// @throws PrescriptionError
 void RequireFocuses(const Prescription& prescription, int line);
 

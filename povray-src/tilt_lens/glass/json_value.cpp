@@ -19,11 +19,11 @@ namespace
 
 using Kind = JsonValue::Kind;
 
-/// Of lists and objects within each other; a collection of lenses has five.
+/// Greatest nesting of lists and objects; a collection of lenses has five levels.
 constexpr std::size_t kDeepest = 64;
 
-/// Goes through the text and counts its lines. The parser has read one character more than a number when it tells of it, so
-/// the line is that of the last character read.
+/// Iterates over the text and counts its lines. The parser has read one character past a number when it reports it; so the line is
+/// that of the last character read.
 struct LineCounter
 {
     using iterator_category = std::input_iterator_tag;
@@ -53,7 +53,7 @@ struct LineCounter
     }
 };
 
-/// Takes what the parser finds and builds the tree.
+/// Builds the tree from the parser's events.
 class Builder : public nlohmann::json_sax<nlohmann::json>
 {
   public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file json_value.h
-/// JSON whose values know their lines, so that an error can name the line of what is wrong.
+/// JSON whose values know their lines, for errors.
 
 #ifndef TILT_LENS_JSON_VALUE_H
 #define TILT_LENS_JSON_VALUE_H
@@ -18,22 +18,22 @@ struct JsonValue
     enum class Kind { kNull, kBoolean, kNumber, kText, kList, kObject };
 
     Kind kind = Kind::kNull;
-    int line = 0;                    ///< of the file, from 1, in which it begins
-    std::string name;                ///< of a member of an object
+    int line = 0;                    ///< of the file, from 1, where the value begins
+    std::string name;                ///< if a member of an object
     double number = 0.0;
     std::string text;
     std::vector<JsonValue> members;  ///< of a list or an object
 
     bool Is(Kind other) const { return kind == other; }
 
-    /// A member that is not null, or NULL.
+    /// Null if there is no such member, or if its value is null.
     const JsonValue* Find(const std::string& wanted) const;
 
-    /// The value in words, for an error.
+    /// Description for an error.
     std::string Words() const;
 };
 
-/// @throws PrescriptionError  where the text is no JSON, or is nested deeper than any lens
+/// @throws PrescriptionError  the text is no JSON, or is nested too deeply
 JsonValue ReadJson(const std::string& text);
 
 } // namespace tilt_lens

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file paraxial.h
-/// Rays so near to the axis that everything is linear: what the cardinal points are made of.
+/// Paraxial rays, from which the cardinal points are computed.
 
 #ifndef TILT_LENS_PARAXIAL_H
 #define TILT_LENS_PARAXIAL_H
@@ -15,13 +15,13 @@
 namespace tilt_lens
 {
 
-/// A ray from the scene to the film: height, and how it grows with the way; times the index in `reduced`.
+/// A ray from the scene to the film: height, and slope times index (`reduced`).
 struct ParaxialRay
 {
     double height = 0.0, reduced = 0.0;
 };
 
-/// How a part of a lens maps such rays: height' = a height + b reduced, reduced' = c height + d reduced; a d - b c = 1.
+/// Ray transfer matrix of a part of a lens: height' = a height + b reduced, reduced' = c height + d reduced; a d - b c = 1.
 struct ParaxialMap
 {
     double a = 1.0, b = 0.0, c = 0.0, d = 1.0;
@@ -32,14 +32,13 @@ struct ParaxialMap
     }
 };
 
-/// What comes after another part.
 inline ParaxialMap operator*(const ParaxialMap& second, const ParaxialMap& first)
 {
     return {second.a * first.a + second.b * first.c, second.a * first.b + second.b * first.d,
             second.c * first.a + second.d * first.c, second.c * first.b + second.d * first.d};
 }
 
-/// From just before row `first` to just before row `last`, or behind the last surface where `last` is the number of rows.
+/// From just before row `first` to just before row `last`, or behind the last surface if `last` is the number of rows.
 inline ParaxialMap MapBetween(const Prescription& prescription, std::size_t first, std::size_t last)
 {
     ParaxialMap map;

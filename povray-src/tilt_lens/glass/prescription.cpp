@@ -15,16 +15,16 @@ namespace tilt_lens
 namespace
 {
 
-/// Rows of a lens; more are a file that is none.
+/// A file with more rows is no lens.
 constexpr std::size_t kMostRows = 200;
 
-/// Of indices: those of glass in visible light end at 2.2, diamond has 2.42, germanium in the infrared 4.
+/// Glass in visible light has up to 2.2, diamond 2.42, germanium in the infrared 4.
 constexpr double kMostIndex = 4.0;
 
-/// Of Abbe numbers: glasses have 15 to 95.
+/// Glasses have 15 to 95.
 constexpr double kLeastAbbe = 10.0, kMostAbbe = 150.0;
 
-/// What each number must be. A conic that ends before its rim is no error: the rays beyond it find no surface.
+/// Checks the range of each number. A conic that ends before its rim is valid: rays beyond its end miss the surface.
 void RequireSensible(const ReadRow& read, bool last)
 {
     const PrescriptionRow& row = read.row;
@@ -48,8 +48,8 @@ void RequireSensible(const ReadRow& read, bool last)
                                            Number(kMostAbbe) + "; give 0 or none where it is not known, and in air.");
 }
 
-/// Gives rows without an index that of the medium before them, and finds the stop: the row that the file marks as such, or the
-/// one plane that separates nothing. Beside a marked one, such planes are rims.
+/// Gives rows without an index that of the medium before them, and finds the stop: the marked row, or else the only plane within one
+/// medium. If a row is marked, other such planes are rims.
 std::size_t FindStop(std::vector<ReadRow>& rows)
 {
     std::vector<std::size_t> marked, planes;

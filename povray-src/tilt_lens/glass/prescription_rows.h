@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription_rows.h
-/// The steps of ReadPrescription() (prescription.h): a file's rows with their lines, of each form, and what all forms require.
+/// Readers of the three forms of file, for ReadPrescription() (prescription.h).
 
 #ifndef TILT_LENS_PRESCRIPTION_ROWS_H
 #define TILT_LENS_PRESCRIPTION_ROWS_H
@@ -15,29 +15,27 @@
 namespace tilt_lens
 {
 
-/// A row as it was found.
 struct ReadRow
 {
     PrescriptionRow row;
     int line = 0;
-    bool stop = false;  ///< the file itself says that it is the stop; its index is that before it
+    bool stop = false;  ///< marked as the stop by the file; its index is that of the row before
 };
 
-/// What a file says of a lens.
 struct ReadLens
 {
     std::vector<ReadRow> rows;
-    std::vector<double> objectDistances;  ///< as in Prescription
-    int objectDistanceLine = 0;           ///< in which they are stated
+    std::vector<double> objectDistances;  ///< see Prescription
+    int objectDistanceLine = 0;           ///< line that states them
 };
 
-/// What a file has written, as an error may show it: its beginning, with a question mark for what cannot be printed.
+/// Text of a file for an error: shortened, with question marks for unprintable characters.
 std::string Shown(const std::string& written);
 
 /// @throws PrescriptionError
 std::vector<ReadRow> ReadPbrtRows(const std::string& text);
 
-/// Of lentil or ISET.
+/// Lentil's or ISET's form.
 /// @throws PrescriptionError
 ReadLens ReadJsonRows(const std::string& text, const std::string& choice);
 

@@ -13,33 +13,31 @@ namespace tilt_lens
 namespace
 {
 
-/// Directions around a middle in which the border of what passes is sought, and how often the way is halved: the border is
-/// missed by 1/4000 of the pupil.
+/// Directions in which the pupil's border is searched, and bisection steps of each: the border is found to 1/4000 of the pupil.
 constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
-/// Rays in a row and in a column that are tried where the pupil's middle is covered: over twice the paraxial pupil, then over the
-/// last surface, which all rays cross. Whole fours.
+/// Sides of the grids of rays that are tried if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface,
+/// which every ray crosses. Multiples of four.
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
-/// Longest over shortest spoke up to which they need not be measured again from the middle of the area.
+/// Ratio of the longest to the shortest spoke beyond which spokes are measured again from the centre of the area.
 constexpr double kRound = 1.3;
 
-/// Around the ellipse: for what lies between the spokes, and between the places in a table at which ellipses are known; the
-/// second more where rims cover the pupil, whose shape then changes more from place to place.
+/// Enlargement of the ellipse, for borders between spokes and between entries of the table. The second adds to it where rims
+/// cut the pupil, because its shape then varies more over the frame.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Four of them.
 struct FourPupilPoints
 {
     double l[4], m[4];
 };
 
-/// The lens and the place from which it is looked at.
+/// The lens as seen from a film point.
 struct Seen
 {
     const GlassLens& lens;
@@ -52,8 +50,8 @@ struct Seen
         return ray && TraceThrough(lens, aperture, *ray) == Passage::Passed;
     }
 
-    /// @param rims  false: only the stop ends rays
-    /// @return  a bit for each of the directions that passes
+    /// @param rims  false: only the stop blocks rays
+    /// @return      one bit for each direction that passes
     unsigned int Passing(const FourPupilPoints& directions, bool rims = true) const
     {
         FourGlassRays rays;
@@ -69,7 +67,7 @@ struct Seen
         return passing & TraceThrough(lens, aperture, rays, rims);
     }
 
-    /// Half the paraxial pupil's size, about.
+    /// Roughly the radius of the paraxial pupil, in direction cosines.
     double Size() const
     {
         const CardinalPoints& points = lens.Cardinal();
@@ -79,7 +77,7 @@ struct Seen
         return std::clamp(size, 1e-6, 1.0);
     }
 
-    /// The mean of those of a grid that pass.
+    /// The mean of the passing directions of a grid.
     std::optional<PupilPoint> MeanOf(const PupilPoint& middle, double half, int side) const
     {
         PupilPoint sum{0.0, 0.0};
@@ -105,7 +103,7 @@ struct Seen
         return PupilPoint{sum.l / passed, sum.m / passed};
     }
 
-    /// A direction that passes, well within the others if that can be.
+    /// A direction that passes, well within the pupil if possible.
     std::optional<PupilPoint> Inside(const std::optional<PupilPoint>& near) const
     {
         const PupilPoint aim = ParaxialAim(lens.Cardinal(), film);
@@ -125,7 +123,7 @@ struct Seen
     }
 };
 
-/// How far rays pass from a direction that does, on one side.
+/// Distances from an inner direction to the border, with rims and with the stop alone.
 struct Spoke
 {
     double open, stop;
@@ -139,7 +137,7 @@ PupilPoint Along(int spoke)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Four spokes side by side: for each a step that passes and one that does not, or whose end is not found yet.
+/// Four spokes side by side: for each, a step that passes and a step that does not or is still to be tested.
 class FourSpokes
 {
   public:
@@ -155,7 +153,7 @@ class FourSpokes
         ends[i] = itsEnds;
     }
 
-    /// Lengthens the steps until they do not pass, and then halves what lies between.
+    /// Lengthens the steps until they do not pass, then bisects.
     void FindBorders(bool rims)
     {
         for (unsigned int open = 0xf; open != 0;)
@@ -164,7 +162,7 @@ class FourSpokes
             for (int i = 0; i < 4; i++)
                 if ((open >> i & 1u) != 0)
                 {
-                    if (ends[i] >= 4.0)  // no direction has such cosines
+                    if (ends[i] >= 4.0)  // beyond all direction cosines
                         open &= ~(1u << i);
                     passes[i] = ends[i];
                     ends[i] *= 1.5;
@@ -181,7 +179,7 @@ class FourSpokes
 
     double Border(int i) const { return 0.5 * (passes[i] + ends[i]); }
 
-    /// A bit for each spoke that ends at a rim: the stop alone lets the step pass that does not.
+    /// One bit for each spoke that ends at a rim: the stop alone lets the blocked step pass.
     unsigned int EndAtRims() const { return Passing(ends, false); }
 
   private:
@@ -202,7 +200,7 @@ class FourSpokes
     }
 };
 
-/// A spoke is sought from the length of the one four before it.
+/// The search for each spoke starts with the length of the fourth before it.
 Spokes SpokesFrom(const Seen& seen, const PupilPoint& inside)
 {
     Spokes spokes;
@@ -243,7 +241,7 @@ bool IsRound(const Spokes& spokes)
     return most < kRound * least;
 }
 
-/// Middle of the area that the spokes span.
+/// Centroid of the area within the spokes.
 PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
 {
     double area = 0.0, l = 0.0, m = 0.0;
@@ -257,8 +255,8 @@ PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
     return {inside.l + l / area, inside.m + m / area};
 }
 
-/// The ellipse of the box's shape around the spokes' ends.
-/// @param larger  than the ellipse that touches the farthest end
+/// Ellipse with the proportions of the bounding box of the spokes' ends.
+/// @param larger  factor on the ellipse through the farthest end
 PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
 {
     std::array<PupilPoint, kSpokes> ends;  // radial, tangential
@@ -293,7 +291,7 @@ std::optional<PupilView> ViewOf(const GlassLens& lens, const Aperture& aperture,
     if (!inside)
         return {};
     Spokes spokes = SpokesFrom(seen, *inside);
-    // seen from their middle, the spokes sum up the area best
+    // spokes from the centroid integrate the area best
     const PupilPoint middle = MiddleOf(spokes, *inside);
     if (!IsRound(spokes) && seen.Passes(middle))
     {

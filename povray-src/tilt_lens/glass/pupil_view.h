@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file pupil_view.h
-/// The directions in which a film point sees the scene through a lens of glass: its exit pupil, with what the rims cut off.
+/// The view from a film point through a lens of glass: its exit pupil, cut by the rims.
 ///
-/// A direction is given by its cosines (l, m) along the lens's horizontal and vertical axis. An area of these is the projected
-/// solid angle dl dm = cos(angle to the axis) dw, in which the light of an evenly bright scene arrives evenly; and a lens
-/// without coma maps it to an area of its entrance pupil, which is what the samples of an ideal lens are even in.
+/// A direction is given by its cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles,
+/// cos(angle to the axis) dw, so that light of a uniform scene is uniform in them. A lens without coma maps them to areas of its
+/// entrance pupil, over which the samples of an ideal lens are uniform.
 
 #ifndef TILT_LENS_PUPIL_VIEW_H
 #define TILT_LENS_PUPIL_VIEW_H
@@ -20,7 +20,7 @@
 namespace tilt_lens
 {
 
-/// Direction cosines along the lens's two axes: of one direction, or of some side by side.
+/// Direction cosines along the lens's two axes: one direction, or several side by side.
 template<class Number>
 struct PupilPointOf
 {
@@ -29,22 +29,22 @@ struct PupilPointOf
 
 using PupilPoint = PupilPointOf<double>;
 
-/// An ellipse of directions around those that pass. Its axes lie towards the lens's axis and across that.
+/// Ellipse around the directions that pass; the radial axis points towards the lens's axis.
 struct PupilEllipse
 {
     PupilPoint centre;
     double radial, tangential;  ///< semi-axes
 };
 
-/// What a film point sees.
+/// View from a film point.
 struct PupilView
 {
     PupilEllipse bounds;
     double open = 0.0;   ///< area of the directions that pass
-    double stop = 0.0;   ///< the same without rims
+    double stop = 0.0;   ///< area without rims
 };
 
-/// Towards the film point's place beside the axis: the unit vector that the ellipse's radial axis has.
+/// Unit vector from the axis to the film point.
 template<class Number>
 TILT_LENS_INLINED PupilPointOf<Number> RadialAxis(const VecOf<Number>& film)
 {
@@ -52,7 +52,7 @@ TILT_LENS_INLINED PupilPointOf<Number> RadialAxis(const VecOf<Number>& film)
     return {distance > 0.0 ? film.x / distance : one, distance > 0.0 ? film.y / distance : zero};
 }
 
-/// Towards the middle of the paraxial exit pupil.
+/// Direction to the centre of the paraxial exit pupil.
 template<class Number>
 TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points, const VecOf<Number>& film)
 {
@@ -63,14 +63,14 @@ TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points,
     return {way.x / length, way.y / length};
 }
 
-/// Of a direction with these cosines: the squared one along the lens's axis; none has them where this is not above 0.
+/// Squared cosine to the lens's axis; no direction if it is not positive.
 template<class Number>
 TILT_LENS_INLINED Number SquaredAlong(const PupilPointOf<Number>& direction)
 {
     return 1.0 - direction.l * direction.l - direction.m * direction.m;
 }
 
-/// A ray from a film point; nothing for cosines that no direction has.
+/// A ray from a film point; none for cosines of no direction.
 inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
 {
     const double square = SquaredAlong(direction);
@@ -79,8 +79,8 @@ inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& di
     return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
 }
 
-/// Whether the ray passes lens and aperture.
-/// @param[in,out] ray  the ray that leaves the lens, if it passes
+/// Traces through lens and aperture.
+/// @param[in,out] ray  if it passes, becomes the ray that leaves the lens
 inline Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray, bool rims = true)
 {
     StopPoint stop;
@@ -90,8 +90,8 @@ inline Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, Gla
     return passage;
 }
 
-/// The same for four rays side by side.
-/// @return  a bit for each that passes, the lowest for the first
+/// Traces four rays side by side.
+/// @return  one bit for each that passes, the lowest for the first
 inline unsigned int TraceThrough(const GlassLens& lens, const Aperture& aperture, FourGlassRays& rays, bool rims = true)
 {
     FourStopPoints stop;
@@ -102,9 +102,9 @@ inline unsigned int TraceThrough(const GlassLens& lens, const Aperture& aperture
     return passed;
 }
 
-/// Measures what a film point (mm, lens frame) sees, by some hundred rays.
-/// @param near  a direction that neighbours of the point see something in, tried first
-/// @return nothing where no ray passes
+/// Measures the view from a film point (mm, lens frame), with a few hundred rays.
+/// @param near  a direction that passes for a neighbouring film point, tried first
+/// @return      none if no ray passes
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Aperture& aperture, const Vec3& film, const std::optional<PupilPoint>& near);
 
 } // namespace tilt_lens

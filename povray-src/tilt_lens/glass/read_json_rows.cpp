@@ -15,15 +15,15 @@ namespace
 
 using Kind = JsonValue::Kind;
 
-/// Beyond this radius (mm) the shader's files mean a plane.
+/// Larger radii (mm) stand for planes in lentil's files.
 constexpr double kPlaneRadius = 99999.0;
 
-/// Of an aspheric equation, and distances to which a lens states its focus. Known lenses have up to eight, and up to five.
+/// Limits; known lenses have up to eight coefficients and five focuses.
 constexpr std::size_t kMostCoefficients = 20, kMostFocuses = 20;
 
 const char* const kKnown = "Known are lentil's form, with \"optical-elements-patent\", and that of ISET, with \"surfaces\".";
 
-/// An object's members, of which numbers are asked.
+/// An object of the file, with checked access to its members.
 class Members
 {
   public:
@@ -46,7 +46,7 @@ class Members
             throw PrescriptionError(object.line, "a surface without \"" + std::string(name) + "\", which must be a number.");
         if (!found->Is(Kind::kList))
             return ValueOf(name, *found);
-        // a number for each of two directions, which must not differ
+        // two values, one for each meridian: they must be equal
         const std::vector<JsonValue>& values = found->members;
         if (values.size() == 2 && values[0].Is(Kind::kNumber) && values[1].Is(Kind::kNumber) && values[0].number == values[1].number)
             return values[0].number;
@@ -56,7 +56,8 @@ class Members
 
     double NumberOr(const char* name, double value) const { return Has(name) ? Number(name) : value; }
 
-    /// Of a list, or of lists in a list, one after the other; at most so many.
+    /// Flattens nested lists.
+    /// @param most  greatest number of values
     std::vector<double> Numbers(const char* name, std::size_t most) const
     {
         std::vector<double> numbers;
@@ -100,14 +101,14 @@ class Members
     }
 };
 
-/// What no sphere is, by either form's member.
+/// Reads conic constant and aspheric coefficients of either form.
 void ReadShape(const Members& surface, PrescriptionRow& row)
 {
     row.conic = surface.NumberOr("conic_constant", 0.0);
     row.aspheric = surface.Numbers("aspherical-equation", kMostCoefficients);
 }
 
-/// One number, or with `states` focuses one for each of them.
+/// Reads one number, or with `states` focuses one for each.
 void ReadThickness(const Members& surface, std::size_t states, int line, PrescriptionRow& row)
 {
     if (states == 0 || !surface.HasList("thickness"))
@@ -165,7 +166,7 @@ ReadRow IsetRow(const Members& surface, int line, std::size_t states)
     return read;
 }
 
-/// The distances at which the file states where groups stand: infinity, which is left out, and nearer ones.
+/// Distances for which groups' positions are stated, without the leading infinity.
 std::vector<double> ObjectDistancesOf(const JsonValue& stated)
 {
     const bool list = stated.Is(Kind::kList) && !stated.members.empty();
@@ -221,7 +222,7 @@ const char* LentilList(const JsonValue& lens)
     return nullptr;
 }
 
-/// The lens of a database that was chosen, the one it has, or the file itself where it is no database.
+/// The chosen lens of a database, its only lens, or the file itself if it is no database.
 const JsonValue& Chosen(const JsonValue& file, const std::string& choice)
 {
     std::vector<const JsonValue*> lenses;
