@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Picture apertures: points follow the weights, monotonically, the right way up.
-// Seeds are fixed; a chi-square test fails a perfect map with probability 1e-5.
+// Picture apertures: sample densities follow the weights; orientation; monotony.
+// Seeds are fixed. A chi-square test fails for a perfect map with probability 1e-5.
 
 #include "tilt_lens/camera/aperture.h"
 
@@ -26,13 +26,13 @@ namespace
 
 const double nearlyOne = std::nextafter(1.0, 0.0);
 
-/// A weight function; bins of 1/16 of the lens are compared with its integral over them.
+/// A weight function. Its integral over bins of 1/16 of the lens is the expected probability.
 struct Picture
 {
     const char* name;
     std::function<double(double u, double v)> weight;
     double
-        tolerance;  ///< of a bin's probability, relative: what 256 cells cannot resolve at an edge
+        tolerance;  ///< relative, of a bin's probability: 256 cells do not resolve edges
 };
 
 std::ostream& operator<<(std::ostream& out, const Picture& p)
@@ -102,7 +102,7 @@ TEST_P(AperturePicture, RandomPointsFollowTheWeights)
             const double w = weight((i + 0.5) / fine, (j + 0.5) / fine);
             if (!std::isfinite(w) || w <= 0)
                 continue;
-            const double scaled = w * 1e-8;  // the enormous ones must not overflow
+            const double scaled = w * 1e-8;  // huge weights must not overflow
             probability[i * bins / fine * bins + j * bins / fine] += scaled;
             total += scaled;
         }
@@ -144,9 +144,9 @@ TEST_P(AperturePicture, RisesWithUAndFallsWithV)
         }
 }
 
-TEST(AperturePictureOrientation, LiesOverTheLensAsPovRaysBokehDoes)
+TEST(AperturePictureOrientation, MatchesPovRaysBokeh)
 {
-    // Lit where u is large and v small: right and, since v grows downward, up.
+    // lit at large u and small v, which means right and up, because v grows downward
     const Aperture corner =
         Aperture::Picture([](double u, double v) { return u > 0.75 && v < 0.25 ? 1.0 : 0.0; });
     for (double u : {0.0, 0.5, nearlyOne})
@@ -158,7 +158,7 @@ TEST(AperturePictureOrientation, LiesOverTheLensAsPovRaysBokehDoes)
         }
 }
 
-TEST(AperturePictureOrientation, AConstantPictureIsTheSquareItself)
+TEST(AperturePictureOrientation, ConstantWeightIsTheIdentity)
 {
     const Aperture square = Aperture::Picture([](double, double) { return 1.0; });
     for (double u : {0.0, 0.1, 0.5, 0.77, nearlyOne})
@@ -182,9 +182,9 @@ TEST(AperturePictureCell, ASingleLitCellIsFilledEvenly)
         }
 }
 
-TEST(AperturePictureCell, AnEdgeThroughACellCountsItsLitPart)
+TEST(AperturePictureCell, CellWithAnEdgeCountsItsLitPart)
 {
-    // One whole cell and, far from it, three quarters of one.
+    // one whole cell and, far from it, three quarters of one
     const Aperture aperture = Aperture::Picture(
         [](double u, double v)
         {

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Discs and polygons: where points land, that equal areas stay equal, that strata stay whole.
-// Seeds are fixed; a chi-square test fails a perfect map with probability 1e-5.
+// Discs and polygons: the map's range, equal areas, whole strata.
+// Seeds are fixed. A chi-square test fails for a perfect map with probability 1e-5.
 
 #include "tilt_lens/camera/aperture.h"
 
@@ -34,7 +34,7 @@ const double nearlyOne = std::nextafter(1.0, 0.0);
 
 struct Outline
 {
-    int blades;  ///< 0: the disc
+    int blades;  ///< 0: disc
     double angle;
     double curvature = 0;
 
@@ -43,7 +43,7 @@ struct Outline
         return blades == 0 ? Aperture::Disc() : Aperture::Polygon(blades, angle, curvature);
     }
 
-    /// That of the corners' polygon and of the circular segments on its edges.
+    /// Area of the corners' polygon plus the circular segments on its edges.
     double Area() const
     {
         if (blades == 0)
@@ -53,11 +53,10 @@ struct Outline
         return blades * (std::sin(2 * M_PI / blades) / 2 + segment);
     }
 
-    /// What chords leave of an arc.
+    /// Error of the chords.
     double Tolerance() const { return curvature == 0 ? 1e-12 : 2e-5; }
 
-    /// 0 in the middle, 1 on the boundary: the size of the scaled outline through p. Edge by edge,
-    /// from the distances of the edges, not from the map's corners.
+    /// Relative radius: 0 at the centre, 1 on the edge. From the distances of the edges, independent of the map's corners.
     double Size(const AperturePoint& p) const
     {
         if (blades == 0)
@@ -72,7 +71,7 @@ struct Outline
         return size;
     }
 
-    /// The size of which p is on the arc around a centre on the other side of the middle.
+    /// Relative radius of p if it lies on the arc around a centre on the other side.
     double OnArc(const AperturePoint& p, double ahead) const
     {
         const double radius = 1 / curvature, half = std::sin(M_PI / blades);
@@ -99,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(All, ApertureOutline,
                                          Outline{3, 0, 0.4}, Outline{5, 2, 0.05}, Outline{7, -1, 0.7},
                                          Outline{9, 0, 1e-9}, Outline{1000, 0, 0.5}));
 
-TEST_P(ApertureOutline, PointsLieInsideAndTheSquaresRimOnTheBoundary)
+TEST_P(ApertureOutline, MapsTheSquareIntoTheOutlineAndItsRimOntoTheEdge)
 {
     const Aperture aperture = GetParam().Make();
     const int n = 256;
@@ -127,7 +126,7 @@ TEST_P(ApertureOutline, TheMapPreservesAreaEverywhere)
         const double u = unit(random), v = unit(random);
         const AperturePoint p = aperture(u, v), q = aperture(u + h, v), r = aperture(u, v + h);
         const double jacobian = ((q.a - p.a) * (r.b - p.b) - (q.b - p.b) * (r.a - p.a)) / (h * h);
-        // A difference across a crease between two smooth parts is neither part's derivative.
+        // across a crease between two smooth parts, a difference quotient is neither part's derivative
         if (std::fabs(jacobian - GetParam().Area()) > 1e-4)
             ++creases;
     }
@@ -136,7 +135,7 @@ TEST_P(ApertureOutline, TheMapPreservesAreaEverywhere)
 
 TEST_P(ApertureOutline, RandomPointsFillItUniformly)
 {
-    // Bins: rings of equal area times sectors, whose areas are those of the polygon's own edges.
+    // bins: rings of equal area times sectors
     const int rings = 8, sectors = GetParam().blades == 0 ? 12 : std::min(GetParam().blades, 30);
     const int edges = GetParam().blades == 0 ? 12 : GetParam().blades;
     const Aperture aperture = GetParam().Make();
@@ -159,7 +158,7 @@ TEST_P(ApertureOutline, RandomPointsFillItUniformly)
 
 TEST_P(ApertureOutline, NeighboursStayNeighbours)
 {
-    // Continuity makes the image of every stratum one piece; a bijection keeps them apart.
+    // continuity keeps each stratum's image connected; a bijection keeps the images apart
     const Aperture aperture = GetParam().Make();
     const int n = 1000;
     const double greatest = 6.0 / n;  // the map stretches by less than 6
@@ -175,7 +174,7 @@ TEST_P(ApertureOutline, NeighboursStayNeighbours)
         }
 }
 
-TEST_P(ApertureOutline, TheDensityIsOneOverTheAreaInsideAndNothingOutside)
+TEST_P(ApertureOutline, DensityIsTheInverseAreaInsideAndZeroOutside)
 {
     const Aperture aperture = GetParam().Make();
     std::mt19937_64 random(3);
@@ -219,7 +218,7 @@ TEST(ApertureSqueezed, NarrowsWidthOrHeight)
         EXPECT_THROW(Aperture::Squeezed(shape, ratio), std::invalid_argument) << ratio;
 }
 
-TEST(ApertureGraded, HasItsLawOfBrightness)
+TEST(ApertureGraded, FollowsItsBrightnessLaw)
 {
     for (const double amount : {-0.75, -0.2, 0.4, 0.8})
         for (const Outline& outline : {Outline{0, 0}, Outline{5, 0.3}, Outline{3, 1, 0.6}})
@@ -239,7 +238,7 @@ TEST(ApertureGraded, HasItsLawOfBrightness)
                 ASSERT_LT(size, 1 + outline.Tolerance());
                 for (int k = 0; k < 3; ++k)
                     within[k] += size < 0.25 * (k + 1);
-                // the law falls steeply towards the rim, so that it is taken where the outline may be as well
+                // the law is steep at the rim, so it is bounded within the outline's tolerance
                 const double least = law(std::max(0.0, size - outline.Tolerance()));
                 const double most = law(std::min(1.0, size + outline.Tolerance()));
                 const double brightness = aperture.Density(p) * outline.Area();
@@ -258,7 +257,7 @@ TEST(ApertureGraded, HasItsLawOfBrightness)
         }
 }
 
-TEST(ApertureGraded, RefusesWhatItCannotGrade)
+TEST(ApertureGraded, RefusesOtherShapesAndAmounts)
 {
     for (double amount : {-1.0, 1.0, std::nan("")})
         EXPECT_THROW(Aperture::Graded(Aperture::Disc(), amount), std::invalid_argument) << amount;
@@ -279,8 +278,7 @@ TEST(ApertureDisc, DirectionsAreKept)
 
 TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 {
-    // The rim's points at the corners' angles: the outermost of 4 x 10^4 on every side of the
-    // square.
+    // points of the square's rim at the corners' angles: the outermost of 4 x 10^4 per side
     for (const Outline& outline :
          {Outline{3, 0.4}, Outline{5, -2}, Outline{Aperture::maxBlades, 0.001}})
     {
@@ -302,7 +300,7 @@ TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 
 TEST(AperturePolygon, TurnsFromRightToUp)
 {
-    // A triangle turned by 90 degrees points up: a corner at (0, 1), an edge at b = -1/2.
+    // turned by 90 degrees, a triangle points up: a corner at (0, 1), an edge at b = -1/2
     const Aperture triangle = Aperture::Polygon(3, M_PI / 2);
     double top = -2, bottom = 2;
     for (int i = 0; i < 1000; ++i)

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// How blurred a point is in the picture. The witness is a construction: the film point that light from
-// the surface point reaches through each end of the one lens diameter that lies parallel to the film.
+// Blur against a construction: the film points that light from a surface point reaches through the ends of the lens diameter parallel to
+// the film.
 
 #include "tilt_lens/camera/ray.h"
 
@@ -36,15 +36,16 @@ void ForManyPixels(Check check)
     }
 }
 
-/// Unit vector along the diameter of the lens that is parallel to the film.
+/// Unit vector along the lens diameter parallel to the film.
 Vec3 SharedDiameter(const Lens& lens)
 {
     const Vec3 across = Cross(lens.normal, lens.axis);
     return Length(across) > 1e-9 ? Normalized(across) : lens.axisRight;
 }
 
-/// The frame point that light from T * chief reaches through a lens point: where the lens sends on
-/// parallel to the chief ray of the frame point what came from the plane of sharp focus.
+/// Frame point that light from T * chief reaches through a lens point: the lens sends light from the plane of sharp focus on parallel to
+/// the
+/// frame point's chief ray.
 Vec3 FramePoint(const Lens& lens, const Vec3& chief, double T, const Vec3& lensPoint)
 {
     const Vec3 path = chief - lensPoint / T;  // lensPoint is parallel to the film
@@ -62,7 +63,7 @@ TEST(Blur, IsTheDistanceOfTheOutermostRaysOnTheFilm)
             const Vec3 apart = FramePoint(lens, chief, at, end) - FramePoint(lens, chief, at, -1.0 * end);
             const double pixels = Length(apart) * width / Length(lens.right);
             const double blur = BlurDiameter(lens, chief, at, width);
-            // the frame points are rounded as numbers of the chief ray's size
+            // rounding of the frame points
             const double rounding = 1e-15 * Length(chief) * width / Length(lens.right);
             EXPECT_NEAR(std::fabs(blur), pixels, 1e-12 * pixels + 4.0 * rounding) << "at " << at;
         }
@@ -91,7 +92,7 @@ TEST(Blur, AgreesWithBlurVergence)
     });
 }
 
-TEST(Blur, PinholeBlursNothing)
+TEST(Blur, PinholeHasNone)
 {
     Random random(3);
     Lens lens;
@@ -101,7 +102,7 @@ TEST(Blur, PinholeBlursNothing)
         EXPECT_EQ(BlurDiameter(lens, lens.direction, T, 640.0), 0.0);
 }
 
-TEST(PlaneOfBlur, HoldsThePointsOfThatBlur)
+TEST(PlaneOfBlur, ContainsThePointsOfThatBlur)
 {
     ForManyPixels([](const Lens& lens, const Vec3& chief, Random& random)
     {
@@ -119,10 +120,9 @@ TEST(PlaneOfBlur, ZeroIsThePlaneOfSharpFocus)
     { EXPECT_EQ(Length(PlaneOfBlur(lens, 0.0, 640.0) - lens.focus), 0.0); });
 }
 
-TEST(PlaneOfBlur, AllMeetInTheHingeLine)
+TEST(PlaneOfBlur, MeetInTheHingeLine)
 {
-    // the hinge line lies in the plane through the lens centre parallel to the film, so surfaces that meet
-    // there differ along the axis alone
+    // the hinge line lies in the plane through the lens centre parallel to the film, so surfaces through it differ along the axis alone
     ForManyPixels([](const Lens& lens, const Vec3&, Random& random)
     {
         const Vec3 apart = PlaneOfBlur(lens, random(1.0, 9.0), 500.0) - lens.focus;

@@ -21,8 +21,7 @@ struct RayOfTest
     std::array<double, 3> origin, direction;
 };
 
-/// Where a ray enters a box by the slab method in extended precision: 0 where it begins within, infinity where it misses.
-/// Touching counts.
+/// Ray parameter of the entry into a box, by the slab method in extended precision: 0 from inside, infinity for a miss. Touching counts.
 long double EntryOf(const BoxItem& item, const RayOfTest& ray)
 {
     const long double never = std::numeric_limits<long double>::infinity();
@@ -51,7 +50,7 @@ class Scene
     std::vector<BoxItem> items;
     BoxHierarchy hierarchy;
 
-    /// The numbers of the items that a walk visits.
+    /// Indices of the visited items.
     std::multiset<long> Visited(const RayOfTest& ray, double limit) const
     {
         std::multiset<long> visited;
@@ -59,7 +58,7 @@ class Scene
         return visited;
     }
 
-    /// As a caller that looks for the nearest box.
+    /// Finds the nearest box as a caller does.
     double Nearest(const RayOfTest& ray) const
     {
         double nearest = std::numeric_limits<double>::infinity();
@@ -70,7 +69,7 @@ class Scene
         return nearest;
     }
 
-    /// No box that the ray meets before the limit is left out, none is visited twice.
+    /// Each box that the ray meets before the limit is visited exactly once.
     void ExpectAllVisited(const RayOfTest& ray, double limit) const
     {
         const std::multiset<long> visited = Visited(ray, limit);
@@ -146,7 +145,7 @@ std::vector<BoxItem> Boxes(unsigned int seed, int number, double world, double s
     return items;
 }
 
-TEST(BoxHierarchy, OfNothing)
+TEST(BoxHierarchy, EmptyHierarchy)
 {
     const Scene scene({});
     scene.ExpectNearestFound({{0, 0, 0}, {1, 0, 0}});
@@ -169,8 +168,8 @@ TEST(BoxHierarchy, FindsAllAndTheNearest)
     }
 }
 
-/// Also visits few more than it must: what a walk is for.
-TEST(BoxHierarchy, LeavesMostBoxesAlone)
+/// Few boxes are visited in vain.
+TEST(BoxHierarchy, VisitsFewBoxesInVain)
 {
     const Scene scene(Boxes(5, 20000, 10.0, 0.2));
     Dice dice(6);
@@ -188,14 +187,14 @@ TEST(BoxHierarchy, LeavesMostBoxesAlone)
     EXPECT_LT(visited, 400u);
 }
 
-/// As docs/hierarchies.md says.
-TEST(BoxHierarchy, Memory)
+/// See docs/hierarchies.md.
+TEST(BoxHierarchy, MemoryIsAsDocumented)
 {
     for (const int number : {1000, 20000, 100000})
         EXPECT_LE(Scene(Boxes(number, number, 10.0, 0.04)).hierarchy.Bytes(), 110u * number);
 }
 
-/// Along one axis or two, from faces, edges and corners of the boxes, where rounding decides.
+/// Rays along one axis or two, from faces, edges and corners of the boxes, where rounding decides.
 TEST(BoxHierarchy, RaysAlongAxesAndOnFaces)
 {
     std::vector<BoxItem> items;
@@ -233,7 +232,7 @@ TEST(BoxHierarchy, SizesFromTinyToHuge)
         const Scene scene(items);
         for (const BoxItem& aim : items)
         {
-            // toward a corner, exactly
+            // exactly toward a corner
             RayOfTest ray;
             for (int axis = 0; axis < 3; axis++)
             {
@@ -245,13 +244,13 @@ TEST(BoxHierarchy, SizesFromTinyToHuge)
     }
 }
 
-/// All in one place, one in another, without thickness: no split tells them apart, and the walk's room suffices.
-TEST(BoxHierarchy, BoxesThatNoSplitTellsApart)
+/// All boxes in one place but one, without thickness: no split separates them, and the stack suffices.
+TEST(BoxHierarchy, CoincidentBoxes)
 {
     std::vector<BoxItem> items(5000, BoxItem{{-1, -1, -1}, {1, 1, 1}, nullptr});
     for (int i = 0; i < 3000; i++)
         items.push_back({{-1, -1, -1.0f / (i + 1)}, {1, 1, 1.0f / (i + 1)}, nullptr});
-    // each a tenth of the one before: bins divide off one at a time
+    // each box is a tenth of the one before, so that bins separate one at a time
     for (int i = 0; i < 60; i++)
         for (int j = 0; j < 3; j++)
             items.push_back({{float(std::pow(10.0, 20 - i)), 0, 0}, {float(std::pow(10.0, 20 - i)), 1, 1}, nullptr});
@@ -261,7 +260,7 @@ TEST(BoxHierarchy, BoxesThatNoSplitTellsApart)
     scene.ExpectAllVisited({{3, 4, 5}, {-0.5, -0.7, -0.9}}, std::numeric_limits<double>::infinity());
 }
 
-/// With AVX2 and without, to the last bit; where a processor has none there is nothing to compare.
+/// With AVX2 and without, to the last bit; skipped on processors without AVX2.
 TILT_LENS_FOR_AVX2 unsigned int EnterByAvx2(const EightBoxes& boxes, const RayOfTest& ray, float limit, float* begin)
 {
     return BoxRay<Float8>(ray.origin.data(), ray.direction.data()).Enter(boxes, limit, begin);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Distortion and field curvature: their closed forms, the way from a point to the picture and back, and what cannot be.
+// Distortion, field curvature and colour fringes: closed forms, round trips, and refused values.
 
 #include <cmath>
 #include <string>
@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// A film 36 mm wide and 24 mm high, a millimetre a unit, focused at 2000 through a lens of 50 mm at f/2.
+/// Film of 36 by 24 mm, one millimetre per unit, 50 mm lens at f/2 focused at 2000.
 Statement Block(const Character& character, double tilt = 0.0, double shiftRight = 0.0, double shiftUp = 0.0)
 {
     Statement given;
@@ -72,7 +72,7 @@ void ForManyPoints(const Check& check)
                     }
 }
 
-TEST(Distortion, IsThePolynomialAboutTheAxisAlsoOfAShiftedFrame)
+TEST(Distortion, IsThePolynomialAboutTheAxisOfAShiftedFrame)
 {
     for (const double shift : {0.0, 7.0})
     {
@@ -100,12 +100,12 @@ TEST(Distortion, TurnsWithTheLens)
         const auto tangent = [&](const Vec3& v) { return Length(Cross(v, lens.normal)) / Dot(v, lens.normal); };
         const double r = tangent(seen) / halfWidth;
         EXPECT_NEAR(tangent(shown) / halfWidth, r * (1.0 + 0.1 * r * r - 0.02 * r * r * r * r), 1e-13);
-        // in one plane with the lens's axis
+        // coplanar with the lens's axis
         EXPECT_NEAR(Dot(Cross(Normalized(seen), Normalized(shown)), lens.normal), 0.0, 1e-15);
     }
 }
 
-/// The same polynomial with a first factor that grows with the focal length over the distance, along the lens's axis, of what is sharp.
+/// The first coefficient grows with focal length over distance of the focus along the lens's axis.
 TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
 {
     Statement given = Block(Distorted(0.1, -0.02, 0.4), 10.0, 5.0, 3.0);
@@ -116,7 +116,7 @@ TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
     double least = HUGE_VAL, most = 0.0;
     for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
     {
-        // 1/D by the film point's place behind the lens: 1/f = 1/v + 1/D
+        // 1/D from the film point's distance behind the lens: 1/f = 1/v + 1/D
         const Vec3 seen = IdealChiefRay(lens, picture);
         const double v = lens.filmDistance * Dot(seen, lens.normal) / Dot(seen, lens.axis), nearness = 50.0 * (1.0 / 50.0 - 1.0 / v);
         const double r = tangent(seen) / halfWidth, factor = 0.1 + 0.4 * nearness;
@@ -127,7 +127,7 @@ TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
         most = std::max(most, nearness);
     }
     EXPECT_GT(most, 1.4 * least);
-    // focused at 400 in front of a lens of 50, it is that of a factor that is greater by 0.4/8
+    // a 50 mm lens focused at 400: the coefficient grows by 0.4/8
     given = Block(Distorted(0.1, -0.02, 0.4));
     given.focalPoint = {0.0, 0.0, 400.0};
     Statement constant = given;
@@ -135,7 +135,7 @@ TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
     EXPECT_NEAR(IdealFilmPoint(Made(given), {0.4, -0.3}).x, IdealFilmPoint(Made(constant), {0.4, -0.3}).x, 1e-14);
 }
 
-TEST(Distortion, TheWayBackIsExact)
+TEST(Distortion, HasAnExactInverse)
 {
     ForManyPoints([](const Lens& lens, const FilmPoint& picture)
     {
@@ -146,9 +146,9 @@ TEST(Distortion, TheWayBackIsExact)
     });
 }
 
-TEST(Distortion, BeyondTheFoldNothingIsShown)
+TEST(Distortion, ShowsNoPointBeyondTheFold)
 {
-    // r (1 - 0.1 r^2) grows to r = sqrt(1/0.3), where it is 2/3 of r
+    // r (1 - 0.1 r^2) grows up to r = sqrt(1/0.3), where it is 2/3 of r
     const double fold = std::sqrt(1.0 / 0.3);
     EXPECT_NEAR(FoldOf(-0.1, 0.0), fold * fold, 1e-13);
     EXPECT_TRUE(std::isinf(FoldOf(0.1, 0.0)));
@@ -178,7 +178,7 @@ TEST(Distortion, StretchesByTheInverseOfItsDerivatives)
     EXPECT_EQ(PictureStretch(Made(Block({})), {0.5, 0.5}), 1.0);
 }
 
-/// The picture of a point through the ends of a thin lens's diameters, against the number that the layers have.
+/// Extent of a point's image through the ends of a thin lens's diameters, against the blur in the layers.
 TEST(Distortion, BlurIsTheSizeOfTheDiscInThePicture)
 {
     Statement given = Block(Distorted(0.2, -0.03), 0.0, 6.0, -4.0);
@@ -202,7 +202,7 @@ TEST(Distortion, BlurIsTheSizeOfTheDiscInThePicture)
         }
 }
 
-TEST(Character, ThePointOfAnyRayIsShownWhereItsRayBegan)
+TEST(Character, PointOnARayIsShownAtTheRaysFilmPoint)
 {
     Random random(9);
     ForManyPoints([&](const Lens& lens, const FilmPoint& picture)
@@ -240,10 +240,10 @@ TEST(Character, AllRaysOfAFilmPointMeetOnTheSurfaceOfSharpFocus)
     });
 }
 
-/// The film is where the thin lens equation has the image of what is farther or nearer by what the image lies before it.
+/// With the image before the film by the sag, the film is in focus for the object distance of the thin lens equation.
 TEST(FieldCurvature, IsTheSagOfTheImage)
 {
-    const double s = 50.0 * 2000.0 / 1950.0, sag = 0.01;  // mm; squares of sag/s count no more
+    const double s = 50.0 * 2000.0 / 1950.0, sag = 0.01;  // mm; squares of sag/s are negligible
     const Lens lens = Made(Block(Curved(sag)));
     const double atSide = 1.0 / MakeRay(lens, 0.5, 0.0, 0.0, 0.0).w * Dot(lens.direction, lens.axis);
     EXPECT_NEAR(1.0 / atSide, 1.0 / 50.0 - 1.0 / (s + sag), 1e-9);
@@ -266,7 +266,7 @@ TEST(LateralColour, MovesTheImagesOfTheSpectrumsEndsApart)
     character.lateralColour = 0.36;
     const Lens lens = Made(Block(character));
     EXPECT_TRUE(HasColours(lens));
-    // red's image at 18 mm is that of what green shows at 18/1.01
+    // red shows at 18 mm the point that green shows at 18/1.01
     const auto seen = [&](double hue) { return IdealFilmPointOf(lens, MakeColourRay(lens, 0.5, 0.0, 0.0, 0.0, hue).direction)->x; };
     EXPECT_NEAR(seen(1.0), 0.5 / 1.01, 1e-14);
     EXPECT_NEAR(seen(0.0), 0.5, 1e-14);
@@ -301,7 +301,7 @@ TEST(AxialColour, MovesTheFocusOfTheSpectrumsEndsApart)
     }
 }
 
-TEST(Character, OffIsTheIdealLens)
+TEST(Character, DefaultIsTheIdealLens)
 {
     const Lens lens = Made(Block({}, 8.0, 3.0, 2.0));
     EXPECT_FALSE(lens.distorts);
@@ -323,7 +323,7 @@ std::string ErrorOf(const Statement& given)
     return "";
 }
 
-TEST(Character, WhatCannotBeIsSaid)
+TEST(Character, RefusesImpossibleValues)
 {
     EXPECT_NE(ErrorOf(Block(Distorted(-0.5))).find("folds the picture: beyond 0.816497 half widths"), std::string::npos);
     EXPECT_EQ(ErrorOf(Block(Distorted(-0.1))), "");

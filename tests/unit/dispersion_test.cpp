@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Indices against those of real glasses, focal lengths of each colour against the closed form of a thick lens and that of an
-// achromat, and the camera's rays of colours.
+// Indices against real glasses; focal lengths of each colour against closed forms of a thick lens and an achromat; the camera's rays of
+// each colour.
 
 #include "tilt_lens/glass/dispersion.h"
 
@@ -24,7 +24,7 @@ constexpr double kWavelengths[] = {405.0, 450.0, 486.1327, 550.0, 587.5618, 650.
 /// A biconvex lens of BK7 with its stop far behind it.
 const char* const kSinglet = "50 6 1.5168 20 64.17\n-70 10 1 20\n0 0 0 8\n";
 
-TEST(Dispersion, HasTheLinesThatAbbesNumberIsMadeOf)
+TEST(Dispersion, ReproducesTheAbbeNumber)
 {
     for (const double index : {1.45, 1.62, 2.0})
         for (const double abbe : {20.0, 47.1, 95.0})
@@ -38,7 +38,7 @@ TEST(Dispersion, HasTheLinesThatAbbesNumberIsMadeOf)
 }
 
 /// Schott's catalogue: N-BK7 and F2 at the lines r, C, F', e, g and h.
-TEST(Dispersion, IsThatOfRealGlasses)
+TEST(Dispersion, MatchesRealGlasses)
 {
     const double lines[] = {706.5188, 656.2725, 479.9914, 546.0740, 435.8343, 404.6561};
     const double bk7[] = {1.51289, 1.51432, 1.52283, 1.51872, 1.52668, 1.53024};
@@ -50,7 +50,7 @@ TEST(Dispersion, IsThatOfRealGlasses)
     }
 }
 
-/// Where rays near the axis that come from far away meet it, in the lens's frame.
+/// Point of the axis where paraxial rays from infinity meet, in the lens's frame.
 double FocusOf(const GlassLens& lens)
 {
     GlassRay ray{{1e-3, 0.0, 200.0}, {0.0, 0.0, -1.0}};
@@ -59,7 +59,7 @@ double FocusOf(const GlassLens& lens)
     return ray.origin.z - ray.origin.x * ray.direction.z / ray.direction.x;
 }
 
-TEST(Dispersion, OfASingletIsThatOfTheThickLens)
+TEST(Dispersion, SingletMatchesTheThickLensEquation)
 {
     const Prescription prescription = ReadPrescription(kSinglet);
     const GlassLens lens(prescription);
@@ -68,15 +68,15 @@ TEST(Dispersion, OfASingletIsThatOfTheThickLens)
         const double n = IndexAt(1.5168, 64.17, wavelength), r1 = 50.0, r2 = -70.0, d = 6.0;
         const double power = (n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)), backFocus = (1.0 - (n - 1.0) * d / (n * r1)) / power;
         EXPECT_NEAR(GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength, 1.0 / power, 1e-11);
-        // and by real rays in the frame of the d line, behind the last surface of glass
+        // real rays in the frame of the d line, behind the last surface of glass
         GlassLens coloured = lens;
         coloured.TakeIndices(AtWavelength(prescription, wavelength));
         EXPECT_NEAR(FocusOf(coloured), lens.Cardinal().frontVertex - d - backFocus, 1e-6) << wavelength;
     }
 }
 
-/// Two thin lenses in contact with f1 V1 = -f2 V2 bring C and F to one focus, and what is between them nearer.
-TEST(Dispersion, OfAnAchromatIsTheSecondarySpectrum)
+/// Two thin lenses in contact with f1 V1 = -f2 V2 focus C and F at one point, and wavelengths in between nearer.
+TEST(Dispersion, AchromatHasTheSecondarySpectrum)
 {
     const double f = 100.0, V1 = 64.17, V2 = 36.37, n1 = 1.5168, n2 = 1.62004;
     const double power1 = V1 / (V1 - V2) / f, power2 = -V2 / (V1 - V2) / f;
@@ -97,7 +97,7 @@ TEST(Dispersion, OfAnAchromatIsTheSecondarySpectrum)
     const auto focal = [&](double wavelength) { return GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength; };
     EXPECT_NEAR(focal(kLineD), f, 1e-4);
     EXPECT_NEAR(focal(kLineF), focal(kLineC), 1e-6 * f);
-    // the power of each part changes in proportion to n - 1
+    // the power of each part is proportional to n - 1
     for (const double wavelength : kWavelengths)
     {
         const double power = power1 * (IndexAt(n1, V1, wavelength) - 1.0) / (n1 - 1.0) + power2 * (IndexAt(n2, V2, wavelength) - 1.0) / (n2 - 1.0);
@@ -107,7 +107,7 @@ TEST(Dispersion, OfAnAchromatIsTheSecondarySpectrum)
     EXPECT_GT(focal(kLineG) - focal(kLineD), 0.1);
 }
 
-TEST(Dispersion, OfColoursHasThirds)
+TEST(Dispersion, LensesCoverTheThirdsOfTheSpectrum)
 {
     const Prescription prescription = ReadPrescription(kSinglet);
     const GlassLens lens(prescription);
@@ -141,14 +141,14 @@ Lens Made(const char* text, bool dispersion)
     return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given);
 }
 
-TEST(Dispersion, RaysOfColoursFocusWhereTheirLensDoes)
+TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
 {
     const Lens lens = Made(kSinglet, true);
     const GlassCamera camera(lens, Aperture::Disc(), 0.0);
     ASSERT_TRUE(camera.HasColours());
     ASSERT_TRUE(HasColours(lens));
     EXPECT_FALSE(HasColours(Made(kSinglet, false)));
-    // near the axis all rays of a film point meet at the distance of the thin lens equation for their focal length
+    // near the axis, all rays of a film point meet at the distance of the thin lens equation for their focal length
     const double film = lens.filmDistance * Dot(lens.axis, lens.normal);
     const FilmPoint onAxis{0.0, -Dot(lens.normal, lens.axisUp) / Dot(lens.normal, lens.axis) * lens.filmDistance / 24.0};
     double apart[2];
@@ -169,11 +169,11 @@ TEST(Dispersion, RaysOfColoursFocusWhereTheirLensDoes)
     }
     const Prescription prescription = ReadPrescription(kSinglet);
     const auto power = [&](double hue) { return 1.0 / GlassLens(AtWavelength(prescription, WavelengthOf(hue))).Cardinal().focalLength; };
-    // spherical aberration is the same for both
+    // both have the same spherical aberration
     EXPECT_NEAR((apart[0] - apart[1]) / (power(-47.0 / 48.0) - power(47.0 / 48.0)), 1.0, 0.03) << film;
 }
 
-TEST(Dispersion, LeavesBrightnessAlone)
+TEST(Dispersion, DoesNotChangeBrightness)
 {
     const char* const gauss =
         "29.475 3.76 1.67 25.2 47\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23 47\n40.77 3.275 1.699 23 30\n12.75 5.705 1 18\n0 4.5 0 17.1\n"

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// What the focus aids draw: colours, the scale and its numbers, the surfaces.
+// Focus aids: colours, the scale and its labels, the surfaces.
 
 #include "tilt_lens/camera/focus_aids.h"
 
@@ -23,7 +23,7 @@ namespace
 
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Linear light of a display's value.
+/// Linear light of a display value.
 double Light(double shown) { return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4); }
 
 double Luminance(const Rgb& c) { return 0.2126 * Light(c.red) + 0.7152 * Light(c.green) + 0.0722 * Light(c.blue); }
@@ -33,7 +33,7 @@ double Difference(const Rgb& a, const Rgb& b)
     return std::max({std::fabs(a.red - b.red), std::fabs(a.green - b.green), std::fabs(a.blue - b.blue)});
 }
 
-TEST(FocusMap, PlaceGrowsWithTheBlurAndEndsAtTheLimit)
+TEST(FocusMap, PositionGrowsWithBlurUpToTheLimit)
 {
     EXPECT_EQ(FocusMapPosition(0.0), 0.0);
     EXPECT_EQ(FocusMapPosition(64.0), 1.0);
@@ -46,7 +46,7 @@ TEST(FocusMap, PlaceGrowsWithTheBlurAndEndsAtTheLimit)
     }
 }
 
-TEST(FocusMap, DarkerTheMoreBlurred)
+TEST(FocusMap, DarkensWithBlur)
 {
     for (const double side : {-1.0, 1.0})
     {
@@ -62,8 +62,9 @@ TEST(FocusMap, DarkerTheMoreBlurred)
     }
 }
 
-/// How people without one kind of cone see a colour: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A
-/// Physiologically-based Model for Simulation of Color Vision Deficiency", 2009, in linear light.
+/// Simulation of colour blindness: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A Physiologically-based Model for Simulation of
+/// Color
+/// Vision Deficiency", 2009, in linear light.
 Rgb Seen(const Rgb& c, const double (&m)[3][3])
 {
     const double in[3] = {Light(c.red), Light(c.green), Light(c.blue)};
@@ -73,7 +74,7 @@ Rgb Seen(const Rgb& c, const double (&m)[3][3])
     return {out[0], out[1], out[2]};
 }
 
-TEST(FocusMap, SidesStayApartForTheColourBlind)
+TEST(FocusMap, BothSidesDifferForTheColourBlind)
 {
     const double protanopia[3][3] = {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}};
     const double deuteranopia[3][3] = {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
@@ -87,7 +88,7 @@ TEST(FocusMap, ScaleShowsTheMapsColoursInOrder)
 {
     const int width = 640, height = 480;
     const FocusMapScale scale(width, height);
-    // the longest row of colours that are neither box nor ink is the bar
+    // the bar is the longest row of colours other than box and ink
     int row = height, left = 0, right = 0;
     for (int y = 0; y < height; y++)
     {
@@ -132,7 +133,7 @@ TEST(FocusMap, ScaleLiesAtTheBottomAndInsideThePicture)
     }
 }
 
-TEST(FocusMap, NoScaleWhereNumbersHaveNoRoom)
+TEST(FocusMap, SmallPicturesHaveNoScale)
 {
     for (const auto& size : {std::pair<int, int>{63, 48}, {64, 39}, {8, 6}, {1, 1}})
         for (int y = 0; y < size.second; y++)
@@ -140,7 +141,7 @@ TEST(FocusMap, NoScaleWhereNumbersHaveNoRoom)
                 EXPECT_FALSE(FocusMapScale(size.first, size.second).At(x, y));
 }
 
-TEST(FocusPlanes, EachStandsAtItsDepthAndTheNearLimitFirst)
+TEST(FocusPlanes, AreOrderedByDepthFromTheNearLimit)
 {
     Random random(8);
     int seen = 0;
@@ -152,7 +153,7 @@ TEST(FocusPlanes, EachStandsAtItsDepthAndTheNearLimitFirst)
         const int width = 320, height = 240, x = int(random(0, width)), y = int(random(0, height));
         const FocusPlanes planes(lens, width, height);
         const Vec3 chief = MakeRay(lens, (x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height, 0.0, 0.0).direction;
-        // parameters of the surfaces by their blur, those in front of the camera
+        // parameters of the surfaces in front of the camera, by blur
         std::map<double, double> inFront;
         for (const double pixels : {1.0, 0.0, -1.0})
         {

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Focus by the place of the film and by the scale on the focusing ring, against the thin lens's own laws: where it images
-// points, and what the scale of an untilted lens means.
+// Focus by film distance and by the focusing scale, against the thin lens equation.
 
 #include "tilt_lens/camera/optics.h"
 
@@ -17,7 +16,7 @@ namespace
 
 const double kFocalLength = 50.0;  // mm; a scene unit of PlainRequest() is a metre
 
-/// A lens of 50 mm, turned.
+/// A 50 mm lens, turned.
 Request Turned(double tilt, double swing)
 {
     Request request = PlainRequest();
@@ -27,14 +26,14 @@ Request Turned(double tilt, double swing)
     return request;
 }
 
-/// Distance behind the lens at which a thin lens images a point, along the axis: the image lies on the line through the lens
-/// centre, and 1/object + 1/image = 1/f holds along the lens's own normal.
+/// Image distance of a point along the axis: the image lies on the line through the lens centre, and 1/object + 1/image = 1/f holds along
+/// the lens's own normal.
 double ImageDistance(const Lens& lens, const Vec3& point)
 {
     return Dot(point, lens.axis) * lens.focalLength / (Dot(point, lens.normal) - lens.focalLength);
 }
 
-/// Checks that points of the plane of sharp focus are imaged onto the film.
+/// Points of the plane of sharp focus are imaged onto the film.
 void ExpectPlaneOnFilm(const Lens& lens)
 {
     const Vec3 nearest = lens.focus / Dot(lens.focus, lens.focus);
@@ -45,7 +44,7 @@ void ExpectPlaneOnFilm(const Lens& lens)
             EXPECT_NEAR(ImageDistance(lens, nearest + x * a + y * b) / lens.filmDistance, 1.0, 1e-9) << x << ' ' << y;
 }
 
-TEST(FilmDistance, PutsTheFilmThereAndIsSharpWhatIsImagedOntoIt)
+TEST(FilmDistance, PlacesTheFilmAndFocusesOnIt)
 {
     for (const double film : {50.5, 51.2, 60.0, 120.0})
         for (const double tilt : {0.0, 5.0, -20.0})
@@ -61,7 +60,7 @@ TEST(FilmDistance, PutsTheFilmThereAndIsSharpWhatIsImagedOntoIt)
             }
 }
 
-TEST(FilmDistance, OfTheFocalLengthIsFocusedAtInfinity)
+TEST(FilmDistance, FocalLengthFocusesAtInfinity)
 {
     Request request = Turned(0.0, 0.0);
     request.given.filmDistance = kFocalLength;

@@ -1,8 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The camera with a lens of glass: it images as the ideal lens does where glass is ideal, no ray that passes lies outside the
-// directions that are sampled, and brightness is what counting all directions gives.
+// Camera with a lens of glass: agreement with the ideal lens in the limit of ideal glass; sampled directions cover all that pass;
+// brightness
+// against a count of all directions.
 
 #include "tilt_lens/glass/glass_camera.h"
 
@@ -25,10 +26,10 @@ const char* const kDoubleGauss =
     "29.475 3.76 1.67 25.2\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23\n40.77 3.275 1.699 23\n12.75 5.705 1 18\n0 4.5 0 17.1\n"
     "-14.495 1.18 1.603 17\n40.77 6.065 1.658 20\n-20.385 0.19 1 20\n437.065 3.22 1.717 20\n-39.73 0 1 20\n";
 
-/// So thin that it is an ideal lens near its axis, with the stop in it.
+/// Thin enough to be an ideal lens near its axis; the stop is in the lens.
 const char* const kThin = "100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 10\n";
 
-/// A film 36 by 24 mm; one unit is a millimetre.
+/// Film of 36 by 24 mm; one unit is a millimetre.
 struct Camera
 {
     Statement given;
@@ -77,10 +78,10 @@ std::vector<Named> Cameras()
             {"f/2.8, tilted and shifted", Camera(kDoubleGauss).FStop(2.8).Tilt(5.0).Shift(4.0, -3.0)}};
 }
 
-/// Counts all directions of a film point, far around those that are sampled.
+/// Counts all directions of a film point, far beyond those sampled.
 struct Counted
 {
-    double area = 0.0, l = 0.0, m = 0.0;  ///< of those that pass, and their mean
+    double area = 0.0, l = 0.0, m = 0.0;  ///< of the directions that pass; mean direction
     int outside = 0, passed = 0;
 };
 
@@ -111,9 +112,9 @@ Counted Count(const GlassCamera& camera, const GlassLens& glass, const Aperture&
     return counted;
 }
 
-TEST(GlassCamera, ImagesAsTheIdealLensWhereGlassIsIdeal)
+TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
 {
-    // near the axis of a thin lens, with tilt, swing and shift: each ray meets the plane of sharp focus where the ideal one does
+    // near the axis of a thin lens, with tilt, swing and shift: each ray meets the plane of sharp focus at the ideal ray's point
     const Camera setting = Camera(kThin).FStop(50.0).Tilt(2.0, 1.0).Shift(0.5, -0.3);
     const Lens lens = setting.Solved();
     const GlassCamera camera = setting.Made();
@@ -128,7 +129,7 @@ TEST(GlassCamera, ImagesAsTheIdealLensWhereGlassIsIdeal)
         const LensRay& ray = sample.ray;
         const double step = (1.0 - Dot(lens.focus, ray.origin)) / Dot(lens.focus, ray.direction);
         const Vec3 met = ray.origin + step * ray.direction;
-        // the disc of the lens is 2 mm wide; its own aberrations there are far below what a wrong sign or place would do
+        // the lens is 2 mm wide; its aberrations are far smaller than the effect of a wrong sign or place
         EXPECT_LT(Length(met - focused), 1e-4 * Length(focused)) << film.x << " " << film.y;
         EXPECT_NEAR(Dot(ray.direction, lens.axis), Dot(chief, lens.axis), 1e-12);
         EXPECT_NEAR(ray.w, Dot(lens.focus, chief), 1e-15);
@@ -136,7 +137,7 @@ TEST(GlassCamera, ImagesAsTheIdealLensWhereGlassIsIdeal)
     }
 }
 
-TEST(GlassCamera, SamplesAllThatPasses)
+TEST(GlassCamera, SamplesAllDirectionsThatPass)
 {
     for (const Named& named : Cameras())
     {
@@ -151,12 +152,12 @@ TEST(GlassCamera, SamplesAllThatPasses)
                     outside += counted.outside;
                     passed += counted.passed;
                 }
-        // where hardly anything passes, shapes change too fast for the table
+        // where the pupil is almost closed, its shape changes too fast for the table
         EXPECT_LE(outside, 1e-4 * passed) << named.name;
     }
 }
 
-TEST(GlassCamera, HasTheBrightnessThatCountingGives)
+TEST(GlassCamera, BrightnessMatchesACountOfDirections)
 {
     for (const Named& named : Cameras())
         for (const bool blades : {false, true})
@@ -165,7 +166,7 @@ TEST(GlassCamera, HasTheBrightnessThatCountingGives)
             const Lens lens = named.camera.Solved();
             const GlassCamera camera = named.camera.Made(aperture), natural = named.camera.Made(aperture, 1.0);
             const double middle = Count(camera, *lens.glass, aperture, {0.0, 0.0}, 160).area;
-            const auto falloff = [&](const FilmPoint& film)  // of the film against the lens, for a ray into the middle
+            const auto falloff = [&](const FilmPoint& film)  // of the tilted film, for a ray into the middle
             {
                 const Vec3 direction = Normalized(camera.MiddleRay(film)->direction);
                 return std::fabs(Dot(direction, lens.axis) / Dot(direction, lens.normal));
@@ -179,7 +180,7 @@ TEST(GlassCamera, HasTheBrightnessThatCountingGives)
         }
 }
 
-TEST(GlassCamera, DrawsDirectionsEvenly)
+TEST(GlassCamera, DrawsDirectionsUniformly)
 {
     for (const Named& named : Cameras())
     {
@@ -190,7 +191,7 @@ TEST(GlassCamera, DrawsDirectionsEvenly)
         const PixelSampler sequence(3, 5, 0);
         double x = 0.0, y = 0.0;
         const int samples = 4096;
-        // the direction that a ray began with is found on its way back
+        // reverse tracing recovers the direction at the film
         for (int i = 0; i < samples; i++)
         {
             const SequencePoint point = sequence(i);
@@ -211,7 +212,7 @@ TEST(GlassCamera, DrawsDirectionsEvenly)
     }
 }
 
-/// Four side by side are those that are drawn one by one, to the last bit, whichever of them are wanted.
+/// To the last bit, for each subset of wanted points.
 TEST(GlassCamera, DrawsFourAsOneByOne)
 {
     std::mt19937 random(4);
@@ -259,7 +260,7 @@ TEST(GlassCamera, DrawsFourAsOneByOne)
     EXPECT_GT(refused, 300);
 }
 
-/// A point of the unit disc leads to that point of the ellipse of directions, through the glass, and into the world's axes.
+/// A point of the unit disc maps to the ellipse of directions, through the glass, and into world axes.
 TEST(GlassCamera, DrawsThePointOfTheEllipse)
 {
     const Aperture disc = Aperture::Disc();
@@ -296,7 +297,7 @@ TEST(GlassCamera, DrawsThePointOfTheEllipse)
     }
 }
 
-TEST(GlassCamera, RefusesFewRays)
+TEST(GlassCamera, BlocksFewRays)
 {
     for (const Named& named : Cameras())
     {
@@ -324,7 +325,7 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
         for (const double right : {1.0, -1.0})
             for (const double up : {1.0, -1.0})
                 EXPECT_NEAR(camera.Brightness({right * film.x, up * film.y}), camera.Brightness(film), 2e-4);
-    // stopped down, no rim cuts: exactly even
+    // stopped down, no rim vignettes: exactly uniform
     const GlassCamera stopped = Camera(kDoubleGauss).FStop(11.0).Made();
     for (const FilmPoint& film : {FilmPoint{0.5, 0.5}, FilmPoint{-0.21, 0.4}})
         EXPECT_EQ(stopped.Brightness(film), 1.0);
@@ -332,7 +333,7 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
 
 TEST(GlassCamera, HasNoRings)
 {
-    // along a radius brightness falls without steps: it bends no faster than the pupils' overlap does
+    // brightness along a radius has no steps: its second derivative is bounded by that of the pupils' overlap
     const GlassCamera camera = Camera(kDoubleGauss).Made();
     const double step = 0.002;
     double before = camera.Brightness({0.0, 0.0}), last = camera.Brightness({step, 0.6 * step});
@@ -364,7 +365,7 @@ TEST(GlassCamera, ScalesWithTheScene)
     EXPECT_NEAR(Length(Normalized(b.ray.direction) - Normalized(a.ray.direction)), 0.0, 1e-12);
 }
 
-TEST(GlassCamera, RefusesWhatCannotBe)
+TEST(GlassCamera, RefusesABlockedCentre)
 {
     const auto message = [](const Camera& camera)
     {
@@ -386,7 +387,7 @@ TEST(GlassCamera, RefusesWhatCannotBe)
     EXPECT_NE(message(buried).find("within the glass"), std::string::npos) << message(buried);
 }
 
-TEST(FieldAberrations, AreThoseOfAThinLens)
+TEST(FieldAberrations, MatchAThinLens)
 {
     // a thin lens with the stop in it has no distortion, and focuses on spheres of curvature (1 + 1/n)/f and (3 + 1/n)/f
     const GlassLens lens(ReadPrescription(kThin));

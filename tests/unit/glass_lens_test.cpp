@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// A lens of glass: cardinal points by closed forms, real rays by Snell's law, surfaces that focus without any aberration, the
-// limit of rays near the axis, the way back, and how rays end.
+// A lens of glass: cardinal points by closed forms, real rays by Snell's law, surfaces without aberration, the paraxial limit, reversal,
+// and the fates of rays.
 
 #include "tilt_lens/glass/glass_lens.h"
 
@@ -26,7 +26,7 @@ PrescriptionRow Row(double radius, double thickness, double index, double diamet
     return row;
 }
 
-/// One element behind a stop that lies so far before it.
+/// One element, `stopBefore` mm behind its stop.
 Prescription Singlet(double first, double second, double thickness, double index, double stopBefore = 1.0, double diameter = 20.0)
 {
     Prescription lens;
@@ -53,12 +53,12 @@ Prescription Aspheric()
 
 Vec3 Towards(const Vec3& from, const Vec3& to) { return Normalized(to - from); }
 
-/// Height of a ray at a depth.
+/// Point of a ray at a depth.
 Vec3 At(const GlassRay& ray, double z) { return ray.origin + ((z - ray.origin.z) / ray.direction.z) * ray.direction; }
 
 TEST(CardinalPoints, ThickLens)
 {
-    // the lensmaker's equation, and where the principal points lie
+    // lensmaker's equation, and positions of the principal points
     const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
     const CardinalPoints points = GlassLens(Singlet(a, b, d, n)).Cardinal();
     const double f = 1.0 / ((n - 1.0) * (1.0 / a - 1.0 / b + (n - 1.0) * d / (n * a * b)));
@@ -74,7 +74,7 @@ TEST(CardinalPoints, ThinLensAndBall)
     const CardinalPoints thin = GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5)).Cardinal();
     EXPECT_NEAR(thin.focalLength, 50.0, 1e-8);
     EXPECT_NEAR(thin.separation, 0.0, 1e-8);
-    // both principal points of a ball lie in its middle
+    // both principal points of a ball lie in its centre
     const CardinalPoints ball = GlassLens(Singlet(10.0, -10.0, 20.0, 1.5)).Cardinal();
     EXPECT_NEAR(ball.focalLength, 1.5 * 10.0 / (2.0 * 0.5), 1e-12);
     EXPECT_NEAR(ball.separation, 0.0, 1e-12);
@@ -83,7 +83,7 @@ TEST(CardinalPoints, ThinLensAndBall)
 
 TEST(CardinalPoints, Pupils)
 {
-    // a stop before the glass is its own entrance pupil; the film sees it through the lens
+    // a stop before the glass is its own entrance pupil; its exit pupil is its image
     const GlassLens lens(Singlet(50.0, -50.0, 1e-9, 1.5, 20.0));
     const CardinalPoints& points = lens.Cardinal();
     EXPECT_NEAR(points.entrancePupil, 20.0, 1e-6);
@@ -95,7 +95,7 @@ TEST(CardinalPoints, Pupils)
     EXPECT_GT(std::fabs(GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5, 50.0)).Cardinal().exitPupil), 1e6);
 }
 
-TEST(CardinalPoints, TheNarrowestRimGivesTheFNumber)
+TEST(CardinalPoints, NarrowestRimLimitsTheFNumber)
 {
     Prescription lens = Singlet(50.0, -50.0, 1e-9, 1.5);
     lens.rows[1].diameter = 5.0;
@@ -108,7 +108,7 @@ TEST(CardinalPoints, RefusesALensThatDoesNotCollect)
     EXPECT_THROW(GlassLens(Singlet(0.0, 0.0, 2.0, 1.5)), PrescriptionError);
 }
 
-TEST(GlassLens, HasTheLimitsOfRaysNearTheAxis)
+TEST(GlassLens, ApproachesTheParaxialLimit)
 {
     for (const Prescription& prescription : {DoubleGauss(), Aspheric(), Singlet(40.0, -60.0, 7.0, 1.55)})
     {
@@ -116,18 +116,18 @@ TEST(GlassLens, HasTheLimitsOfRaysNearTheAxis)
         const CardinalPoints& points = lens.Cardinal();
         const double film = -points.separation - points.focalLength, height = 1e-3;
         StopPoint stop;
-        // from the middle of the film, focused at infinity: parallel to the axis, at the height that it has in H'
+        // from the film's centre, focused at infinity: leaves parallel to the axis, at its height in H'
         GlassRay ray{{0.0, 0.0, film}, Towards({0.0, 0.0, film}, {height, 0.0, -points.separation})};
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, 0.0, 1e-6 * height / points.focalLength);
         EXPECT_NEAR(ray.origin.x, height, 1e-6 * height);
-        // towards H' and out of H in the same direction
+        // towards H', and out of H in the same direction
         ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, -points.separation})};
         const Vec3 before = ray.direction;
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, before.x, 1e-6 * std::fabs(before.x));
         EXPECT_NEAR(At(ray, 0.0).x, 0.0, 1e-6 * height);
-        // towards the middle of the exit pupil, through the middle of the stop, out of that of the entrance pupil
+        // towards the centre of the exit pupil, through that of the stop, and from that of the entrance pupil
         ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, points.exitPupil})};
         if (ray.direction.z < 0.0)
             ray.direction = -ray.direction;
@@ -137,9 +137,9 @@ TEST(GlassLens, HasTheLimitsOfRaysNearTheAxis)
     }
 }
 
-TEST(GlassLens, FocusesParallelLightByAHyperboloid)
+TEST(GlassLens, HyperboloidFocusesParallelLight)
 {
-    // a plane first surface and a hyperboloid of conic constant -n^2 bring all parallel rays to one point, at any aperture
+    // a plane first surface and a hyperboloid of conic constant -n^2 focus all parallel rays in one point, at any aperture
     const double n = 1.5;
     Prescription prescription = Singlet(0.0, -30.0, 8.0, n, 1.0, 50.0);
     prescription.rows[0].diameter = 60.0;
@@ -157,9 +157,9 @@ TEST(GlassLens, FocusesParallelLightByAHyperboloid)
     }
 }
 
-TEST(GlassLens, KeepsTheAplanaticPointsOfASphere)
+TEST(GlassLens, SphereHasAplanaticPoints)
 {
-    // rays that aim at a point n R behind the centre of a ball of glass meet at R/n behind it, whatever their angle
+    // rays aimed at a point n R behind the centre of a glass ball meet at R/n behind it, at any angle
     const double n = 1.6, R = 20.0;
     Prescription prescription;
     prescription.rows = {Row(0.0, 1.0, 1.0, 200.0), Row(R, 50.0, n, 40.0), Row(0.0, 0.0, 1.0, 200.0)};
@@ -167,12 +167,12 @@ TEST(GlassLens, KeepsTheAplanaticPointsOfASphere)
     const double centre = lens.Cardinal().frontVertex - 1.0 - R;
     for (const double angle : {0.05, 0.2, 0.4})
     {
-        // in air towards the point n R behind the centre; refracted, the ray goes through R/n behind the centre
+        // in air towards n R behind the centre; refracted, through R/n behind the centre
         const Vec3 aim{0.0, 0.0, centre - n * R}, direction{-std::sin(angle), 0.0, -std::cos(angle)};
         GlassRay ray{aim - 100.0 * direction, direction};
         StopPoint stop;
         ASSERT_EQ(lens.TraceFromScene(ray, stop, false), Passage::Passed);
-        // the plane at the end refracts once more, where the ray has x
+        // the plane at the end refracts once more, at the ray's height x
         const double planeZ = lens.Cardinal().rearVertex, sine = -ray.direction.x / n;
         const double x = ray.origin.x + (centre - R / n - planeZ) * (sine / std::sqrt(1.0 - sine * sine));
         EXPECT_NEAR(x, 0.0, 1e-11) << angle;
@@ -181,7 +181,7 @@ TEST(GlassLens, KeepsTheAplanaticPointsOfASphere)
 
 TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
 {
-    // one refraction, looked at from outside: the point lies on the surface, and n sin is kept, in the plane of incidence
+    // one refraction: the point lies on the surface, and n sin is preserved in the plane of incidence
     Prescription prescription;
     prescription.rows = {Row(0.0, 5.0, 1.0, 60.0), Row(25.0, 400.0, 1.7, 20.0), Row(0.0, 0.0, 1.0, 500.0)};
     prescription.rows[1].conic = -1.3;
@@ -197,7 +197,7 @@ TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
     const double slope = (sag(h + step) - sag(h - step)) / (2.0 * step);
     const Vec3 point{x, y, vertex - sag(h)}, normal = Normalized(Vec3{slope * x / h, slope * y / h, 1.0});
     const Vec3 in = Normalized(Vec3{-0.2, 0.1, -1.0});
-    // Snell's law with the normal by hand; then out through the plane
+    // Snell's law with the normal from a formula; then out through the plane
     const double ratio = 1.0 / 1.7, cosine = -Dot(in, normal);
     Vec3 expected = ratio * in + (ratio * cosine - std::sqrt(1.0 - ratio * ratio * (1.0 - cosine * cosine))) * normal;
     expected.x *= 1.7;
@@ -210,7 +210,7 @@ TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
     EXPECT_NEAR(ray.direction.y, expected.y, 1e-9);
 }
 
-TEST(GlassLens, LeadsBackTheSameWay)
+TEST(GlassLens, RaysAreReversible)
 {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> part(-1.0, 1.0);
@@ -240,7 +240,7 @@ TEST(GlassLens, LeadsBackTheSameWay)
     }
 }
 
-/// Through, past, and against rims and stop, where some of the four end and others do not.
+/// Through, past and against rims and stop, so that some of the four are blocked.
 TEST(GlassLens, TracesFourSideBySideAsOneByOne)
 {
     std::mt19937 random(2);
@@ -287,7 +287,7 @@ TEST(GlassLens, TracesFourSideBySideAsOneByOne)
     }
 }
 
-TEST(GlassLens, TellsHowARayEnds)
+TEST(GlassLens, ReportsTheFateOfARay)
 {
     const GlassLens lens(Singlet(20.0, -20.0, 18.0, 1.9, 1.0, 38.0));
     const double rear = lens.Cardinal().rearVertex;
@@ -302,7 +302,7 @@ TEST(GlassLens, TellsHowARayEnds)
     ray = {{0.0, 0.0, rear - 10.0}, Normalized(Vec3{0.8, 0.0, 1.0})};
     EXPECT_EQ(lens.Trace(ray, stop), Passage::Stopped);
     EXPECT_GT(stop.a, 1.0);
-    // from within: a plane first surface reflects what comes steeply out of the glass
+    // from within: a plane first surface totally reflects steep rays
     Prescription flat;
     flat.rows = {Row(0.0, 30.0, 1.8, 100.0), Row(-20.0, 1.0, 1.0, 38.0), Row(0.0, 0.0, 1.0, 38.0)};
     flat.stop = 2;
@@ -319,7 +319,7 @@ TEST(GlassLens, StopsDown)
     for (const double fNumber : {8.0, 2.8, 2.1})
     {
         lens.StopDown(fNumber);
-        // the widest ray of a point at infinity enters at half of focal length / f-number
+        // the widest ray from a point at infinity enters at half of focal length / f-number
         double widest = 0.0;
         for (double height = 0.0; height < 13.0; height += 1e-3)
         {
@@ -330,12 +330,12 @@ TEST(GlassLens, StopsDown)
         }
         EXPECT_NEAR(widest, 0.5 * lens.Cardinal().focalLength / fNumber, 1.1e-3) << fNumber;
     }
-    // no wider than it was made
+    // never wider than it was made
     lens.StopDown(1.5);
     EXPECT_EQ(lens.StopRadius(), 0.5 * 17.1);
 }
 
-TEST(GlassLens, HasItsFirstSurfaceInABox)
+TEST(GlassLens, FrontBoxContainsTheFirstSurface)
 {
     const GlassLens lens(DoubleGauss());
     const GlassLens::Front box = lens.FrontBox();

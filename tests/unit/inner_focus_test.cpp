@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Lenses that focus by moving groups of glass: the state of the groups by closed forms, what is to be sharp is sharp in a film that
-// stays, tilt and swing mean the same, and what the groups do not reach.
+// Lenses that focus by moving groups of glass: states by closed forms, focus with a fixed film, tilt and swing, and focuses beyond the
+// groups' reach.
 
 #include "tilt_lens/glass/inner_focus.h"
 
@@ -22,7 +22,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Made up for the test: thin lenses of 50 and -80 mm, and a film 68 mm behind the first. The second lens moves towards the film.
+/// Invented: thin lenses of 50 and -80 mm, film 68 mm behind the first. The second lens moves towards the film.
 const char* const kThinGroups = R"({
  "object-distance": ["infinity", 585.714],
  "surfaces": [
@@ -55,7 +55,7 @@ std::vector<Named> Lenses()
             {"Canon RF", ReadPrescription(Whole("canon_rf_51.json"))}};
 }
 
-/// A film 36 by 24 mm; one unit is a millimetre.
+/// Film of 36 by 24 mm; one unit is a millimetre.
 Statement Block(const Prescription& prescription)
 {
     Statement given;
@@ -69,7 +69,7 @@ Lens Solved(const Statement& given)
     return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given);
 }
 
-/// Where a lens focused on this distance from its front principal point has its groups.
+/// The lens focused at a distance from its front principal point.
 Lens FocusedAt(const Prescription& prescription, double distance)
 {
     Statement given = Block(prescription);
@@ -83,7 +83,7 @@ double DistanceOf(const Prescription& prescription, double state)
     return ObjectDistanceOf(prescription, state) + CardinalPointsOf(InState(prescription, state)).frontVertex;
 }
 
-TEST(InnerFocus, IsThatOfThinLenses)
+TEST(InnerFocus, MatchesThinLenses)
 {
     const Prescription lens = ReadPrescription(kThinGroups);
     for (const double state : {0.25, 0.5, 1.0})
@@ -107,15 +107,15 @@ TEST(InnerFocus, GoesFromStateToStateOfTheFile)
     EXPECT_EQ(InState(lens, 1.0).rows[4].thickness, 14.2099);
     EXPECT_EQ(InState(lens, 2.0).rows[4].thickness, 6.6433);
     EXPECT_NEAR(InState(lens, 1.5).rows[4].thickness, 0.5 * (14.2099 + 6.6433), 1e-12);
-    // half of life size, and life size, as the patent states
+    // half life size and life size, as the patent states
     EXPECT_NEAR(ObjectDistanceOf(lens, 1.0), 480.07, 0.3);
     EXPECT_NEAR(ObjectDistanceOf(lens, 2.0), 272.364, 0.01);
     for (const double state : {1.0, 2.0})
         EXPECT_NEAR(FilmPlaceOf(lens, state) / DistanceOf(lens, state), 0.5 * state, 1e-4);
 }
 
-/// The image of the focused point, by rays near the axis, lies in the film; and the film stands where the file puts it.
-TEST(InnerFocus, HasTheFocusInTheFilm)
+/// The paraxial image of the focused point lies on the film, and the film where the file puts it.
+TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
 {
     for (const Named& named : Lenses())
     {
@@ -136,7 +136,7 @@ TEST(InnerFocus, HasTheFocusInTheFilm)
     }
 }
 
-/// Real rays of the film's middle, through a stop that is almost closed, meet in the focal point.
+/// Real rays from the film's centre, through an almost closed stop, meet in the focal point.
 TEST(InnerFocus, LeadsRealRaysToTheFocus)
 {
     for (const Named& named : Lenses())
@@ -151,8 +151,7 @@ TEST(InnerFocus, LeadsRealRaysToTheFocus)
     }
 }
 
-/// With the lens turned, the plane of sharp focus is the one that was asked for, and the film stands where it does for a lens that
-/// is not turned.
+/// For a turned lens, the plane of sharp focus is as stated, and the film as for an untilted lens.
 TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
 {
     for (const Named& named : Lenses())
@@ -175,15 +174,15 @@ TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
         turned.swing = SwingOf(lens);
         turned.focalPoint = given.points[1];
         EXPECT_NEAR(Solved(turned).groups, lens.groups, 1e-9);
-        // f_stop counts with the focal length of this focus
+        // f_stop refers to the focal length of this focus
         given.fStop = 3.0 * lens.glass->Cardinal().fNumber;
         const Lens stopped = Solved(given);
         EXPECT_NEAR(stopped.diameter * *given.fStop, stopped.glass->Cardinal().focalLength, 1e-9);
     }
 }
 
-/// As a file that has the thicknesses of this focus, ray by ray.
-TEST(InnerFocus, IsTheLensWithTheseThicknesses)
+/// Ray by ray, as from a file with the thicknesses of this focus.
+TEST(InnerFocus, EqualsALensWithTheseThicknesses)
 {
     const Prescription prescription = ReadPrescription(Whole("nikon_micro_nikkor_200.json"));
     const Lens moved = FocusedAt(prescription, 700.0), fixed = FocusedAt(InState(prescription, moved.groups), 700.0);
@@ -197,7 +196,7 @@ TEST(InnerFocus, IsTheLensWithTheseThicknesses)
     }
 }
 
-TEST(InnerFocus, MovesTheFilmForWhatTheGroupsDoNotReach)
+TEST(InnerFocus, MovesTheFilmBeyondTheGroupsReach)
 {
     const Prescription prescription = ReadPrescription(kThinGroups);
     const double nearest = DistanceOf(prescription, 1.0), distance = 0.5 * nearest;
@@ -205,7 +204,7 @@ TEST(InnerFocus, MovesTheFilmForWhatTheGroupsDoNotReach)
     EXPECT_EQ(lens.groups, 1.0);
     EXPECT_NEAR(1.0 / lens.filmDistance + 1.0 / distance, 1.0 / lens.focalLength, 1e-12);
     EXPECT_GT(lens.filmDistance, FilmPlaceOf(prescription, 1.0) + 1.0);
-    // a plane beyond infinity on the axis, as that of a lens that leans back may be
+    // a plane beyond infinity on the axis, as a lens that leans back may need
     Statement given = Block(prescription);
     given.family = FocusFamily::FocalPlane;
     given.planeNormal = {0.0, -1.0, -0.2};
@@ -213,7 +212,7 @@ TEST(InnerFocus, MovesTheFilmForWhatTheGroupsDoNotReach)
     const Lens beyond = Solved(given);
     EXPECT_EQ(beyond.groups, 0.0);
     EXPECT_LT(beyond.filmDistance, FilmPlaceOf(prescription, 0.0));
-    // a film that is placed by hand moves alone
+    // film_distance moves the film alone
     given = Block(prescription);
     given.filmDistance = 90.0;
     EXPECT_EQ(Solved(given).groups, 0.0);
@@ -226,7 +225,7 @@ TEST(InnerFocus, FollowsTheFocusingScale)
     Statement given = Block(prescription);
     given.focusScale = DistanceOf(prescription, 0.5) + FilmPlaceOf(prescription, 0.5);
     EXPECT_NEAR(Solved(given).groups, 0.5, 1e-9);
-    given.tilt = 5.0;  // turned after it was focused
+    given.tilt = 5.0;  // turned after focusing
     EXPECT_NEAR(Solved(given).groups, 0.5, 1e-9);
 }
 
@@ -241,7 +240,7 @@ TEST(InnerFocus, ScalesWithTheLens)
     }
 }
 
-TEST(InnerFocus, IsNotThereWithoutData)
+TEST(InnerFocus, NeedsObjectDistances)
 {
     const Prescription zeiss = ReadPrescription(Whole("zeiss_planar_50.dat"));
     EXPECT_TRUE(zeiss.objectDistances.empty());
@@ -266,7 +265,7 @@ void ExpectError(std::string text, const std::string& part, const std::string& b
     }
 }
 
-TEST(InnerFocus, RefusesWhatCannotBe)
+TEST(InnerFocus, RefusesInconsistentData)
 {
     ExpectError(kThinGroups, "[20, 28]", "[20, 28, 29]", 6, "\"thickness\" with 3 values, where \"object-distance\" has 2");
     ExpectError(kThinGroups, "[20, 28]", "[20, -1]", 6, "a thickness of -1 for a near focus");
@@ -277,9 +276,9 @@ TEST(InnerFocus, RefusesWhatCannotBe)
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\", -3]", 2, "object distance of -3");
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\", 585.714, 600]", 2, "object distance of 600");
     ExpectError(kThinGroups, "585.714", "700", 2, "is focused at 585.7");
-    // nothing moves
+    // no group moves
     ExpectError(kThinGroups, "[20, 28]", "20", 2, "are all moved thicknesses there");
-    // lists without a focus are a zoom's, as ever
+    // a zoom has lists without object-distance, which stays an error
     ExpectError(kThinGroups, "\"object-distance\": [\"infinity\", 585.714],", "", 6, "a zoom");
 }
 

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The lenses of scenes/include/lenses: each has the focal length, f-number and back focus that its source states, and forms a sharp
-// image, which a wrong digit in a row would not leave.
+// The lenses of scenes/include/lenses: focal length, f-number and back focus against their sources. Each forms a sharp image, which a wrong
+// digit would spoil.
 
 #include <cmath>
 #include <fstream>
@@ -30,7 +30,7 @@ std::string Whole(const std::string& name)
     return text.str();
 }
 
-/// Fields of a line, of which those in quotation marks may have commas.
+/// Fields of a line; those in quotation marks may contain commas.
 std::vector<std::string> Fields(const std::string& line)
 {
     std::vector<std::string> fields(1);
@@ -69,7 +69,7 @@ std::vector<Stated> Lenses()
     return lenses;
 }
 
-/// Root mean square size of the image of a star on the axis, in a film moved to where it is smallest, in parts of the focal length.
+/// Root mean square radius of a star's image on the axis, at best focus, relative to the focal length.
 double AxialSpot(const GlassLens& lens, double fNumber)
 {
     const CardinalPoints& points = lens.Cardinal();
@@ -90,7 +90,7 @@ double AxialSpot(const GlassLens& lens, double fNumber)
     return std::sqrt(std::max(0.0, xx - xu * xu / uu)) / points.focalLength;
 }
 
-TEST(LensFiles, HaveWhatTheirSourcesState)
+TEST(LensFiles, MatchTheirSources)
 {
     const std::vector<Stated> lenses = Lenses();
     EXPECT_GE(lenses.size(), 10u);
@@ -116,13 +116,12 @@ TEST(LensFiles, FormSharpImages)
     {
         SCOPED_TRACE(stated.file);
         const GlassLens lens(ReadPrescription(Whole(stated.file)));
-        // 0.01 mm for a lens of 50 mm, at twice the f-number
+        // 0.01 mm for a 50 mm lens, at twice the f-number
         EXPECT_LT(AxialSpot(lens, 2.0 * lens.Cardinal().fNumber), 0.01 / 50.0);
     }
 }
 
-/// Root mean square radius in micrometres of the image of a star on the axis, in the film at the stated back focus, in light of the lines
-/// d, C and F.
+/// Root mean square radius, in micrometres, of a star's image on the axis at the stated back focus, in the d, C and F lines.
 double SpotOfThreeColours(const Stated& stated)
 {
     const Prescription prescription = ReadPrescription(Whole(stated.file));
@@ -150,10 +149,10 @@ double SpotOfThreeColours(const Stated& stated)
     return 1000.0 * std::sqrt(squares / passed);
 }
 
-/// Spot diagrams that another program made of the same tables: spot-report.txt of the ray tracer jfotoptix, in the repository
-/// BeamFour/Beam42. Only of lenses without glasses of abnormal dispersion, and of which that report has the same focal length and
-/// back focus.
-TEST(LensFiles, HaveTheSpotsOfAnotherProgram)
+/// Spot diagrams of the same tables by another program: spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42.
+/// Only
+/// lenses without glasses of abnormal dispersion, for which that report has the same focal length and back focus.
+TEST(LensFiles, SpotsMatchAnotherProgram)
 {
     const std::map<std::string, double> published = {{"nikon_nikkor_n_50.dat", 82.04}, {"angenieux_55.dat", 65.53}, {"nikon_nikkor_52.dat", 19.73}};
     std::size_t found = 0;

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Statements that no lens can follow, and those that deserve a warning. Whatever comes in, there is a
-// usable lens or an error in words.
+// Statements that no lens fulfils, and warnings. Any input yields a usable lens or an error in words.
 
 #include <functional>
 #include <limits>
@@ -26,7 +25,7 @@ struct BadCase
 {
     const char* name;
     std::function<void(Request&)> spoil;
-    std::vector<const char*> words; ///< what is wrong, the value, what is allowed, what to do
+    std::vector<const char*> words; ///< fault, value, allowed values, remedy
 };
 
 std::ostream& operator<<(std::ostream& out, const BadCase& bad)
@@ -215,7 +214,7 @@ TEST_P(BadStatement, IsRefusedInWords)
     }
 }
 
-TEST(BadCamera, DependentVectorsAreFoundThroughTheirRounding)
+TEST(BadCamera, DependentVectorsAreRefusedDespiteRounding)
 {
     Random random(10);
     for (int i = 0; i < 1000; i++)
@@ -231,7 +230,7 @@ TEST(BadCamera, DependentVectorsAreFoundThroughTheirRounding)
     }
 }
 
-TEST(BadCamera, APlaneThroughTheLensIsFoundThroughItsRounding)
+TEST(BadCamera, PlaneThroughTheLensIsRefusedDespiteRounding)
 {
     Random random(12);
     for (int i = 0; i < 1000; i++)
@@ -244,7 +243,7 @@ TEST(BadCamera, APlaneThroughTheLensIsFoundThroughItsRounding)
     }
 }
 
-/// Every number of a request, so that each can be spoiled.
+/// Every number of a request, for spoiling each.
 std::vector<double*> NumbersOf(Request& r)
 {
     Statement& s = r.given;
@@ -283,7 +282,7 @@ Request RequestOf(FocusFamily family, bool focalLength)
     return request;
 }
 
-/// An error is as good as a lens; a lens with unusable numbers is not.
+/// Either an error or a lens with finite numbers.
 void ExpectErrorOrLens(const Request& request, bool errorWanted)
 {
     SCOPED_TRACE(testing::Message() << request);
@@ -306,7 +305,7 @@ void ExpectErrorOrLens(const Request& request, bool errorWanted)
     }
 }
 
-TEST(BadNumbers, NoneGivesALensOfNonsense)
+TEST(BadNumbers, YieldAnErrorOrAUsableLens)
 {
     const FocusFamily families[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
         FocusFamily::FocalPlane, FocusFamily::FocalPoints};
@@ -372,7 +371,7 @@ TEST(Warnings, ATiltWithoutAnAperture)
     EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
 }
 
-/// The rim reaches radius * sin(turn) behind the lens centre, whichever way the lens is turned.
+/// The rim reaches radius * sin(turn) behind the lens centre, for any direction of the turn.
 TEST(Warnings, ARimThatPassesThroughTheFilm)
 {
     Random random(10);

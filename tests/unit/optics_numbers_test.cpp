@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// What users read in the manual and in the message stream: signs of the angles, shifts, physical
-// units, the numbers a photographer checks, errors and warnings.
+// Signs of the angles, shifts, physical units, and the report's numbers, as the manual states them.
 
 #include <limits>
 #include <vector>
@@ -89,7 +88,7 @@ TEST(Signs, FollowTheCamerasOwnRight)
     }
 }
 
-TEST(Shift, MovesTheFrameByExactlyThatManyPixelsAndNothingElse)
+TEST(Shift, MovesTheFrameByExactPixelsOnly)
 {
     const double width = 320, height = 240;
     for (const double tilt : {0.0, 7.0})
@@ -119,7 +118,7 @@ TEST(Shift, MovesTheFrameByExactlyThatManyPixelsAndNothingElse)
         }
 }
 
-TEST(Shift, AShearedDirectionIsAShiftThatWasThereBefore)
+TEST(Shift, AddsToThatOfAShearedDirection)
 {
     for (const bool focalLength : {false, true})
     {
@@ -184,8 +183,7 @@ TEST(PhysicalUnits, ApertureIsTwiceTheDiameterAndScalesWithTheCamera)
     EXPECT_EQ(Length(MakeRay(Solved(request), 0.2, 0.3, 0.7, 0.7).origin), 0.0);
 }
 
-/// Longest extent on the frame, in pixels, of the blur of a point on the axis: where the rays of
-/// all lens points that pass through it come from.
+/// Longest extent on the frame, in pixels, of the blur of a point on the axis, from rays through all lens points.
 double BlurInPixels(const Lens& lens, double distance, double width)
 {
     const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12
@@ -199,7 +197,7 @@ double BlurInPixels(const Lens& lens, double distance, double width)
     return 2 * std::fabs(Dot(frame, shared)) * width / Length(lens.right);
 }
 
-TEST(SharpRange, EndsWhereTheBlurIsThatManyPixels)
+TEST(SharpRange, EndsAtTheGivenBlur)
 {
     Random random(6);
     int infinite = 0;
@@ -244,7 +242,7 @@ TEST(SharpRange, HyperfocalDistanceIsTheTextbooks)
     EXPECT_LT(SharpRangeOf(Solved(request), 1200, 1.0).far, kInfinity);
 }
 
-TEST(Numbers, AParallelLensIsParallelHoweverTheCameraIsTurned)
+TEST(Numbers, ParallelLensReadsParallelForAnyOrientation)
 {
     // rounding of turned axes must not show: 1e-15 degrees, a hinge line at 1e17 units
     Random random(7);
@@ -264,7 +262,7 @@ TEST(Numbers, AParallelLensIsParallelHoweverTheCameraIsTurned)
     }
 }
 
-TEST(Numbers, APlaneAlongTheAxisCrossesItNowhere)
+TEST(Numbers, PlaneAlongTheAxisDoesNotCrossIt)
 {
     Random random(8);
     for (int i = 0; i < 1000; i++)

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Closed forms of the solved lens: what holds for any thin lens, turned however, and what each
-// statement asks for. No formula of the library is repeated here; the laws are those of textbooks.
+// Laws of optics for solved lenses of any tilt, and the requirements of each statement. The laws are those of textbooks; no formula of the
+// library is repeated here.
 
 #include "tilt_lens/camera/optics.h"
 
@@ -24,7 +24,7 @@ Vec3 CameraPart(const Lens& lens, const Vec3& v)
     return {Dot(v, lens.axisRight), Dot(v, lens.axisUp), Dot(v, lens.axis)};
 }
 
-/// Angle between two directions, good near 0 as well.
+/// Accurate near 0 as well.
 double AngleBetween(const Vec3& a, const Vec3& b)
 {
     return std::atan2(Length(Cross(a, b)), Dot(a, b));
@@ -76,7 +76,7 @@ TEST_P(EveryFamily, AxesAndNormalAreUnitVectors)
         });
 }
 
-TEST_P(EveryFamily, LengthsAndFrameAreThoseAskedFor)
+TEST_P(EveryFamily, LengthsAndFrameAreAsStated)
 {
     ForMany(
         [](const Request& request, const Lens& lens)
@@ -92,7 +92,7 @@ TEST_P(EveryFamily, LengthsAndFrameAreThoseAskedFor)
                 EXPECT_NEAR(Dot(lens.direction, lens.axis),
                     Dot(request.camera.direction, lens.axis), 1e-15 * width * 8);
             }
-            // the frame lies before the lens as the film behind it
+            // the frame is the film's mirror image at the lens centre, scaled
             EXPECT_NEAR(
                 Dot(lens.direction, lens.axis) / width * film / lens.filmDistance, 1.0, 4e-15);
             const Vec3 moved = CameraPart(lens, lens.direction - request.camera.direction) *
@@ -106,7 +106,7 @@ TEST_P(EveryFamily, LengthsAndFrameAreThoseAskedFor)
         });
 }
 
-TEST_P(EveryFamily, FocusIsWhereTheStatementPutsIt)
+TEST_P(EveryFamily, FocusIsAsStated)
 {
     ForMany(
         [](const Request& request, const Lens& lens)
@@ -114,7 +114,7 @@ TEST_P(EveryFamily, FocusIsWhereTheStatementPutsIt)
             const Statement& s = request.given;
             const auto sharp = [&](const Vec3& world)
             { return Dot(lens.focus, world - request.camera.location); };
-            const double tolerance = 1e-12; // some digits go with world coordinates
+            const double tolerance = 1e-12; // world coordinates cost some digits
             const Vec3 n = CameraPart(lens, lens.focus);
             switch (s.family)
             {
@@ -167,7 +167,7 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
             const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
             const double across = std::hypot(t.x, t.y), s = lens.filmDistance;
             if (across < 1e-3)
-                return; // the line is too far away to tell
+                return; // the line is too far away to resolve
             const double out = s * t.z / (across * across);
             for (const double along : {-1.0, 0.0, 1.0})
             {
@@ -189,8 +189,9 @@ TEST_P(EveryFamily, HingeRule)
             const double turn = AngleBetween(lens.normal, lens.axis);
             EXPECT_NEAR(HingeDistanceOf(lens) * std::sin(turn) / lens.focalLength, 1.0,
                 4e-15 / std::sin(turn));
-            // the hinge line lies in the plane of sharp focus and in the plane through the lens
-            // parallel to the film, on the side from which the lens leans away
+            // the hinge line lies in the plane of sharp focus and in the plane through the lens parallel to the film, on the side from
+            // which the
+            // lens leans away
             const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
             const double across = std::hypot(t.x, t.y);
             const Vec3 foot{
@@ -215,7 +216,7 @@ TEST_P(EveryFamily, LensCoordinatesSpanTheTurnedDisc)
             EXPECT_NEAR(Dot(lens.lensX, lens.lensY) / (radius * radius), 0.0, tolerance);
             EXPECT_NEAR(Dot(lens.lensX, lens.normal) / radius, 0.0, tolerance);
             EXPECT_NEAR(Dot(lens.lensY, lens.normal) / radius, 0.0, tolerance);
-            // the smallest turn from film to lens: the line that both share is not turned at all
+            // the smallest rotation from film to lens leaves the line that both share unchanged
             const Vec3 t = CameraPart(lens, lens.normal), x = CameraPart(lens, lens.lensX),
                        y = CameraPart(lens, lens.lensY);
             EXPECT_NEAR((-t.y * x.x + t.x * x.y) / radius, -t.y, tolerance);
@@ -240,7 +241,7 @@ TEST_P(EveryFamily, ScaleMovesLengthsOnly)
                 s.planeDistance *= factor;
                 s.scale *= factor;
                 const Lens same = Solved(scaled);
-                // powers of two lose nothing; products of small coordinates must not either
+                // powers of two are exact; products of small coordinates must be, too
                 EXPECT_EQ(same.focalLength, factor * lens.focalLength);
                 EXPECT_EQ(same.filmDistance, factor * lens.filmDistance);
                 EXPECT_EQ(same.diameter, factor * lens.diameter);
@@ -256,7 +257,7 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
     ForMany(
         [](const Request& request, const Lens& lens)
         {
-            // whole numbers of 2^-20 units stay exact at 1e7 units from the origin
+            // multiples of 2^-20 units stay exact at 1e7 units from the origin
             Request near = request, far = request;
             const auto grid = [&](const Vec3& v)
             {
@@ -273,12 +274,12 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
                 near.given.points[i] = grid(request.given.points[i]);
                 far.given.points[i] = place + near.given.points[i];
             }
-            // a plane written as normal and distance loses what its distance from the origin costs
+            // a plane written as normal and distance loses the digits that its distance from the origin costs
             const Vec3 unit = Normalized(request.given.planeNormal);
             near.given.planeDistance = Dot(unit, near.given.focalPoint);
             far.given.planeDistance = near.given.planeDistance + Dot(unit, place);
             if (Length(near.given.focalPoint) < 1.0)
-                return; // not the scale for such a place
+                return; // the scale is not meant for this distance
             const Lens a = Solved(near), b = Solved(far);
             const double tolerance =
                 request.given.family == FocusFamily::FocalPlane ? 1e-7 * Length(lens.focus) : 0.0;
@@ -288,13 +289,13 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
         });
 }
 
-/// Equation (1), with its angles measured in the camera's vertical plane.
+/// Equation (1), with its angles in the camera's vertical plane.
 double PaperLensAngle(double filmDistance, double focusAngle, double distance)
 {
     return std::atan(filmDistance * std::tan(focusAngle) / (distance + filmDistance));
 }
 
-TEST(PaperEquation, HoldsBothWays)
+TEST(PaperEquation, HoldsInBothDirections)
 {
     Random random(4);
     for (int i = 0; i < kRequests; i++)
@@ -315,13 +316,13 @@ TEST(PaperEquation, HoldsBothWays)
         ASSERT_NEAR(TiltOf(lens) * kDegree, turn, 1e-15 * (1 + 20.0 / distance));
         ASSERT_NEAR(FocusAngleOf(lens) * kDegree, std::fabs(angle), 4e-15);
 
-        // and back: that lens, focused at the same distance
+        // and the inverse: that lens, focused at the same distance
         request.given.family = FocusFamily::LensTurn;
         request.given.tilt = turn / kDegree;
         request.given.swing = 0.0;
         const Lens back = Solved(request);
         const Vec3 n = CameraPart(back, back.focus);
-        const double slope = (s + distance) / s; // by which an error of the lens' angle grows
+        const double slope = (s + distance) / s; // amplification of an error of the lens's angle
         ASSERT_NEAR(std::atan2(-n.y, n.z), angle,
             1e-15 * (2.0 + slope * std::fabs(turn) + 20.0 / distance));
         ASSERT_NEAR(back.focalLength / lens.focalLength, 1.0, 1e-13);

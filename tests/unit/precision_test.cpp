@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// How many digits the camera keeps: rays against the same formula in long double, which has at least
-// 11 bits more, and whole cameras, from the statement on, against 50 digits.
+// Precision: rays against the same formula in long double (at least 11 more bits), and whole cameras, from the statement on, against 50
+// digits.
 
 #include <cfloat>
 #include <cstdio>
@@ -26,7 +26,7 @@ const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
     FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 const char* const kFamilyNames[] = {"lens turn", "focus turn", "focal plane", "focal points"};
 
-/// Length of the difference in units of the last place of a number of this length (2^-52 of it).
+/// Length of the difference in units of the last place (2^-52) of the true length.
 template <typename Real>
 double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
 {
@@ -41,7 +41,7 @@ Vec<Real> As(const Vec3& v)
     return Vec<Real>(v);
 }
 
-/// MakeRay's own formula in a longer type, for the lens as it is.
+/// MakeRay()'s formula in a longer type, for the same lens.
 LensRay ExactRay(
     const Lens& lens, double x, double y, double a, double b, Vec<long double>& direction)
 {
@@ -82,7 +82,7 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
     std::printf("[          ] %d rays: mean %.2f ulp, worst %.2f ulp\n", rays, sum / rays, worst);
 }
 
-/// Errors of whole cameras, statement to ray.
+/// Errors of whole cameras, from statement to ray.
 struct Tally
 {
     double worst = 0.0, sum = 0.0;
@@ -91,8 +91,7 @@ struct Tally
 
 TEST(Precision, CamerasFromStatementToRay)
 {
-    // What a scene says is taken as exact, so that no family loses digits, however it writes its plane.
-    // The stress run does the same for ten million.
+    // numbers of a scene count as exact, so that every family keeps all digits; the stress test tries ten million cameras
     Random random(22);
     Tally tallies[4];
     const int cameras = 100000;

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Files of lenses: the three forms say the same, and what is wrong in one is told with its line.
+// Lens files: the three forms agree, and errors name the line.
 
 #include "tilt_lens/glass/prescription.h"
 
@@ -73,7 +73,7 @@ void ExpectTriplet(const Prescription& lens)
     }
 }
 
-/// The text with a part replaced, which must be there.
+/// Replaces a part of the text, which must exist.
 std::string With(std::string text, const std::string& part, const std::string& by)
 {
     const std::size_t at = text.find(part);
@@ -95,27 +95,27 @@ void ExpectError(const std::string& text, int line, const std::string& part, con
     }
 }
 
-TEST(Prescription, AllFormsSayTheSame)
+TEST(Prescription, AllFormsAgree)
 {
     for (const char* text : {kPbrt, kLentil, kIset})
         ExpectTriplet(ReadPrescription(text));
     ExpectTriplet(ReadPrescription(kLentil, "a triplet"));
-    // a stop within air may also be written with the index of air, and a lens may stand alone in its file
+    // a stop in air may have the index of air, and a lens may be alone in its file
     ExpectTriplet(ReadPrescription(With(kPbrt, "0    1    0 ", "0    1    1 ")));
     ExpectTriplet(ReadPrescription(With(kIset, "\"ior\": 0", "\"ior\": 1")));
     ExpectTriplet(ReadPrescription(With(With(kLentil, "\"a triplet\": {", ""), "]\n  }", "]")));
 }
 
-TEST(Prescription, HasRimsBesideItsStop)
+TEST(Prescription, PlanesBesideAMarkedStopAreRims)
 {
     const Prescription lens = ReadPrescription(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"));
     EXPECT_EQ(lens.stop, 2u);
     EXPECT_EQ(lens.rows.size(), 8u);
-    // without a mark nothing tells them apart
+    // without a mark they are indistinguishable
     ExpectError(With(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"), "0    1    0 ", "0    1    1 "), 6, "second stop");
 }
 
-TEST(Prescription, HasAspheres)
+TEST(Prescription, ReadsAspheres)
 {
     const Prescription both = ReadPrescription(With(kIset, "\"conic_constant\": 0", "\"conic_constant\": -1, \"aspherical-equation\": [3e-6]"));
     EXPECT_EQ(both.rows[1].conic, -1.0);
@@ -126,13 +126,13 @@ TEST(Prescription, HasAspheres)
     EXPECT_EQ(iset.rows[1].conic, -1.5);
 }
 
-TEST(Prescription, HasAbbeNumbersWhereTheyAreGiven)
+TEST(Prescription, ReadsAbbeNumbers)
 {
     EXPECT_EQ(ReadPrescription(kPbrt).rows[0].abbe, 0.0);
     EXPECT_EQ(ReadPrescription(kLentil).rows[0].abbe, 50.0);
     EXPECT_EQ(ReadPrescription(With(kPbrt, "1.6   14", "1.6   14 50")).rows[0].abbe, 50.0);
     EXPECT_EQ(ReadPrescription(With(kIset, "\"ior\": 1.6,", "\"ior\": 1.6, \"abbe\": 50,")).rows[0].abbe, 50.0);
-    // a stop within glass has that of the glass, and the line tells where it is missing
+    // a stop within glass has the glass's Abbe number, and an error names the line without one
     const Prescription inGlass = ReadPrescription("20 3 1.6 14 50\n0 1 0 9\n-22 40 1 12\n");
     EXPECT_EQ(inGlass.rows[1].abbe, 50.0);
     EXPECT_EQ(ReadPrescription(kPbrt).rows[3].line, 6);
@@ -241,7 +241,7 @@ TEST(Prescription, ChoosesFromADatabase)
     ExpectError(both, 0, "no lens of the name 'third'", "third");
     ExpectError(both, 0, "no lens of the name 'a triplet, another'", "a triplet, another");
     ExpectError(kIset, 0, "holds one lens", "third");
-    // the line is that of the lens that was chosen, 13 lines farther down
+    // the line is that of the chosen lens, 13 lines farther down
     const std::string wrong = "{" + lens + "," + With(With(lens, "a triplet", "another"), "\"ior\": 1.6", "\"ior\": 9") + "}";
     ExpectError(wrong, 4 + 13, "index of refraction of 9", "another");
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_cameras.h
-/// Random cameras with a solution, of every family and both handednesses, and their text, so that a
-/// failure shows all that led to it. The ranges are what people photograph and a good deal more:
-/// angles of view from 10 to 100 degrees, lens turns up to 30 and planes of focus turned up to 75
-/// degrees, focus from 5 to 10^4 focal lengths away, f/1 to f/32.
+/// Random solvable cameras of every family and both handednesses, printable for failures. Ranges exceed those of photography: angles of
+/// view
+/// from 10 to 100 degrees, lens turns up to 30 and planes of focus turned up to 75 degrees, focus from 5 to 10^4 focal lengths away, f/1 to
+/// f/32.
 
 #ifndef TILT_LENS_TESTS_RANDOM_CAMERAS_H
 #define TILT_LENS_TESTS_RANDOM_CAMERAS_H
@@ -26,7 +26,7 @@ namespace tilt_lens
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-/// Uniform numbers that are the same with every standard library.
+/// Uniform numbers, equal for every standard library.
 class Random
 {
   public:
@@ -92,7 +92,7 @@ inline std::ostream& operator<<(std::ostream& out, const Request& request)
     return out << text.str();
 }
 
-/// A camera at the origin that looks along z, width 1.6, height 1.2, angle of view 53 degrees.
+/// At the origin, looking along z; width 1.6, height 1.2, angle of view 53 degrees.
 inline Request PlainRequest()
 {
     Request request;
@@ -107,7 +107,7 @@ inline Lens Solved(const Request& request)
     return Solve(request.camera, request.given);
 }
 
-/// Random right, up and direction: any turn, either handedness, often sheared.
+/// Any rotation, either handedness, often sheared.
 inline CameraFrame RandomFrame(Random& random)
 {
     const Vec3 axis = random.Direction();
@@ -177,8 +177,7 @@ inline Request RandomRequest(Random& random, FocusFamily family, bool focalLengt
     return request;
 }
 
-/// Whether all of the film lies well behind the lens and no lens point near the film, as in a
-/// camera that could be built.
+/// True if the whole film lies well behind the lens and no lens point near the film.
 inline bool CouldBeBuilt(const Lens& lens)
 {
     for (int corner = 0; corner < 4; corner++)
@@ -192,7 +191,7 @@ inline bool CouldBeBuilt(const Lens& lens)
     return dip < 0.5 * lens.filmDistance && lens.diameter < 2.0 * lens.focalLength;
 }
 
-/// The next random request that has a lens, and one that could be built.
+/// The next random request whose lens exists and could be built.
 inline Request SolvableRequest(
     Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
 {
@@ -205,7 +204,7 @@ inline Request SolvableRequest(
         }
         catch (const OpticsError&)
         {
-            continue; // no lens does that: a focal length too long, a plane too near
+            continue; // no lens: a focal length too long, or a plane too near
         }
         if (CouldBeBuilt(lens))
             return request;

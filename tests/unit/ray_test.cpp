@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Rays: where they start, where they meet, how they blur. The other witness is light itself, sent
-// from a point of the scene through the lens to the film by the thin lens equation.
+// Rays: origin, focus, blur. The independent check sends light from a scene point through the lens to the film by the thin lens equation.
 
 #include "tilt_lens/camera/ray.h"
 
@@ -31,8 +30,7 @@ struct LensCoordinates
 const LensCoordinates kLensPoints[] = {
     {0, 0}, {1, 0}, {0, 1}, {-0.6, 0.8}, {0.3, -0.4}, {-0.7, -0.7}};
 
-/// Calls check(request, lens, random) for random cameras of every family, with and without
-/// focal length.
+/// Calls check(request, lens, random) for random cameras of every family, with and without focal length.
 template <typename Check>
 void ForManyCameras(int count, Check check)
 {
@@ -94,7 +92,7 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
             {
                 const LensRay ray = MakeRay(lens, x, y, l.a, l.b);
                 const double size = Length(chief) + std::fabs(w) * Length(ray.origin);
-                // origin + direction / w = chief / w, the parameter being negative behind the lens
+                // origin + direction / w = chief / w, with a negative parameter behind the lens
                 EXPECT_LT(Length(w * ray.origin + ray.direction - chief), 4e-15 * size);
                 EXPECT_NEAR(Dot(lens.focus, w * ray.origin + ray.direction), w,
                     1e-14 * Length(lens.focus) * size);
@@ -122,14 +120,14 @@ TEST(Ray, FocusAtInfinityGivesParallelRays)
             EXPECT_EQ(Length(Cross(ray.direction, ChiefRay(lens, x, 0.0))), 0.0)
                 << l.a << ", " << l.b;
             EXPECT_GT(ray.direction.z, 0.0);
-            // just below and just above the horizon hardly differ: nothing happens at w = 0
+            // rays just below and just above the horizon hardly differ: w = 0 is no special case
             const Vec3 step = MakeRay(lens, x, 1e-9, l.a, l.b).direction -
                               MakeRay(lens, x, -1e-9, l.a, l.b).direction;
             EXPECT_NEAR(Length(step), 2e-9, 1e-10);
         }
 }
 
-TEST(Ray, ALensPointThatTouchesItsOwnFilmPointHasADirection)
+TEST(Ray, LensPointThatTouchesItsFilmPointHasADirection)
 {
     // a lens turned into the axis, 1 unit in radius, with the film 1 unit behind its centre
     Lens lens;
@@ -148,8 +146,9 @@ TEST(Ray, ALensPointThatTouchesItsOwnFilmPointHasADirection)
 
 TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 {
-    // The plane of focus passes 1e-7 below the lens, close to parallel to the rays of the middle row: k is
-    // large, k.D is not. Turned with the whole camera, so that nothing is 0.
+    // the plane of focus passes 1e-7 below the lens, almost parallel to the rays of the middle row: k is large, k.D is not; the whole
+    // camera is
+    // turned, so that no component is 0
     Random random(31);
     for (int i = 0; i < 200; i++)
     {
@@ -174,7 +173,7 @@ TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 
 TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
 {
-    // what lets a program without lenses render the same picture, one lens point at a time
+    // lets a program without lenses render the same picture, one lens point at a time
     ForManyCameras(2000,
         [](const Request&, const Lens& lens, Random& random)
         {
@@ -189,8 +188,9 @@ TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
         });
 }
 
-/// Where light from a point of the scene that passes the lens at l meets the film. The image of the
-/// point lies on the straight line through the lens centre, at the distance 1/g + 1/b = 1/f gives.
+/// Film point of light from a scene point through the lens point l. The image lies on the line through the lens centre, at the distance
+/// from
+/// 1/g + 1/b = 1/f.
 Vec3 FilmPointOfLight(const Lens& lens, const Vec3& point, const Vec3& l)
 {
     const double g = Dot(point, lens.normal);
@@ -200,7 +200,7 @@ Vec3 FilmPointOfLight(const Lens& lens, const Vec3& point, const Vec3& l)
     return l + (-lens.filmDistance - Dot(l, lens.axis)) / Dot(path, lens.axis) * path;
 }
 
-TEST(Ray, LightTakesTheSameWayFromSceneToFilm)
+TEST(Ray, IsThePathOfLightFromSceneToFilm)
 {
     ForManyCameras(8000,
         [](const Request&, const Lens& lens, Random& random)
@@ -213,7 +213,7 @@ TEST(Ray, LightTakesTheSameWayFromSceneToFilm)
             for (const LensCoordinates& p : kLensPoints)
             {
                 const Vec3 l = p.a * lens.lensX + p.b * lens.lensY;
-                // the film behind the lens, mirrored at the lens centre, is the frame before it
+                // the film, mirrored at the lens centre, is the frame before it
                 const Vec3 film = FilmPointOfLight(lens, point, l);
                 const Vec3 frame =
                     film * (-Dot(lens.direction, lens.axis) / lens.filmDistance) - lens.direction;
@@ -229,9 +229,9 @@ TEST(Ray, LightTakesTheSameWayFromSceneToFilm)
 
 TEST(Blur, IsTheEllipseOfTheTurnedDisc)
 {
-    // A point Z on the axis. The film sees the disc, turned by theta, from the point's image: an
-    // ellipse with half axes v r / sqrt(1 - e^2) along the line that lens and film share and
-    // v r cos(theta) / (1 - e^2) across, where e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
+    // for a point Z on the axis, the film sees the disc, turned by theta, from the point's image: an ellipse with half axes
+    // v r / sqrt(1 - e^2) along the line that lens and film share and v r cos(theta) / (1 - e^2) across, where
+    // e = r sin(theta) (1/s - 1/Z + 1/Z_focus)
     ForManyCameras(2000,
         [](const Request&, const Lens& lens, Random& random)
         {
@@ -279,10 +279,10 @@ TEST(Blur, VergenceIsTheBlurOfAParallelLens)
             const Vec3 l = a * lens.lensX + b * lens.lensY;
             const Vec3 moved =
                 FilmPointOfLight(lens, T * chief, l) - FilmPointOfLight(lens, T * chief, {0, 0, 0});
-            // the film's scale against the frame's
+            // scale of the film relative to the frame
             const double scale = lens.filmDistance / Dot(chief, lens.axis),
                          blur = BlurVergence(lens, chief, T);
-            // two film points are known to rounding, their difference is not known better
+            // the difference of two film points has the rounding error of the points
             EXPECT_LT(Length(moved - scale * blur * l), 4e-15 * scale * Length(chief));
         });
 }

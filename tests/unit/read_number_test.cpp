@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Numbers of scenes have the values that sscanf gives them, bit for bit, as in POV-Ray without our patches.
+// Numbers of scenes have the values that sscanf gives, bit for bit, as in stock POV-Ray.
 
 #include "tilt_lens/math/read_number.h"
 
@@ -24,14 +24,14 @@ void ExpectSameAsSscanf(const std::string& text)
     EXPECT_EQ(0, std::memcmp(&expected, &value, sizeof value)) << text << ": " << value << " instead of " << expected;
 }
 
-TEST(ReadNumber, EveryFormThatAScenesTextCanHave)
+TEST(ReadNumber, EveryFormInAScene)
 {
     for (const char* text : {"0", "5", "5.", "0.5", "007", "1e5", "1E5", "1e+5", "1e-5", "1.e3", "2.5e0", "0e0",
              "0.1000000000000000055511151231257827", "9007199254740993", "179769313486231580793728971405303415079934"})
         ExpectSameAsSscanf(text);
 }
 
-TEST(ReadNumber, IncompleteExponentsAndWhatADoubleCannotHold)
+TEST(ReadNumber, IncompleteExponentsAndOverflow)
 {
     for (const char* text : {"1e", "1e+", "1.5E-", "1e999", "1e-999", "4.9e-324", "2e-324", "1.7976931348623159e308"})
         ExpectSameAsSscanf(text);

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file reference_camera.h
-/// The camera once more, with any number type and in the plainest way: the plane of sharp focus as
-/// normal and distance, the thin lens equation, the point where chief ray and plane meet, a ray
-/// through it. It shares no formula with the library beyond the laws of optics, and divides where
-/// the library must not: more digits pay for that.
+/// An independent camera in any number type: plane of sharp focus as normal and distance, thin lens equation, intersection of chief ray and
+/// plane, ray through it. It shares no formula with the library beyond the laws of optics, and divides where the library does not, because
+/// its longer numbers tolerate that.
 
 #ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
 #define TILT_LENS_TESTS_REFERENCE_CAMERA_H
@@ -17,8 +16,9 @@
 namespace tilt_lens
 {
 
-/// Square root by Newton's steps from that of the double: 53 digits, 107, 215. Boost's own goes digit by
-/// digit, and would be most of the time that ten million cameras take.
+/// Newton's method from the double's root: 53 digits, 107, 215. Boost's root is digit by digit, which would dominate the time for ten
+/// million
+/// cameras.
 template <typename Real>
 Real Root(const Real& a)
 {
@@ -195,8 +195,9 @@ class ReferenceCamera
                     up * (Real(given.shiftUp) * perMillimetre);
     }
 
-    /// The smallest turn that takes the axis to the lens normal (Rodrigues): what lies along the
-    /// line that both planes share stays, the rest turns by the angle between them.
+    /// The smallest rotation that takes the axis to the lens normal (Rodrigues): the component along the shared line of both planes stays,
+    /// the
+    /// rest turns.
     V Turned(const V& v) const
     {
         const V turn = axis.Cross(t);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file statistics.h
-/// What tests of random quantities share.
+/// Statistics for tests of random quantities.
 
 #ifndef TILT_LENS_TESTS_STATISTICS_H
 #define TILT_LENS_TESTS_STATISTICS_H
@@ -20,8 +20,8 @@ inline double Square(double x)
     return x * x;
 }
 
-/// Pearson's test: the probability that points drawn with these bin probabilities fit them no
-/// better than the counts do. 0 if a bin of probability 0 has a point.
+/// Pearson's chi-square test: the probability that samples of these bin probabilities fit no better than the counts. 0 if a bin of
+/// probability 0 has a sample.
 inline double ChiSquareP(const std::vector<double>& count, const std::vector<double>& probability)
 {
     double total = 0, chi = 0;
@@ -41,12 +41,12 @@ inline double ChiSquareP(const std::vector<double>& count, const std::vector<dou
         ++used;
     }
     if (used == 1)
-        return 1;  // every point is in the only bin there is
+        return 1;  // the only bin contains every sample
     const boost::math::chi_squared law(used - 1);
     return boost::math::cdf(boost::math::complement(law, chi));
 }
 
-/// The same with all bins equally likely.
+/// With equally likely bins.
 inline double ChiSquareP(const std::vector<double>& count)
 {
     return ChiSquareP(count,

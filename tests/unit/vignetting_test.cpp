@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Vignetting: its closed forms, and that samples are drawn from what is open without bias.
+// Vignetting: closed forms, and unbiased samples of the open part.
 
 #include "tilt_lens/camera/vignetting.h"
 
@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Focused so far away that all rays of a film point are parallel; a film 36 by 24 mm, 50 mm before the lens.
+/// Film of 36 by 24 mm, 50 mm from the lens; focused so far away that all rays of a film point are parallel.
 Lens LensOf(double tilt = 0.0, double shiftRight = 0.0)
 {
     Statement given;
@@ -70,7 +70,7 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     const double s = lens.filmDistance, sine = std::sin(8.0 * M_PI / 180.0), cosine = std::cos(8.0 * M_PI / 180.0);
     const auto light = [&](const FilmPoint& film)
     {
-        // from the film point, which lies upside down behind the lens, to the lens's centre
+        // from the film point, upside down behind the lens, to the lens centre
         const Vec3 way{36.0 * film.x + 10.0, 24.0 * film.y, s}, filmNormal{0.0, 0.0, 1.0}, lensNormal{0.0, -sine, cosine};
         const double distance = Length(way);
         return Dot(way, filmNormal) / distance * Dot(way, lensNormal) / distance / (distance * distance);
@@ -80,14 +80,14 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     EXPECT_GT(vignetting.Brightness({-0.2, 0.0}), 1.0) << "nearer to the axis than the middle of the shifted frame";
 }
 
-/// Common area of two unit circles whose middles are so far apart, over that of one.
+/// Common area of two unit circles at this distance, relative to the area of one.
 double Overlap(double apart)
 {
     const double half = 0.5 * apart;
     return half >= 1.0 ? 0.0 : 2.0 / M_PI * (std::acos(half) - half * std::sqrt(1.0 - half * half));
 }
 
-TEST(OpticalVignetting, LeavesOpenWhatTwoCirclesShare)
+TEST(OpticalVignetting, OpenShareIsTheOverlapOfTwoCircles)
 {
     for (const double amount : {0.2, 0.5, 1.2})
     {
@@ -103,13 +103,13 @@ TEST(OpticalVignetting, LeavesOpenWhatTwoCirclesShare)
                 const double apart = 2.0 * amount * std::hypot(36.0 * film.x, 24.0 * film.y) / corner;
                 EXPECT_NEAR(vignetting.OpenShare(film), Overlap(apart), 1e-3) << amount << " at " << film.x << ", " << film.y;
             }
-        // between the table's points
+        // between the table's entries
         EXPECT_NEAR(vignetting.OpenShare({0.2577, 0.1234}), Overlap(2.0 * amount * std::hypot(36.0 * 0.2577, 24.0 * 0.1234) / corner), 1e-3);
     }
 }
 
-/// The ray itself, where it crosses the rim's plane before the lens.
-TEST(OpticalVignetting, PassesWhatCrossesTheRimsPlaneWithinIt)
+/// Intersects the ray itself with the rim's plane.
+TEST(OpticalVignetting, PassesRaysWithinTheRim)
 {
     const Lens lens = LensOf(6.0, 4.0);
     const Vignetting vignetting(lens, Aperture::Disc(), Optical(0.6));
@@ -130,8 +130,8 @@ TEST(OpticalVignetting, PassesWhatCrossesTheRimsPlaneWithinIt)
     EXPECT_GT(covered, 300);
 }
 
-/// Sum of f over the open part of the aperture, by samples that are drawn in it and by all of them.
-TEST(OpticalVignetting, SamplesHaveTheMeanOfAllThatPass)
+/// The mean of f over the open part, by samples drawn in it and by rejection from the whole aperture.
+TEST(OpticalVignetting, SamplesAreUnbiased)
 {
     const auto f = [](const AperturePoint& p) { return 1.0 + p.a + 0.5 * p.b * p.b; };
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3, 0.4), Window(), Aperture::Squeezed(Aperture::Disc(), 2.0),
@@ -160,7 +160,7 @@ TEST(OpticalVignetting, SamplesHaveTheMeanOfAllThatPass)
     }
 }
 
-TEST(OpticalVignetting, AnEvenSurfaceStaysFreeOfNoise)
+TEST(OpticalVignetting, UniformSurfaceHasNoNoise)
 {
     const Vignetting vignetting(LensOf(), Aperture::Disc(), Optical(0.5));
     const FilmPoint film{0.5, 0.5};
@@ -187,7 +187,7 @@ TEST(OpticalVignetting, StoppingDownOpensTheCorners)
     EXPECT_NEAR(wide.RimDistance(), narrow.RimDistance(), 1e-9);
 }
 
-TEST(OpticalVignetting, RefusesADarkMiddle)
+TEST(OpticalVignetting, RefusesADarkCentre)
 {
     EXPECT_THROW(Vignetting(LensOf(30.0), Aperture::Disc(), Optical(2.0)), OpticsError);
     EXPECT_NO_THROW(Vignetting(LensOf(8.0), Aperture::Disc(), Optical(0.5)));
