@@ -118,14 +118,14 @@ class Layers(rendering.RenderTest):
 
 
 class Report(rendering.RenderTest):
-    def test_rays_that_the_glass_refuses_are_counted(self):
+    def test_blocked_rays_are_counted(self):
         text = said(camera(GAUSS + "tilt 5") + WORLD)
-        found = re.search(r"Refused by the glass\.(\d+) of (\d+) rays tried \(([0-9.]+)%\)", text)
+        found = re.search(r"Blocked by the glass\.(\d+) of (\d+) rays \(([0-9.]+)%\)", text)
         self.assertTrue(found, text[-1500:])
         refused, tried = int(found[1]), int(found[2])
         self.assertGreater(refused, 0)
         self.assertLess(refused, 0.4 * tried)
-        self.assertNotIn("Refused", said(camera("f_stop 2") + WORLD))
+        self.assertNotIn("Blocked by the glass", said(camera("f_stop 2") + WORLD))
 
     def test_lights_are_not_sampled_and_the_first_round_is_larger(self):
         lamps = "sphere { <0.3, 0.2, 8>, 0.01 pigment { rgb 1 } finish { emission 100 } }\n"

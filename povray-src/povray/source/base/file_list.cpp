@@ -22,28 +22,28 @@ namespace tilt_lens
 namespace
 {
 
-std::mutex sceneFilesMutex; // photons are loaded beside the parser
+std::mutex sceneFilesMutex; // photons are loaded while the parser runs
 std::vector<std::string> sceneFiles;
 
-/// Appends an entry to the list, where there is one and it has none such yet.
+/// Appends an entry once, if TILT_LENS_FILE_LIST is set.
 void List(const std::string &entry)
 {
     static const char *const list = std::getenv("TILT_LENS_FILE_LIST");
     if (list == nullptr || *list == '\0')
         return;
 
-    static std::mutex mutex; // photons are loaded beside the parser
+    static std::mutex mutex; // photons are loaded while the parser runs
     static std::set<std::string> listed;
     const std::lock_guard<std::mutex> lock(mutex);
     if (!listed.insert(entry).second)
         return;
 
     std::ofstream stream(list, std::ios::app | std::ios::binary);
-    stream.write(entry.c_str(), static_cast<std::streamsize>(entry.size() + 1)); // with the zero byte
+    stream.write(entry.c_str(), static_cast<std::streamsize>(entry.size() + 1)); // including the zero byte
     stream.close();
     if (!stream)
     {
-        // Not an exception: the first files are read before anybody could catch one.
+        // no exception: the first files are read before any handler exists
         std::fprintf(stderr, "povray: cannot write the list of files that TILT_LENS_FILE_LIST names: %s\n", list);
         std::_Exit(EXIT_FAILURE);
     }

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The list of files that a render depends on, for programs that must know when a picture is out of date.
+/// The list of files that a render depends on, for programs that detect outdated pictures.
 ///
-/// Where the environment variable `TILT_LENS_FILE_LIST` names a file, every file that the program opens for
-/// reading is appended to it, and every one that it looked for and did not find: had that one been there, the
-/// picture could be another. So is every picture and every file of layers that was written whole. Each entry is
-/// `+` (read), `-` (missing) or `=` (written), the name as it was used (relative to the current folder), and a
-/// zero byte, so that any name is possible. Each name is listed once a run.
+/// If the environment variable `TILT_LENS_FILE_LIST` names a file, every file that the program opens for reading is appended to it,
+/// every file that it looked for in vain (its presence could change the picture), and every picture or layers' file that was
+/// completely written. An entry is `+` (read), `-` (missing) or `=` (written), the name as used (relative to the current folder), and a
+/// zero byte, which allows any name. Each name is listed once per run.
 ///
-/// The names of the files that the present scene has read are kept as well: they belong to the key of a state file.
+/// The files read by the current scene are also kept for the key of its state file.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H
@@ -21,16 +20,16 @@
 namespace tilt_lens
 {
 
-/// Lists `name`. A list that cannot be written ends the render with an error: a list with gaps is worse than none.
+/// Lists `name`. Failure to write the list ends the render with an error, because an incomplete list is worse than none.
 void ListFile(const std::string &name, bool found);
 
-/// Lists a picture that was written; fails in the same way.
+/// Lists a written picture; fails in the same way.
 void ListPicture(const std::string &name);
 
-/// The parsing of a scene begins: nothing was read for it yet.
+/// Call when parsing of a scene begins.
 void StartSceneFiles();
 
-/// What was read since then, each name once, in the order of reading.
+/// Files read since StartSceneFiles(), each once, in the order of reading.
 std::vector<std::string> SceneFiles();
 
 }

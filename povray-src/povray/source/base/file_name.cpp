@@ -22,10 +22,10 @@ namespace
 
 using Units = std::basic_string<POVMSUCS2>;
 
-/// The lowest code point that needs so many bytes; a lower one in as many is not valid UTF-8.
+/// Lowest code point for each length in bytes; a longer form of a lower one is invalid UTF-8.
 const unsigned int kLowest[] = { 0, 0, 0x80, 0x800, 0x10000 };
 
-/// The code point that begins at `at` and its `length` in bytes; a length of 0 where that is not valid UTF-8.
+/// Decodes the code point at `at`; sets `length` in bytes, 0 for invalid UTF-8.
 unsigned int CodePoint(const unsigned char *at, std::size_t &length)
 {
     length = *at < 0x80 ? 1 : (*at & 0xE0) == 0xC0 ? 2 : (*at & 0xF0) == 0xE0 ? 3 : (*at & 0xF8) == 0xF0 ? 4 : 0;
@@ -34,7 +34,7 @@ unsigned int CodePoint(const unsigned char *at, std::size_t &length)
     unsigned int code = *at & (0x7F >> length);
     for (std::size_t i = 1; i < length; i++)
     {
-        if ((at[i] & 0xC0) != 0x80) // the zero at the end of the name as well
+        if ((at[i] & 0xC0) != 0x80) // also stops at the terminating zero
         {
             length = 0;
             return *at;
@@ -46,7 +46,6 @@ unsigned int CodePoint(const unsigned char *at, std::size_t &length)
     return code;
 }
 
-/// Appends a code point as UTF-8.
 void Append(std::string &bytes, unsigned int code)
 {
     const int further = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
@@ -104,7 +103,7 @@ Units NameOf(POVMSAttributePtr attribute)
     Units units(std::size_t(size) / sizeof(POVMSUCS2), 0);
     if (POVMSAttr_Get(attribute, kPOVMSType_UCS2String, &units[0], &size) != pov_base::kNoErr)
         return Units();
-    units.pop_back();  // the zero at its end
+    units.pop_back();  // terminating zero
     return units;
 }
 

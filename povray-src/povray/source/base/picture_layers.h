@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture_layers.h
-/// What the renderer sends and the front end writes where `Output_Layers` is on.
-///
-/// Two messages of the class kPOVMsgClass_ViewImage:
-/// - kPOVMsgIdent_Layers, a tile: its rectangle, the names of the layers, and their values, one layer
-///   after the other. It is sent before the tile's colours, and kept with them in the state file of
-///   the render, so that a tile that is not rendered again has its layers.
-/// - kPOVMsgIdent_LayerAttributes, once a render: the camera's numbers, for the file's header.
+/// Messages from the renderer to the front end for `Output_Layers`, of the class kPOVMsgClass_ViewImage:
+/// - kPOVMsgIdent_Layers, one per tile: its rectangle, the names of the layers, and their values, one layer after the other. Sent
+///   before the tile's colours and kept with them in the state file, for tiles that a continued render does not repeat.
+/// - kPOVMsgIdent_LayerAttributes, one per render: the camera's numbers, for the file's header.
 
 #ifndef POVRAY_BASE_PICTURE_LAYERS_H
 #define POVRAY_BASE_PICTURE_LAYERS_H
@@ -28,12 +25,12 @@ enum
     kPOVMsgIdent_LayerAttributes = 'LayA',
 
     kPOVAttrib_OutputLayers = 'OuLa',
-    kPOVAttrib_LayerNames   = 'LayN',  ///< string: names, one a line
+    kPOVAttrib_LayerNames   = 'LayN',  ///< string: names, one per line
     kPOVAttrib_LayerSizes   = 'LayS',  ///< of attributes: how many numbers each has
     kPOVAttrib_LayerValues  = 'LayV'   ///< vector of floats
 };
 
-/// Names, one a line.
+/// One per line.
 inline std::string JoinedNames(const std::vector<std::string>& names)
 {
     std::string text;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file scene_attributes.h
-/// What the parser tells the front end of a scene, in the message that says it is done.
+/// Attributes of the parser's final message to the front end.
 
 #ifndef POVRAY_BASE_SCENE_ATTRIBUTES_H
 #define POVRAY_BASE_SCENE_ATTRIBUTES_H

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_picture.h
-/// The front end's part in `Output_Layers`: gathers the layers of the tiles and writes them to one OpenEXR file
-/// beside the picture.
+/// The front end's part of `Output_Layers`: collects the layers of the tiles and writes them to an OpenEXR file beside the picture.
 
 #ifndef POVRAY_FRONTEND_LAYER_PICTURE_H
 #define POVRAY_FRONTEND_LAYER_PICTURE_H
@@ -26,37 +25,35 @@ struct ViewData;
 class LayerPicture
 {
   public:
-    /// The layers of the picture that these options describe, or NULL where they ask for none. All pixels
-    /// begin as zeros. Removes an older file, except where a render is continued.
+    /// Layers of the picture with these options, all zero; NULL if none are asked for. Removes an older file, unless a render is
+    /// continued.
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
-    /// What is wrong with the options for layers, as a sentence or two; empty if nothing.
+    /// An error of the options for layers, in one or two sentences; empty if there is none.
     static std::string Problem(POVMS_Object& options);
 
-    /// What a user should know of these options though the program can go on: 32 bits of a colour in a file that
-    /// has no place for them. Empty if nothing.
+    /// A warning about 32-bit colours for a file type that cannot hold them; empty if there is none.
     static std::string Remark(POVMS_Object& options);
 
-    /// Takes what concerns the layers of a message of the class kPOVMsgClass_ViewImage, for a view that
-    /// has them, and keeps the layers of a tile in the state file.
+    /// Handles the layers' part of a message of the class kPOVMsgClass_ViewImage, and keeps a tile's layers in the state file.
     static void Take(const ViewData& view, POVMSType ident, POVMS_Object& message);
 
-    /// After a state file was read: demands that its tiles have layers.
-    /// @throws pov_base::Exception  the render was begun without them
+    /// Call after a state file was read.
+    /// @throws pov_base::Exception  the render was begun without layers
     void RequireComplete() const;
 
-    /// Writes the file: under another name first, so that no half of one ever bears the final name.
+    /// Writes the file, under a temporary name until it is complete.
     /// @throws pov_base::Exception  it cannot be written
     void Write() const;
 
   private:
     const pov_base::Path file;
     const unsigned int width, height;
-    std::map<std::string, std::vector<std::vector<float> > > channels;  ///< rows, those without a tile being empty
+    std::map<std::string, std::vector<std::vector<float> > > channels;  ///< rows; empty without a tile
     pov_base::OpenEXR::FloatAttributes attributes;
     std::vector<bool> covered;  ///< by pixel: has layers
-    bool incomplete;            ///< some finished tile came without
+    bool incomplete;            ///< some finished tile has no layers
 
     LayerPicture(const pov_base::Path& file, unsigned int width, unsigned int height);
 

@@ -30,7 +30,7 @@ std::string Text(double value)
     return text;
 }
 
-/// A number of something that has to be there at least once.
+/// Checks a count against its least value.
 std::string CountProblem(POVMS_Object& options, POVMSType key, int usual, const char* name, const char* letters, int least = 1)
 {
     const int value = options.TryGetInt(key, usual);
@@ -40,7 +40,6 @@ std::string CountProblem(POVMS_Object& options, POVMSType key, int usual, const 
            "). A whole number of at least " + std::to_string(least) + " is allowed; give another value.";
 }
 
-/// One direction of the part of a picture that is rendered.
 std::string GammaProblem(POVMS_Object& options, POVMSType typeKey, POVMSType key, const char* name)
 {
     const double value = options.TryGetFloat(key, 1.0f);
@@ -66,7 +65,8 @@ struct Span
     const char *firstName, *lastName, *many;
 };
 
-/// Below 1 a number is a share of the picture, else it counts from 1: as View::StartRender() reads them.
+/// Checks columns or rows of a partial render, read as in View::StartRender(): numbers below 1 are fractions of the picture, others
+/// count from 1.
 std::string SpanProblem(POVMS_Object& options, const Span& span, int size)
 {
     const double first = options.TryGetFloat(span.firstKey, 1.0f);

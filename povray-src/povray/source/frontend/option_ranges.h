@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file option_ranges.h
-/// Options that leave nothing to render, or nobody to render it.
+/// Checks options whose values make a render impossible.
 
 #ifndef POVRAY_FRONTEND_OPTION_RANGES_H
 #define POVRAY_FRONTEND_OPTION_RANGES_H
@@ -15,8 +15,7 @@
 namespace pov_frontend
 {
 
-/// What is wrong with the picture's size, the part of it that is to be rendered, and the number of threads, as a
-/// sentence or two; empty if nothing.
+/// An error in the picture's size, its rendered part, or the number of threads, in one or two sentences; empty if there is none.
 std::string RangeProblem(POVMS_Object& options);
 
 } // namespace pov_frontend

@@ -32,7 +32,7 @@ namespace
 
 const char* const kMore = " povray(1) lists all options.";
 
-/// What an option takes.
+/// Allowed values of an option.
 std::string Taken(POVMSType key, POVMSType type)
 {
     switch (key)
@@ -61,7 +61,7 @@ bool BeginsWith(const std::string& word, const std::string& beginning)
     return word.size() >= beginning.size() && strncasecmp(word.c_str(), beginning.c_str(), beginning.size()) == 0;
 }
 
-/// How many letters two names have in common at their beginning.
+/// Length of the common prefix, ignoring case.
 std::size_t CommonLetters(const std::string& a, const std::string& b)
 {
     std::size_t count = 0;
@@ -70,7 +70,7 @@ std::size_t CommonLetters(const std::string& a, const std::string& b)
     return count;
 }
 
-/// Of NAME=VALUE.
+/// Error in NAME=VALUE.
 std::string SettingProblem(const std::string& word, std::size_t equals)
 {
     const std::string name = word.substr(0, word.find_last_not_of(" \t", equals - 1) + 1);
@@ -86,7 +86,7 @@ std::string SettingProblem(const std::string& word, std::size_t equals)
     return "'" + word + "': there is no option '" + name + "'" + (alike ? ", but " + nearest : std::string()) + "." + kMore;
 }
 
-/// Of +LETTERS and what stands behind them.
+/// Error in +LETTERS with an optional value.
 std::string SwitchProblem(const std::string& word)
 {
     const std::string letters = word.substr(1);
@@ -95,7 +95,7 @@ std::string SwitchProblem(const std::string& word)
     {
         const std::string command = option->command, taken = Taken(option->key, option->type);
         const bool alone = option->type == kPOVMSType_Null;
-        // the first that fits is the one that was read
+        // upstream's parser takes the first that fits
         if (!alone && letters.size() > command.size() && BeginsWith(letters, command))
             return "'" + word + "': +" + command + " takes " + taken + ".";
         if (!letters.empty() && BeginsWith(command, letters.substr(0, 1)))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file option_words.h
-/// What is wrong with a word of the command line, or with a line of an INI file, that upstream's parser refuses.
+/// Explains words of the command line and lines of INI files that upstream's parser refuses.
 
 #ifndef POVRAY_FRONTEND_OPTION_WORDS_H
 #define POVRAY_FRONTEND_OPTION_WORDS_H
@@ -12,10 +12,9 @@
 namespace pov_frontend
 {
 
-/// The word, and what is allowed in its place.
+/// Error text with the word and the allowed values.
 std::string WordProblem(const std::string& word);
 
-/// The same for a line of an INI file.
 /// @param line  of the file, from 1
 std::string LineProblem(const std::string& file, int line);
 

@@ -42,7 +42,7 @@ struct Option
     POVMSType key, type;
 };
 
-/// Options that change a pixel, or which number a tile has.
+/// Options that change pixels or the numbering of tiles.
 const Option kOptions[] = {
     {"Width", kPOVAttrib_Width, kPOVMSType_Int},
     {"Height", kPOVAttrib_Height, kPOVMSType_Int},
@@ -95,7 +95,7 @@ std::string Value(POVMS_Object& options, const Option& option)
     }
 }
 
-/// Variables of the command line and of animations, such as frame_number, one a line in the order of their names.
+/// Variables of the command line and of animations, such as frame_number, one per line, sorted.
 std::string Declared(POVMS_Object& options)
 {
     std::vector<std::string> lines;
@@ -119,8 +119,8 @@ std::string Declared(POVMS_Object& options)
     return text;
 }
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo) of a file's bytes, in hexadecimal digits: it notices changes, not attacks. What is no
-/// ordinary file, such as a pipe, cannot be read again.
+/// 64-bit FNV-1a (Fowler, Noll, Vo) of a file's bytes, in hexadecimal: detects changes, not attacks. "unknown" for a pipe or device,
+/// which cannot be read twice.
 std::string Hash(const std::string& name)
 {
     std::error_code ignored;
@@ -137,7 +137,6 @@ std::string Hash(const std::string& name)
     return text;
 }
 
-/// A line of the key, in two.
 struct Line
 {
     std::string name, value;
@@ -150,7 +149,7 @@ std::vector<Line> Lines(const std::string& key)
     for (size_t from = 0, end; (end = key.find('\n', from)) != std::string::npos; from = end + 1)
     {
         const std::string line = key.substr(from, end - from);
-        // the names of files may have an equals sign, their hashes have none; a value of Declare may have one
+        // names of files may contain '=', their hashes cannot; values of Declare may contain it
         const size_t equals = line.compare(0, std::strlen(kFile), kFile) == 0 ? line.rfind('=') : line.find('=');
         lines.push_back({line.substr(0, equals), equals == std::string::npos ? "" : line.substr(equals + 1)});
     }
@@ -163,7 +162,7 @@ const Line* Find(const std::vector<Line>& lines, const std::string& name)
     return found == lines.end() ? NULL : &*found;
 }
 
-/// The first difference between the keys of two renders, in words.
+/// Describes the first difference between the keys of two renders.
 std::string Difference(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -184,7 +183,7 @@ std::string Difference(const std::string& before, const std::string& now)
     return "its files were read in another order";
 }
 
-/// Whether the tiles of one picture lie in another. Where they do not, POV-Ray would stop on an assertion.
+/// True if the tiles of one picture lie inside the other; POV-Ray's assertion would fail otherwise.
 bool Fits(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -197,7 +196,7 @@ bool Fits(const std::string& before, const std::string& now)
     return true;
 }
 
-/// What lies in a state file ahead of its tiles.
+/// Contents of a state file before its tiles.
 struct Start
 {
     enum Kind { kNothing, kNoState, kNoKey, kKey } kind;
@@ -206,7 +205,7 @@ struct Start
 
 const Start kEmpty = {Start::kNothing, ""}, kForeign = {Start::kNoState, ""};
 
-/// The first message behind the header.
+/// Reads the first message behind the header.
 Start ReadKey(IStream& stream, POV_LONG length)
 {
     const POV_LONG begin = sizeof(Backup_File_Header), least = 20;
@@ -219,7 +218,7 @@ Start ReadKey(IStream& stream, POV_LONG length)
         return kForeign;
     const POV_LONG size = POV_LONG(head[12]) << 24 | head[13] << 16 | head[14] << 8 | head[15];
     if (there < least || begin + least + size > length)
-        return kEmpty; // cut short while it was written
+        return kEmpty; // truncated while being written
     POVMS_Message message;
     try
     {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file state_key.h
-/// The key of a state file, which `+C` continues from: it says which render the tiles in the file belong to.
+/// The key of a state file, from which `+C` continues: it identifies the render that the file's tiles belong to.
 ///
-/// The key is text, one `name=value` a line: the program, the options that change a pixel or the numbers of the
-/// tiles, and a hash of each file that was read while the scene was parsed. It is the first message of the file.
+/// The key is text, one `name=value` per line: the program, the options that change pixels or the numbering of tiles, and a hash of
+/// each file read while parsing. It is the first message of the file.
 
 #ifndef POVRAY_FRONTEND_STATE_KEY_H
 #define POVRAY_FRONTEND_STATE_KEY_H
@@ -29,25 +29,25 @@ enum
     kPOVAttrib_StateKey   = 'StKe'  ///< string
 };
 
-/// The key of the render that is about to start. Its scene must have been parsed.
+/// Key of the render that is about to start; call after parsing.
 std::string StateKey(POVMS_Object& options);
 
-/// Why no state file could be made, from errno, for an error before the render.
+/// Error text for a state file that could not be created, with the reason from errno.
 std::string CannotCreateState(const pov_base::Path& file);
 
 /// Writes the key behind the header of a new state file.
 /// @throws pov_base::Exception  it could not be written
 void WriteStateKey(pov_base::OStream& file, const std::string& key);
 
-/// Compares a state file with the render that is to continue it. A file without any tile, as a program leaves that was
-/// stopped at once, is removed.
-/// @param refuse   whether a difference is an error (scenes with `tilt_lens`) or a remark (others)
-/// @return a remark for the user, or nothing
-/// @throws pov_base::Exception  the file belongs to another render, or to none; a smaller picture is always refused
+/// Compares a state file with the render that is to continue it. Removes a file without tiles, which a program that was stopped at
+/// once leaves.
+/// @param refuse  differences are errors (scenes with `tilt_lens`), else remarks
+/// @return        a remark for the user, or an empty string
+/// @throws pov_base::Exception  the file belongs to another render, or to none; always if that picture was larger
 std::string CompareState(const pov_base::Path& file, const std::string& key, bool refuse);
 
-/// Looks at a message of a state file before it is drawn.
-/// @throws pov_base::Exception  a tile that does not lie in the picture or is not whole
+/// Checks a state file's message before it is drawn.
+/// @throws pov_base::Exception  a tile is outside the picture or incomplete
 void RequireWholeTile(const ViewData& view, POVMS_Object& message);
 
 } // namespace pov_frontend

@@ -25,7 +25,7 @@ using pov_base::UCS2String;
 namespace
 {
 
-/// The file that a name stands for: behind a symbolic link, the one that it leads to.
+/// The target of a symbolic link; any other name unchanged.
 std::string Resolved(const std::string& name)
 {
     char* path = realpath(name.c_str(), NULL);
@@ -36,7 +36,7 @@ std::string Resolved(const std::string& name)
     return resolved;
 }
 
-/// Whether another file may be moved to the name without changing what was meant by it.
+/// True if a file may be renamed to `name`: neither a device nor write-protected, in a writable folder.
 bool MayBeReplaced(const std::string& name)
 {
     struct stat found;
@@ -59,9 +59,9 @@ WholeFile::WholeFile(const UCS2String& filename)
 {
     if (!IsStandardStream(target))
         target = Resolved(target);
-    // two programs may write the same picture
+    // a name of its own for each process: two may write the same picture
     place = IsStandardStream(target) || !MayBeReplaced(target) ? target : target + "." + std::to_string(getpid()) + ".part";
-    errno = 0;  // from here on it tells of the writing
+    errno = 0;  // later errors concern the writing
 }
 
 WholeFile::~WholeFile()
@@ -77,7 +77,7 @@ UCS2String WholeFile::Place() const
 
 void WholeFile::Finish(boost::scoped_ptr<OStream>& file)
 {
-    // what is still in the buffer counts: the file is whole where its end can be told and is there
+    // flushes: the file is complete if its size can be read and matches
     errno = 0;
     file->seekg(0, pov_base::IOBase::seek_end);
     const POV_LONG size = file->tellg();
@@ -88,7 +88,7 @@ void WholeFile::Finish(boost::scoped_ptr<OStream>& file)
     struct stat found;
     const bool ordinary = stat(place.c_str(), &found) == 0 && S_ISREG(found.st_mode);
     if (ordinary && (failed || found.st_size != size))
-        throw POV_EXCEPTION(pov_base::kFileDataErr, "not all of it was taken");
+        throw POV_EXCEPTION(pov_base::kFileDataErr, "only a part of it was written");
     if (place != target && std::rename(place.c_str(), target.c_str()) != 0)
         throw POV_EXCEPTION(pov_base::kCannotOpenFileErr, "cannot be renamed from '" + place + "'");
     finished = true;
@@ -110,7 +110,7 @@ void WriteState(POVMS_Object& pixels, std::shared_ptr<OStream>& state, const pov
     try
     {
         pixels.Write(*state);
-        state->seekg(0, pov_base::IOBase::seek_cur);  // writes what is still in the buffer, and tells where that fails
+        state->seekg(0, pov_base::IOBase::seek_cur);  // flushes, and reports failure
     }
     catch (const pov_base::Exception&)
     {
@@ -122,7 +122,7 @@ void WriteState(POVMS_Object& pixels, std::shared_ptr<OStream>& state, const pov
     state.reset();
     throw POV_EXCEPTION(pov_base::kFileDataErr,
                         "Cannot write the state file '" + pov_base::UCS2toASCIIString(name()) + "' (" +
-                        (reason != 0 ? std::strerror(reason) : "not all of it was taken") + "). Make room there, then continue with +C: "
+                        (reason != 0 ? std::strerror(reason) : "only a part of it was written") + "). Make room there, then continue with +C: "
                         "what it holds need not be rendered again.");
 }
 

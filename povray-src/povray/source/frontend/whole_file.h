@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file whole_file.h
-/// A file that appears under its name only when all of it is on the disk: it is written beside its
-/// place and moved there at the end. A full disk or a killed program leaves no torn file, and an
-/// older one of that name stays until the new one is whole.
+/// A file that gets its name only when it is complete: it is written beside its place and renamed at the end. A full disk or a killed
+/// program leaves no truncated file, and keeps an older file of that name.
 
 #ifndef POVRAY_FRONTEND_WHOLE_FILE_H
 #define POVRAY_FRONTEND_WHOLE_FILE_H
@@ -27,21 +26,20 @@ class WholeFile
   public:
     explicit WholeFile(const pov_base::UCS2String& filename);
 
-    /// Removes what was not finished.
+    /// Removes an unfinished file.
     ~WholeFile();
 
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// Where to write: the name itself where it is no ordinary file (standard output, a device), or
-    /// where its folder takes no other file.
+    /// Where to write: the final name itself if it is no regular file (standard output, a device), or if its folder is not writable.
     pov_base::UCS2String Place() const;
 
-    /// Closes the file and gives it its name.
-    /// @throws pov_base::Exception  not all of it could be written
+    /// Closes the file and renames it.
+    /// @throws pov_base::Exception  it could not be completely written
     void Finish(boost::scoped_ptr<pov_base::OStream>& file);
 
-    /// Throws an error that says which file could not be written, why, and what to do.
+    /// Throws an error with the file's name, the reason and the remedy.
     [[noreturn]] void Fail(const pov_base::Exception& cause) const;
 
   private:
@@ -49,14 +47,14 @@ class WholeFile
     bool finished = false;
 };
 
-/// Whether an output's name means standard output or error: `-`, `stdout`, `stderr`, in any case.
+/// True for `-`, `stdout` and `stderr`, in any case.
 bool IsStandardStream(const std::string& name);
 
-/// Writes pixels to a render's state file. Where not all of them are taken, it is closed, so that nothing is written behind them.
+/// Writes pixels to a render's state file. Closes it after a partial write, lest anything be appended.
 /// @throws Exception  with the file's name and the reason
 void WriteState(POVMS_Object& pixels, std::shared_ptr<pov_base::OStream>& state, const pov_base::Path& name);
 
-/// Closes and removes the state file of a picture that is written; none may be open.
+/// Closes and removes the state file of a finished picture; `file` may be null.
 void RemoveState(std::shared_ptr<pov_base::OStream>& file, const pov_base::Path& name);
 
 } // namespace pov_frontend

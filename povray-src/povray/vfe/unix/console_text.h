@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file console_text.h
-/// What the console prints, beside what upstream prints.
+/// Additions to upstream's console output.
 
 #ifndef POVRAY_VFE_UNIX_CONSOLE_TEXT_H
 #define POVRAY_VFE_UNIX_CONSOLE_TEXT_H
@@ -12,19 +12,18 @@
 namespace vfePlatform
 {
 
-/// Options that upstream does not have, for `--help`: a section in the form of the others, with the blank line before it.
+/// Section of `--help` for options that upstream does not have, with the blank line before it.
 const char* OwnOptionsHelp();
 
-/// Whether the text of the status line is the message that was printed last: upstream sends an error twice, as a message and
-/// as the status.
-/// @param isStatus  whether the text is for the status line; each text that is printed has to be told
+/// True if the text of the status line repeats the last printed message: upstream sends an error both as a message and as the status.
+/// @param isStatus  the text is for the status line; call for each printed text
 bool IsSaidAgain(bool isStatus, const std::string& text);
 
-/// Whether anybody can press a key: at a terminal, or in a window.
+/// True if a key can be pressed: at a terminal, or in a window.
 bool IsSomebodyThere();
 
-/// Ends the program at once where it was asked to stop reading a scene and has not done so in some seconds.
-/// @param hundredths  seconds, times 100, since it was asked
+/// Ends the program if it has not stopped reading a scene within three seconds.
+/// @param hundredths  hundredths of a second since it was told to stop
 void EndIfStuck(int hundredths);
 
 } // namespace vfePlatform

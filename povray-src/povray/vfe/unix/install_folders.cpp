@@ -14,7 +14,7 @@ namespace povray_install
 namespace
 {
 
-/// The folder above the one that holds the program; the configured prefix where the system does not tell.
+/// The parent of the program's folder; the configured prefix if the system does not tell.
 std::filesystem::path Prefix()
 {
     std::error_code error;
@@ -33,7 +33,7 @@ Folder::Folder(const char *relative) : mPath((Prefix() / relative).string())
 const char *Folder::operator/(const char *tail) const
 {
     static std::mutex mutex;
-    static std::set<std::string> names; // a set: its elements never move
+    static std::set<std::string> names; // a set never moves its elements
     const std::lock_guard<std::mutex> lock(mutex);
     return names.insert(mPath + tail).first->c_str();
 }

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The folders of the installation, found at run time from where the program lies.
+/// The folders of the installation, relative to the program's place at run time.
 ///
-/// Stock POV-Ray has them compiled in, as the string literals POVLIBDIR and POVCONFDIR. This header, which
-/// the build includes ahead of vfe's files, defines the two macros so that every use upstream makes of them
-/// (alone, or followed by a literal such as "/include") becomes an expression of type `const char*`. No
-/// line of upstream changes, and a program that was installed elsewhere, or moved, still finds its files.
+/// Stock POV-Ray compiles them in, as the string literals POVLIBDIR and POVCONFDIR. This header, which the build includes ahead of
+/// vfe's files, defines these macros as expressions of type `const char*` that also work before a literal such as "/include". No line
+/// of upstream changes, and a program that was moved still finds its files.
 
 #ifndef POVRAY_TILT_LENS_INSTALL_FOLDERS_H
 #define POVRAY_TILT_LENS_INSTALL_FOLDERS_H
@@ -22,7 +21,7 @@ class Folder
 public:
     explicit Folder(const char *relative);
 
-    /// This folder's name followed by `tail`. The characters live as long as the program.
+    /// This folder's name followed by `tail`, valid for the whole run.
     const char *operator/(const char *tail) const;
 
 private:
@@ -37,7 +36,7 @@ const Folder &ConfigFolder();
 
 }
 
-// The empty literal at the end is joined by the compiler with a literal that follows the macro.
+// the empty literal concatenates with a literal that follows the macro
 #define POVLIBDIR  ::povray_install::DataFolder() / ""
 #define POVCONFDIR ::povray_install::ConfigFolder() / ""
 

@@ -26,7 +26,7 @@ using tilt_lens::Float4;
 using tilt_lens::Float8;
 using tilt_lens::HasAvx2;
 
-/// @param box  its numbers are rounded, its upper corner is a sum: it grows by some such roundings
+/// @param box  enlarged by a few roundings: its numbers are in single precision, and its upper corner is a sum
 BoxItem ItemOf(const BBOX& box, const void* what)
 {
     BoxItem item;
@@ -41,7 +41,7 @@ BoxItem ItemOf(const BBOX& box, const void* what)
     return item;
 }
 
-/// What a light source looks like stands for it.
+/// The object that a light source looks like; any other object itself.
 ObjectPtr Visible(ObjectPtr object)
 {
     if (!(object->Type & LIGHT_SOURCE_OBJECT))
@@ -67,10 +67,9 @@ struct TwoConditions
     bool After(const Ray& ray, ObjectPtr object, DBL depth) const { return after(ray, object, depth); }
 };
 
-/// Looks for the nearest intersection with an object whose box was met; as Find_Intersection() does, but leaves alone
-/// what is not nearer than the best.
-/// @param precedes  whether an intersection at the depth of the best takes its place
-/// @param hits      an empty stack, and empty again afterwards
+/// Find_Intersection() for an object whose box the ray met, except that it skips intersections behind the best.
+/// @param precedes  true if an intersection at the same depth as the best replaces it
+/// @param hits      an empty stack; empty again afterwards
 template<class Conditions>
 TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best,
                                   const Conditions& conditions, IStack& hits, TraceThreadData* thread)
@@ -83,7 +82,7 @@ TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ra
         return false;
     const Intersection* nearest = NULL;
     DBL depth = best.Depth;
-    // they lie side by side; the one that is wanted is copied once
+    // intersections are contiguous; only the nearest is copied
     const Intersection* hit = &hits->top();
     for (size_t left = hits->size(); left > 0; left--, hit--)
     {
@@ -101,7 +100,7 @@ TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ra
     return nearest != NULL;
 }
 
-/// As MInvTransPoint() and MInvTransDirection() have it, with the same operations; the components lie side by side.
+/// MInvTransPoint() and MInvTransDirection() with the same operations, the components side by side.
 TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR origin, VECTOR direction)
 {
     using tilt_lens::Double4;
@@ -116,9 +115,9 @@ TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR 
     }
 }
 
-/// A ray against a triangle whose plane it meets nearer than at `nearest`: the operations of Mesh::intersect_mesh_triangle(), and
-/// so its results; but what is too far is left alone, and vertices are read in the two axes that count.
-/// @param depth  is set to where the ray meets the plane
+/// Mesh::intersect_mesh_triangle() with the same operations, and so the same results, except that it rejects depths of `nearest` and
+/// beyond first, and reads only the two coordinates that count.
+/// @param[out] depth  ray parameter at the triangle's plane
 TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin,
                                      const VECTOR direction, DBL nearest, DBL& depth)
 {
@@ -237,7 +236,7 @@ bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, const RayObje
 
 bool MeshHierarchy::MakeTree(const Mesh& mesh)
 {
-    // one at a time, of whichever mesh
+    // one at a time, for all meshes
     static std::mutex making;
     const std::lock_guard<std::mutex> lock(making);
     BBOX_TREE* tree = mesh.Data->Tree;
@@ -294,7 +293,7 @@ TILT_LENS_INLINED bool MeshHierarchy::IntersectBy(Mesh& mesh, const Ray& ray, IS
         {
             hits->push(Intersection(worldDepth, point, &mesh, triangle));
             met = true;
-            // those who ask may leave a nearer one aside, and of a mesh with an inside all are wanted
+            // a caller may reject nearer intersections; a mesh with an inside needs all of them
             if (!mesh.has_inside_vector && depth > SMALL_TOLERANCE * length)
                 nearest = depth;
         }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file area_light_sampler.h
-/// Trace asks it, where there is one, before it walks the grid of an area light.
+/// Hook of Trace, called before it walks the grid of an area light.
 
 #ifndef POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
 #define POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
@@ -17,10 +17,10 @@ class AreaLightSampler
   public:
     virtual ~AreaLightSampler() = default;
 
-    /// Chooses one point of an area light that stands for its whole grid, for a caller that averages over many rays.
-    /// @param radiosityDepth  recursion depth of radiosity; its samples are kept for other pixels, which want the whole grid
-    /// @param[out] u, v       the point's column and row
-    /// @return whether a point was chosen; otherwise the whole grid is to be walked
+    /// Chooses one point of an area light to represent its grid, for a caller that averages over many rays.
+    /// @param radiosityDepth  recursion depth of radiosity; its samples are reused by other pixels and need the whole grid
+    /// @param[out] u, v       column and row of the point
+    /// @return                false if the whole grid must be walked
     virtual bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v) = 0;
 };
 

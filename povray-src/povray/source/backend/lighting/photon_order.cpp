@@ -29,7 +29,7 @@ void OrderPhotons(PhotonMap& map)
               [&](const Photon& a, const Photon& b) { return values(a) < values(b); });
     for (int i = 0; i < map.numPhotons; i++)
         PHOTON_AMF(map.head, i) = photons[i];
-    std::srand(1);  // as it is when a program begins
+    std::srand(1);  // the C library's initial state
 }
 
 } // namespace pov

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file photon_order.h
-/// Photon maps that do not depend on threads. Each pair of a light and its target is shot by one thread, whichever
-/// is free, with random numbers of its own (Trace::BeginPhotons); what the threads have then lies in the order of the
-/// threads, on which the tree and the sums of light depend.
+/// Makes photon maps independent of threads. Any free thread shoots the photons of a light and a target, with the random numbers of that
+/// pair
+/// (Trace::BeginPhotons). The resulting order depends on the threads, and the tree and the sums of light depend on the order.
 
 #ifndef POVRAY_BACKEND_PHOTON_ORDER_H
 #define POVRAY_BACKEND_PHOTON_ORDER_H
@@ -14,8 +14,8 @@ namespace pov
 
 class PhotonMap;
 
-/// Puts the photons of a map that is not yet a tree into the order of their values, and begins anew the C library's
-/// random numbers, by which the map's density is estimated.
+/// Sorts the photons of a map that is not yet a tree by their values. Also resets the C library's random numbers, from which the
+/// map's density is estimated.
 void OrderPhotons(PhotonMap& map);
 
 } // namespace pov

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file macro_files.h
-/// Text files that were opened to read a macro of theirs and that nobody reads now. A macro from another file is read
-/// there each time that it is invoked, and to open a file the parser must ask the frontend where it lies.
+/// Text files kept open for macros. A macro of another file is read from that file at each invocation, and to open it the parser must ask
+/// the
+/// frontend for its place.
 
 #ifndef POVRAY_BACKEND_MACRO_FILES_H
 #define POVRAY_BACKEND_MACRO_FILES_H
@@ -21,18 +22,18 @@ namespace pov
 class MacroFiles
 {
   public:
-    /// A file that was kept under this name, at any position; the caller owns it. Null: there is none.
+    /// Returns a file kept under this name, at any position, to the caller's ownership; null if there is none.
     pov_base::ITextStream* Take(const UCS2* name);
-    /// Keeps a file that the caller owned. Of more than `most` the one that has lain longest is closed.
+    /// Takes ownership. Beyond `most` files, closes the one kept longest.
     void Keep(pov_base::ITextStream* file);
-    /// The scene may have changed files: closes what is kept.
+    /// Closes all files, because the scene may have changed some.
     void Forget() { files.clear(); }
 
-    /// The system allows a program some thousand open files.
+    /// Far below the usual limit of about a thousand open files.
     static constexpr std::size_t most = 32;
 
   private:
-    std::vector<std::unique_ptr<pov_base::ITextStream>> files;  ///< the last kept is the last
+    std::vector<std::unique_ptr<pov_base::ITextStream>> files;  ///< oldest first
 };
 
 } // namespace pov

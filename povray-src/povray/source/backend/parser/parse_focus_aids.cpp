@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_focus_aids.cpp
-/// The items of `tilt_lens { ... }` that draw in place of the lens's picture.
+/// The items of `tilt_lens { ... }` that draw focus aids.
 
 #include "backend/parser/parse_tilt_lens.h"
 
@@ -32,7 +32,7 @@ void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
     parser.Unget_Token();
     RGBColour colour;
     parser.Parse_Colour(colour);
-    // upstream takes black where it finds no colour
+    // upstream takes a missing colour for black
     parser.Get_Token();
     const TiltLensPlace after = Here();
     if (after.line == before.line && after.column == before.column && after.file == before.file)
@@ -41,7 +41,7 @@ void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
                 parser.Token.Token_String);
     parser.Unget_Token();
     aids.peakingColour = {colour.red(), colour.green(), colour.blue()};
-    // the tint takes the place of light, which OpenEXR's half floats must hold
+    // the tint is light, which OpenEXR's half floats must hold
     const double kMost = 65504.0;
     for (double number : {colour.red(), colour.green(), colour.blue()})
         if (!(std::fabs(number) <= kMost))
@@ -56,7 +56,7 @@ void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
     RequireAidsTogether(aids);
 }
 
-/// A focus aid shows how blurred things are, and a pinhole blurs nothing.
+/// A focus aid shows blur, of which a pinhole has none.
 void TiltLensParser::RequireAperture(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_prescription.cpp
-/// The item `prescription` of `tilt_lens { ... }`: the file of a lens of glass, and what goes with it.
+/// The item `prescription` of `tilt_lens { ... }` and its conflicts with other items.
 
 #include "backend/parser/parse_tilt_lens.h"
 
@@ -31,10 +31,10 @@ using tilt_lens::Statement;
 namespace
 {
 
-/// Bytes of a file; the largest collections of lenses have a tenth of that.
+/// Limit of a file's size; the largest collections of lenses have a tenth of it.
 const std::size_t kMostBytes = 4u << 20;
 
-/// `FILE#NAME` chooses a lens of a collection; only JSON files are any.
+/// `FILE#NAME` chooses a lens of a collection; only JSON files are collections.
 struct FileChoice
 {
     std::string file, name;
@@ -49,7 +49,7 @@ struct FileChoice
     }
 };
 
-/// What makes an ideal lens a real one, by name, where it is asked for.
+/// The first item that gives an ideal lens an aberration, or NULL.
 const char* CharacterAsked(const Character& c)
 {
     return c.edgeLight != 0.0            ? "edge_light"
@@ -63,7 +63,7 @@ const char* CharacterAsked(const Character& c)
 
 } // namespace
 
-/// The whole file, found where the scene's other files are.
+/// The whole file, searched for like the scene's other files.
 std::string TiltLensParser::ReadWhole(const std::string& name)
 {
     UCS2String found;
@@ -113,7 +113,7 @@ void TiltLensParser::ParsePrescription(Statement& statement)
     }
 }
 
-/// Each glass's Abbe number, where they are asked for.
+/// Requires Abbe numbers for dispersion.
 void TiltLensParser::RequireColours(const Statement& statement, const TiltLensPlace& place)
 {
     if (!statement.dispersion)
@@ -128,7 +128,7 @@ void TiltLensParser::RequireColours(const Statement& statement, const TiltLensPl
     }
 }
 
-/// What glass has of its own cannot be asked for beside it.
+/// Refuses items that a lens of glass determines itself.
 void TiltLensParser::RequireNoOtherLens(const Camera& camera)
 {
     const Statement& s = camera.TiltLens.statement;
@@ -150,7 +150,7 @@ void TiltLensParser::RequireNoOtherLens(const Camera& camera)
         ErrorAt(place, "bokeh and prescription in one camera: a picture cannot stand for the stop of a lens of glass. Remove one of the two; "
                        "blades and squeeze give a stop its shape.");
     if (const char* const word = CharacterAsked(s.character))
-        ErrorAt(place, "%s and prescription in one camera: the lens of glass does by itself what it does. Remove %s.", word, word);
+        ErrorAt(place, "%s and prescription in one camera: the lens of glass has aberrations of its own. Remove %s.", word, word);
 }
 
 } // namespace pov

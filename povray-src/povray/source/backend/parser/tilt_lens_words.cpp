@@ -27,7 +27,7 @@ namespace
 {
 
 const char kLightToRim[] = "light in the middle to light at the rim; 0 is even";
-const char kImageOfSides[] = "millimetres by which the image of the film's sides lies before it";
+const char kImageOfSides[] = "millimetres by which the image at the film's left and right edge lies in front of the film";
 const char kEndsOfSpectrum[] = "millimetres between the images of the ends of the spectrum";
 
 } // namespace
@@ -109,7 +109,7 @@ const TiltLensItem TiltLensItems::kAll[32] = {
 namespace
 {
 
-/// Words that people look for inside the block although they belong to the camera around it.
+/// Items of the camera that users expect inside the block.
 const char* const kCameraWords[] = {"aperture",   "focal_point", "look_at",  "blur_samples", "confidence",
                                     "variance",   "bokeh",       "angle",    "location",     "direction",
                                     "right",      "up",          "sky",      "normal",       "translate",
@@ -122,7 +122,7 @@ std::string Lowercase(std::string word)
     return word;
 }
 
-/// Edits that turn one word into the other (Levenshtein).
+/// Levenshtein distance.
 size_t EditDistance(const std::string& a, const std::string& b)
 {
     std::vector<size_t> row(b.size() + 1);

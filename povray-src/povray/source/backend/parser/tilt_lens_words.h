@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_words.h
-/// The words of a `tilt_lens` block, and what to say of a word that is none of them.
+/// The words of a `tilt_lens` block, and guesses at unknown words.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_WORDS_H
 #define POVRAY_BACKEND_TILT_LENS_WORDS_H
@@ -15,36 +15,36 @@ namespace pov
 class TiltLensParser;
 struct TiltLensCamera;
 
-/// An item of the block. This is the one place that has its word.
+/// An item of the block; its word is written nowhere else.
 struct TiltLensItem
 {
     const char* word;
-    const char* family;  ///< words of its family of focus, or NULL
-    const char* distance; ///< itself where it says how far away the focus lies, or NULL
-    const char* example; ///< how it is written with its value
-    /// Parses what stands behind the word.
+    const char* family;  ///< words of its focus family, or NULL
+    const char* distance; ///< the word itself if it states the distance of the focus, or NULL
+    const char* example; ///< the word with a value
+    /// Parses the value.
     void (*parse)(TiltLensParser& parser, const std::string& word, TiltLensCamera& lens);
 };
 
-/// All items, in the order in which messages name them.
+/// In the order of messages.
 struct TiltLensItems
 {
     static const TiltLensItem kAll[32];
 };
 
-/// The item of that spelling, or NULL.
+/// NULL if there is none.
 const TiltLensItem* FindTiltLensItem(const std::string& word);
 
-/// The item that takes the fewest edits (Levenshtein), upper and lower case alike.
+/// The nearest item by Levenshtein distance, ignoring case.
 const TiltLensItem& NearestTiltLensItem(const std::string& word);
 
-/// Whether a word was probably meant to begin the block.
+/// True if a word was probably meant to begin the block.
 bool LooksLikeTiltLens(const std::string& word);
 
 /// All items, for a message.
 std::string TiltLensItemNames();
 
-/// Whether people look for the word inside the block although it belongs to the camera around it.
+/// True for an item of the camera that users expect inside the block.
 bool IsCameraWord(const std::string& word);
 
 } // namespace pov

@@ -13,7 +13,7 @@
 namespace pov
 {
 
-/// Of a scene with a hierarchy of its own, which takes the flags, which saves two virtual calls for each object that a ray comes to.
+/// A hierarchy takes the flags in place of the conditions, which saves two virtual calls per object.
 bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flags, double depth,
                           const RayObjectCondition& precondition, const RayObjectCondition& postcondition)
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forget_rays.cpp
-/// What a thread keeps from one ray for the next, to be faster, and where the next ray may get another answer by it.
-/// Pictures with `tilt_lens` promise pixels that depend on nothing but the scene, so each of their camera rays begins
-/// with all of it forgotten. Random numbers are not among it: a sample seeds them.
+/// Clears the caches that a thread keeps from ray to ray, where they may change the next ray's result. Pixels of pictures with
+/// `tilt_lens` depend on the scene alone, so each of their camera rays starts without these caches. Random numbers are seeded by
+/// the sample instead.
 
 #include <algorithm>
 
@@ -20,20 +20,20 @@ namespace pov
 
 void Trace::ForgetRays()
 {
-    // the object that was in a light's way last time is asked first, with other tolerances than all the others
+    // the last object in a light's way is tested first, with tolerances of its own
     if (shadowCacheUsed)
     {
         std::fill(lightSourceLevel1ShadowCache.begin(), lightSourceLevel1ShadowCache.end(), ObjectPtr(NULL));
         std::fill(lightSourceOtherShadowCache.begin(), lightSourceOtherShadowCache.end(), ObjectPtr(NULL));
         shadowCacheUsed = false;
     }
-    // a ray beside one that missed an isosurface is taken to miss it, too, which is true if max_gradient is
+    // a ray beside one that missed an isosurface is assumed to miss it, which holds only if max_gradient does
     threadData->isosurfaceData->cache = false;
-    // points of the cell that `facets` was asked for last are told from those of other cells by a hash only
+    // points of the last cell of `facets` are recognised by a hash alone
     threadData->Facets_Last_Seed = int(0x80000000);
 }
 
-/// Whatever thread shoots the photons of a light at a target, it shoots the same ones.
+/// The photons of a light and a target do not depend on the thread that shoots them.
 void Trace::BeginPhotons()
 {
     ForgetRays();

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file light_path.h
-/// How far a camera ray's light has come, through flat mirrors and panes. A flat mirror keeps vergences: a lamp seen in it is
-/// blurred as at the end of the whole path, not as the mirror. Curved surfaces change them, so that there the path ends at the first
-/// surface.
+/// Length of a camera ray's path through flat mirrors and panes. A flat mirror preserves vergences: a lamp seen in it is blurred as
+/// at the end of the whole path. A curved surface changes them, so the path ends there.
 
 #ifndef TILT_LENS_LIGHT_PATH_H
 #define TILT_LENS_LIGHT_PATH_H
@@ -14,22 +13,22 @@
 namespace pov
 {
 
-/// Follows TraceRay's recursion: the path of a ray goes on with that of the ray that it gave rise to which brought half of its light
-/// or more. Where all is black, it goes on as well.
+/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the ray's light, or with any if all
+/// are black.
 class LightPath
 {
   public:
-    /// Only while a camera asks.
+    /// Set only while needed.
     bool wanted = false;
 
-    /// The brightest of the rays that one ray gave rise to.
+    /// The brightest secondary ray of a ray.
     struct Brightest
     {
         double light = 0.0, length = 0.0;
     };
 
-    /// A ray has hit a surface, whose light is computed next.
-    /// @return  for End()
+    /// A ray has hit a surface and its light is about to be computed.
+    /// @return  argument for End()
     Brightest Begin()
     {
         const Brightest outer = brightest;
@@ -37,10 +36,10 @@ class LightPath
         return outer;
     }
 
-    /// The ray's light is known.
-    /// @param hit  object; NULL if there is none
+    /// The ray's light has been computed.
+    /// @param hit       object, or NULL
     /// @param distance  to it, scene units
-    /// @param weight  of the ray, as TraceRay has it
+    /// @param weight    of the ray, as in TraceRay
     void End(Brightest outer, const ObjectBase* hit, double distance, const Colour& colour, double weight)
     {
         const double light = weight * colour.greyscale();
@@ -48,7 +47,7 @@ class LightPath
         brightest = light >= outer.light ? Brightest{light, length} : outer;
     }
 
-    /// Length of the last path, scene units; HUGE_VAL where it ends at no surface.
+    /// Length of the last path, scene units; HUGE_VAL if it ends at no surface.
     double Length() const { return length; }
 
   private:

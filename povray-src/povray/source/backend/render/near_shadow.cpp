@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file near_shadow.cpp
-/// Shadows near what casts them. POV-Ray leaves out all that is nearer than 0.001 units to a point in shadow, unless it is the
-/// object that stood in the light's way last: a thread keeps that one and asks it for shadows at any distance. Pictures with
-/// `tilt_lens` keep nothing from one ray for the next (forget_rays.cpp), and ask all objects that could have been kept.
+/// Shadows near their casters. POV-Ray ignores objects nearer than 0.001 units to a point in shadow, except the one that it cached
+/// as last in the light's way. Pictures with `tilt_lens` cache nothing from ray to ray (forget_rays.cpp), and test all objects that
+/// could be in that cache.
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ namespace pov
 namespace
 {
 
-/// Opaque objects that are large enough to have stood in a light's way at more than the tolerance.
+/// Opaque objects larger than the tolerance, which POV-Ray could have cached.
 struct MayBeKept : public RayObjectCondition
 {
     virtual bool operator()(const Ray&, const ObjectBase* object, double) const
@@ -33,7 +33,7 @@ struct MayBeKept : public RayObjectCondition
 
 } // namespace
 
-/// @param lightDepth  how far along the ray the light is
+/// @param lightDepth  distance of the light along the ray
 bool Trace::IsInNearShadow(const Ray& ray, double lightDepth)
 {
     Intersection nearest;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture_layers.cpp
-/// The renderer's part in `Output_Layers`: what is met by one ray through the middle of each pixel of a
-/// finished tile, what the tile cost, and the camera's numbers. See base/picture_layers.h.
+/// The renderer's part of `Output_Layers`: first hits along the rays through pixels' centres, effort of a finished tile, and the
+/// camera's numbers. See base/picture_layers.h.
 
 #include "base/picture_layers.h"
 
@@ -37,7 +37,8 @@ class LayerBlock
   public:
     explicit LayerBlock(size_t itsArea) : area(itsArea) {}
 
-    /// Begins a layer of zeros; pointers to earlier ones become invalid.
+    /// Adds a layer of zeros.
+    /// @return  its index
     size_t Add(const char* name)
     {
         names.push_back(name);
@@ -60,7 +61,7 @@ class LayerBlock
     std::vector<POVMSFloat> values;
 };
 
-/// Signed blur of what lies at a depth in a pixel; infinitely deep for nothing.
+/// Signed blur at a depth in a pixel; infinite depth for no hit.
 double BlurAt(const tilt_lens::Lens& lens, unsigned int x, unsigned int y, DBL width, DBL height, double depth)
 {
     const Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
@@ -72,7 +73,7 @@ double BlurAt(const tilt_lens::Lens& lens, unsigned int x, unsigned int y, DBL w
 bool TiltLensTracer::FirstPoint(TracePixel& trace, unsigned int x, unsigned int y, DBL width, DBL height, Vec3& point,
                                 DBL& depth)
 {
-    // a lens of POV-Ray's own must not jitter the ray
+    // POV-Ray's own focal blur must not jitter the ray
     const bool blurs = trace.useFocalBlur;
     trace.useFocalBlur = false;
     Ray ray;
@@ -88,8 +89,7 @@ bool TiltLensTracer::FirstPoint(TracePixel& trace, unsigned int x, unsigned int 
     return true;
 }
 
-/// Called for each tile before its colours are sent: a tile whose colours are on the disk has its layers
-/// there as well.
+/// Called for each tile before its colours are sent, so that a tile whose colours are in the state file has its layers there, too.
 void TraceTask::SendLayers(const POVRect& rect)
 {
     const ViewData& view = *GetViewData();
@@ -142,7 +142,7 @@ void ViewData::Post(POVMS_Message& message) const
     POVMS_SendMessage(message);
 }
 
-/// Tells the front end the camera's numbers, where layers are asked for.
+/// Sends the camera's numbers to the front end, if layers are asked for.
 void View::StartLayers(POVMS_Object& options)
 {
     viewData.outputLayers = options.TryGetBool(pov_base::kPOVAttrib_OutputLayers, false);

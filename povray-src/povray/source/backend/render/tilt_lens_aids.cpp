@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_aids.cpp
-/// TiltLensTracer's part in focus aids: pictures of one ray a pixel, through the lens centre.
+/// TiltLensTracer's part in focus aids: pictures of one ray per pixel, through the lens centre.
 
 #include <limits>
 #include <optional>
@@ -21,7 +21,7 @@
 namespace pov
 {
 
-/// What a ray meets first, as the picture sees it: distance along the unit direction, or HUGE_VAL.
+/// Distance along the unit direction to the first visible surface, or HUGE_VAL.
 DBL TiltLensTracer::FirstHit(TracePixel& trace, const Ray& ray)
 {
     Intersection first;
@@ -32,7 +32,7 @@ DBL TiltLensTracer::FirstHit(TracePixel& trace, const Ray& ray)
     return trace.FindIntersection(first, ray, visible, any) ? first.Depth : HUGE_VAL;
 }
 
-/// Through the middle of what a pixel's middle sees of a lens of glass.
+/// The central ray of a pixel's centre through a lens of glass.
 bool TiltLensTracer::MiddleRayOfGlass(Ray& ray, const tilt_lens::FilmPoint& film) const
 {
     const std::optional<tilt_lens::LensRay> middle = view->glass->MiddleRay(film);
@@ -45,8 +45,8 @@ bool TiltLensTracer::MiddleRayOfGlass(Ray& ray, const tilt_lens::FilmPoint& film
     return true;
 }
 
-/// The ray through the lens centre for the middle of a pixel: POV-Ray's own, but for a lens with distortion or of glass. False
-/// where the camera has none there.
+/// Chief ray of a pixel's centre: POV-Ray's own, except for a lens with distortion or of glass.
+/// @return  false if the camera has none there
 bool TiltLensTracer::ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height)
 {
     if (!trace.CreateCameraRay(ray, x, y, width, height, 0))
@@ -71,13 +71,12 @@ bool TiltLensTracer::ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, D
     return true;
 }
 
-/// A pixel of a picture with focus aids.
 void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour)
 {
     Ray ray;
     colour = Colour();
     if (!ChiefCameraRay(trace, ray, x, y, width, height))
-        return;  // beyond the image circle of a lens of glass
+        return;  // outside the image circle of a lens of glass
     DBL distance;
     if (view->aids->NeedsLight())
     {
@@ -93,7 +92,7 @@ void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colou
     else
         distance = FirstHit(trace, ray);
 
-    // a camera's normal may have turned the ray: what counts is how deep the point lies along the axis
+    // a camera normal may have deflected the ray: blur depends on the depth along the axis
     const tilt_lens::Lens& lens = view->lens;
     const tilt_lens::Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
     const tilt_lens::Vec3 way{ray.Direction[X], ray.Direction[Y], ray.Direction[Z]};
@@ -104,7 +103,6 @@ void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colou
     colour = view->aids->Drawn(int(x), int(y), chief, T, colour);
 }
 
-/// A tile of such a picture.
 void TiltLensTracer::TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height,
                                   std::vector<Colour>& pixels)
 {

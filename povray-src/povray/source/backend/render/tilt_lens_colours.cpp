@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_colours.cpp
-/// TiltLensTracer's part in colour fringes. Each of a sample's three rays carries a third of the spectrum, at one of its
-/// wavelengths, and gives the picture its colour. All three draw the same random numbers, so that an even grey surface gets
-/// three equal numbers and no noise of colour.
+/// TiltLensTracer's part in colour fringes. A sample takes three rays, each with one wavelength of its third of the spectrum, for red,
+/// green
+/// and blue. All three draw the same random numbers, so that a uniform grey surface has no noise of colour.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@
 namespace pov
 {
 
-/// Number of the pair that the place within a third of the spectrum is taken from; area lights count from 0.
+/// Random pair for the place within a third of the spectrum; area lights count from 0.
 static const unsigned int kHuePair = 0x487565;
 
 void TiltLensTracer::TraceColours(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result)
@@ -38,7 +38,7 @@ void TiltLensTracer::TraceColours(const tilt_lens::CameraRay& camera, tilt_lens:
             mixed[c] += result.radiance[c] / 3.0;
     }
     result.radiance = mixed;
-    result.circle = tilt_lens::CircleOfConfusion();  // the three colours have three circles: it serves its own pixel alone
+    result.circle = tilt_lens::CircleOfConfusion();  // three circles of confusion, one per colour: the sample serves its own pixel alone
 }
 
 } // namespace pov

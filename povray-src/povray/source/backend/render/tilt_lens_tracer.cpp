@@ -29,8 +29,8 @@ Colour ToColour(const Radiance& v)
     return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
 }
 
-/// The point of a row that x in (0, 1) chooses, in the proportions in which POV-Ray averages them: it
-/// halves a row of an area light again and again, and both halves have the middle point of an odd one.
+/// The point of an area light's row for x in (0, 1), with POV-Ray's weights: POV-Ray bisects the row recursively, and both halves of an
+/// odd row include its middle point.
 int PointOfRow(int points, double x)
 {
     int first = 0, last = points - 1;
@@ -103,7 +103,7 @@ void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, tilt_len
     TraceRays(rays, 0, {{0, 0, index}, 1, true}, ray, &result);
 }
 
-/// A ray that has yet to begin; within what holds the whole lens.
+/// A camera ray without origin and direction, inside the interiors that contain the whole lens.
 Ray TiltLensTracer::CameraRayOfPov() const
 {
     Ray ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
@@ -112,7 +112,7 @@ Ray TiltLensTracer::CameraRayOfPov() const
     return ray;
 }
 
-/// Camera rays in, light out.
+/// Traces camera rays.
 /// @param place  of the run's first ray
 void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray,
                                tilt_lens::SampleResult* results)
@@ -148,7 +148,6 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
         FindCircles(rays, place, count, distances, results);
 }
 
-/// From a point of the lens through the focus of that film point.
 inline void TiltLensTracer::Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const
 {
     const VECTOR& location = trace.camera.Location;
@@ -159,7 +158,7 @@ inline void TiltLensTracer::Begin(Ray& ray, const tilt_lens::CameraRays& rays, u
     }
 }
 
-/// Where the camera has a normal, or a part of its lens lies within an object.
+/// For a camera with a normal, or a lens that is partly inside an object.
 void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place)
 {
     if (trace.camera.Tnormal != NULL)
@@ -190,7 +189,7 @@ inline void TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, 
                 weight * colour[pTRANSM]};
 }
 
-/// The circles of confusion of the points that such rays have hit.
+/// Circles of confusion of the hit points.
 void TiltLensTracer::FindCircles(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
                                  tilt_lens::SampleResult* results) const
 {
@@ -205,10 +204,9 @@ void TiltLensTracer::FindCircles(const tilt_lens::CameraRays& rays, unsigned int
     }
 }
 
-/// The rays of a pixel average over the lens anyway, so one point of an area light for each has the mean
-/// of the whole grid at the cost of one shadow ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray
-/// Tracing", 1984). Radiosity keeps its samples for other pixels and gets the whole light, as does the one ray of a
-/// pixel with focus aids.
+/// A pixel averages over many rays, so that one random point of an area light per ray has the mean of the whole grid for one shadow
+/// ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", 1984). Radiosity, which reuses its samples, and focus aids,
+/// which take one ray per pixel, get the whole grid.
 bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v)
 {
     if (trace.pretrace || radiosityDepth > 0)
@@ -221,7 +219,7 @@ bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosit
     return true;
 }
 
-/// The lens points of one picture lie in few objects or none: the view has found out which to ask.
+/// Tests only the objects that may contain lens points.
 void TiltLensTracer::EnterInteriors(Ray& ray) const
 {
     for (const ObjectAroundLens& around : view->aroundLens)
@@ -233,7 +231,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     }
 }
 
-/// Lets generators take their seeds from here. Not in the constructor, which comes before that of media.
+/// Connects generators to the seeds of samples. Not in the constructor, which runs before that of media.
 void TiltLensTracer::LeadGenerators()
 {
     trace.crandSeeds.Follow(*this);
@@ -242,7 +240,7 @@ void TiltLensTracer::LeadGenerators()
         ofMedia->seeds.Follow(*this);
 }
 
-/// Whatever draws random numbers on the way of the sample that begins draws this sample's own.
+/// Seeds every generator that the sample may use.
 void TiltLensTracer::BeginNumbers()
 {
     BeginSample();
@@ -250,11 +248,11 @@ void TiltLensTracer::BeginNumbers()
         SeedSubsurface(Seed());
 }
 
-/// Subsurface light draws from sequences of its own, one a recursion level, made when first needed;
-/// they are made here, so that their first numbers too are the sample's.
+/// Creates the sequences of subsurface light, one per recursion level, which Trace would create when first needed: so the sample
+/// determines their first numbers, too.
 void TiltLensTracer::SeedSubsurface(unsigned int seed)
 {
-    const size_t levels = 3, length = 32767;  // as deep and as long as Trace itself makes them
+    const size_t levels = 3, length = 32767;  // as deep and as long as Trace makes them
     while (trace.ssltUniformDirectionGenerator.size() < levels)
         trace.ssltUniformDirectionGenerator.push_back(GetSubRandomDirectionGenerator(0, length));
     while (trace.ssltUniformNumberGenerator.size() < levels)
@@ -353,7 +351,7 @@ void TiltLensTracer::EstimateWork()
     }
 }
 
-/// Final render of a `tilt_lens` picture: takes the place of all anti-aliasing methods.
+/// Final render of a `tilt_lens` picture; replaces all anti-aliasing methods.
 void TraceTask::TiltLensSampling()
 {
     POVRect rect;
@@ -365,7 +363,7 @@ void TraceTask::TiltLensSampling()
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {
         radiosity.BeforeTile(highReproducibility ? serial : 0);
-        // radiosity that is to be reproducible begins each tile anew
+        // reproducible radiosity starts each tile afresh
         tracer.TraceTile(rect, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
                          highReproducibility && GetSceneData()->radiositySettings.radiosityEnabled, pixels);
         radiosity.AfterTile();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tracer.h
-/// TracePixel's part in `tilt_lens` pictures: camera rays in, light out. TracePixel has one where its view has a
-/// lens with an aperture, and calls it a friend: what a ray needs of POV-Ray is private there.
+/// Traces the camera rays of `tilt_lens` pictures. A TracePixel owns one if its view has a lens with an aperture, and is its friend,
+/// because tracing needs TracePixel's private members.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_TRACER_H
 #define POVRAY_BACKEND_TILT_LENS_TRACER_H
@@ -26,48 +26,48 @@ namespace pov
 class Ray;
 class TracePixel;
 
-/// What a pixel cost, and how good it is.
+/// Cost and noise of a pixel.
 struct TiltLensEffort
 {
     unsigned int samples;
-    double variance;  ///< as TileSampler::Variance() gives it
+    double variance;  ///< see TileSampler::Variance()
 };
 
 class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
 {
   public:
-    /// Lives as long as its owner, which it uses. NULL where the view has no lens with an aperture.
+    /// @return  NULL if the view has no lens with an aperture
+    /// @param owner  must outlive the result
     static shared_ptr<TiltLensTracer> Create(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    /// That of a TracePixel, or NULL.
+    /// @return  NULL if there is none
     static TiltLensTracer* Of(const TracePixel& owner);
 
-    /// A pixel of a preview or of a radiosity pretrace: not for the final picture, so a few samples do,
-    /// one where only the places that are seen matter.
+    /// A pixel of a preview or of a radiosity pretrace, not of the final picture: a few samples, or one for a pretrace.
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
 
     /// A tile of the final picture.
     /// @param width, height  of the whole picture, in pixels
-    /// @param alone   whether the tile may share nothing with others, because a pixel depends on what else its tile traced
-    /// @param pixels  row by row
+    /// @param alone          true if the tile may share no samples with others, because its pixels depend on the order of tracing
+    /// @param pixels         row by row
     void TraceTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone, std::vector<Colour>& pixels);
 
-    /// Before the first tile, all threads together trace some pixels, so that progress can be told.
+    /// Traces test pixels before the first tile, shared among all threads, to weight the progress display.
     void EstimateWork();
 
-    /// Of the last tile, pixel by pixel; empty for focus aids.
+    /// Of the last tile, row by row; empty for focus aids.
     const std::vector<TiltLensEffort>& Effort() const { return effort; }
 
     virtual bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
 
     virtual unsigned int Seed() const { return pixel->Hash(index); }
 
-    /// @name For picture layers, which all cameras have.
+    /// @name For picture layers, with any camera.
     /// @{
 
-    /// Where the ray through the middle of a pixel first meets something, transparent or not.
+    /// First hit of the ray through a pixel's centre, transparent surfaces included.
     /// @param[out] point  world coordinates
-    /// @param[out] depth  along the camera's axis where it has one, else the length of the ray
+    /// @param[out] depth  along the camera's axis if it has one, else the length of the ray
     static bool FirstPoint(TracePixel& trace, unsigned int x, unsigned int y, DBL width, DBL height,
                            tilt_lens::Vec3& point, DBL& depth);
     /// @}
@@ -75,24 +75,24 @@ class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
   private:
     TracePixel& trace;
     const shared_ptr<TiltLensView> view;
-    const bool interiorsVary;  ///< among the rays of the picture: a part of the lens lies within an object
+    const bool interiorsVary;  ///< the lens is partly inside an object, so that rays start in different interiors
     std::vector<TiltLensEffort> effort;
 
-    /// The sample that is being traced.
-    const tilt_lens::PixelSampler* pixel = NULL;  ///< its pixel's sequence; NULL while none is traced
+    /// The current sample.
+    const tilt_lens::PixelSampler* pixel = NULL;  ///< its pixel's sequence; NULL if none is being traced
     unsigned int index = 0;
     unsigned int areaLightsMet = 0;
-    /// Points of area lights in this tile: asked, and those beside them that were not.
+    /// Area light points in this tile: sampled, and skipped.
     std::uint64_t areaLightPoints = 0, areaLightPointsSkipped = 0;
-    /// Rays that a lens of glass let not through, in this tile.
+    /// Rays in this tile that a lens of glass blocked.
     std::uint64_t refusedRays = 0;
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    /// @param ray  as CameraRayOfPov() makes it; may be used again
+    /// @param ray  from CameraRayOfPov(); reusable
     void TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray,
                   tilt_lens::SampleResult* results);
-    /// @name Of the sample that `pixel` and `index` name.
+    /// @name For the sample of `pixel` and `index`.
     /// @{
     void TraceSample(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);
     void TraceColours(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);

@@ -39,7 +39,7 @@ struct RecordedCamera
     TiltLensPlace end;
 };
 
-/// Camera statements of this run; never destroyed, as what they hold may be gone before.
+/// Camera statements of this run. Never destroyed, because objects that they refer to may be destroyed before.
 std::vector<RecordedCamera>& Recorded()
 {
     static std::vector<RecordedCamera>& cameras = *new std::vector<RecordedCamera>;
@@ -57,7 +57,7 @@ std::string Number(const std::optional<double>& value) { return value ? Number(*
 
 std::string Vector(const Vec3& v) { return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]"; }
 
-/// Four rows; a point is the row in front of the matrix.
+/// Row by row, for row vectors.
 std::string Matrix(const MATRIX& m)
 {
     std::string text;
@@ -73,7 +73,7 @@ std::string Matrix(const MATRIX& m)
 
 const char* Truth(bool value) { return value ? "true" : "false"; }
 
-/// In quotation marks, all but printable ASCII escaped.
+/// JSON string in ASCII.
 std::string Text(const UCS2String& name)
 {
     std::ostringstream text;
@@ -119,7 +119,7 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// The statement of a solved camera with a point or a plane in place of where the film stands.
+/// The statement of a solved camera, with a point or a plane in place of the film's position.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
@@ -141,7 +141,7 @@ Statement WithFocus(const Camera& camera)
     return s;
 }
 
-/// With the focal length that a lens of glass has where its groups stand.
+/// The statement with the focal length of a lens of glass in its focus state.
 Statement Ideal(const Camera& camera, const Statement& s)
 {
     return IdealStatement(WithGroups(s, camera.TiltLens.lens ? camera.TiltLens.lens->groups : 0.0));
@@ -161,7 +161,7 @@ std::string Described(const Camera& camera)
            ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
 
-/// How values of the picture become light.
+/// Transfer curve from pixel values to light.
 std::string Gamma(const SceneData& scene)
 {
     if (!scene.workingGammaToSRGB)
@@ -196,7 +196,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
         {
             FindFocus(recorded.camera, scene);
         }
-        catch (const tilt_lens::OpticsError&)  // matters where it is the camera of the picture
+        catch (const tilt_lens::OpticsError&)  // reported only for the camera of the picture
         {
         }
         text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) + ", \"line\": " +
@@ -217,7 +217,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
     view.TiltLens.statement.aperture = 0.0;
     view.TiltLens.statement.fStop.reset();
     if (view.TiltLens.given)
-        TiltLensCamera::Solve(view);  // the lens was solved, with its diameter, when the statement ended
+        TiltLensCamera::Solve(view);  // the lens was solved with its diameter at the end of the statement
 }
 
 } // namespace pov

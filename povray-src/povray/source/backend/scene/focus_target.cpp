@@ -31,18 +31,17 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Rays about the middle of an object that has a hole there.
+/// Rays around the centre of an object that has a hole there.
 const int kRaysAround = 1024;
 
-/// Where the frame does not agree with the focus after so many steps, it never will: each step reduces the difference to
-/// about focal length / distance of it, unless the ray jumps between two objects.
+/// Each step reduces the disagreement of frame and focus to about focal length / distance of it, unless the ray alternates between two
+/// objects.
 const int kSteps = 50;
 
-/// Half the length of a bounding box from which on the object has no end in some direction; POV-Ray gives such a box
-/// BOUND_HUGE.
+/// Half diagonal of a bounding box beyond which the object counts as infinite; POV-Ray gives such boxes BOUND_HUGE.
 const double kEndless = 0.25 * BOUND_HUGE;
 
-/// Difference of two points, relative to their distance from the lens, that counts as none.
+/// Distance of two points, relative to their distance from the lens, that counts as none.
 const double kSamePoint = 1e-9;
 
 std::string Text(const Vec3& v)
@@ -52,7 +51,7 @@ std::string Text(const Vec3& v)
     return text;
 }
 
-/// Asks the scene with rays from the lens centre.
+/// Traces rays from the lens centre.
 class Finder
 {
   public:
@@ -93,22 +92,22 @@ Vec3 Finder::OnObject(const FocusTarget& target)
     const BBOX& box = target.object->BBox;
     const Vec3 half = 0.5 * Vec3{box.Lengths[X], box.Lengths[Y], box.Lengths[Z]};
     if (!(Length(half) < kEndless))
-        throw OpticsError(target.Written() + ": the object has no end, or is empty, so that it has no middle to focus on. Give "
+        throw OpticsError(target.Written() + ": the object is infinite or empty and has no centre to focus on. Give "
                           "focus_at, focal_point or, for a plane, focal_plane.");
     const Vec3 middle = Vec3{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]} + half - location;
-    // a camera within the object's middle looks along its axis
+    // if the camera is at the object's centre, the ray follows the camera's axis
     const Vec3 way = Length(middle) > 1e-6 * Length(half) ? middle : Length(half) * Normalized(FromPov(camera.Direction));
     const Vec3 aside = Normalized(Cross(way, std::fabs(way.x) < std::fabs(way.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     const Vec3 across = Cross(Normalized(way), aside);
     for (int i = 0; i <= kRaysAround; i++)
     {
-        // a spiral with one ray for each equal part of the disc around the box (H. Vogel, 1979)
+        // a spiral with one ray per equal part of the disc around the box (H. Vogel, 1979)
         const double radius = Length(half) * std::sqrt(double(i) / kRaysAround), turn = i * M_PI * (3.0 - std::sqrt(5.0));
         const auto hit = Hit(target.object.get(), way + radius * std::cos(turn) * aside + radius * std::sin(turn) * across);
         if (hit)
             return *hit;
     }
-    throw OpticsError(target.Written() + ": none of the rays from the lens to the object's bounding box meets it. Is it "
+    throw OpticsError(target.Written() + ": no ray from the lens to the object's bounding box hits the object. Is it "
                       "empty, or smaller than a thirtieth of that box? Give focal_point.");
 }
 
@@ -128,12 +127,12 @@ Vec3 Finder::InPicture(const FocusTarget& target, const Lens& lens)
         }
     }
     if (!point)
-        throw OpticsError(target.Written() + ": the ray through this place of the picture meets nothing. "
+        throw OpticsError(target.Written() + ": the ray through this place of the picture hits no object. "
                           "Give a place where an object is, or focal_point.");
     return *point;
 }
 
-/// The lens before it is focused: it stands as for infinity.
+/// The lens before focusing: at infinity.
 Lens Unfocused(const Camera& camera)
 {
     Camera unfocused(camera);
@@ -149,7 +148,7 @@ Lens Unfocused(const Camera& camera)
     return *unfocused.TiltLens.lens;
 }
 
-/// Calls `todo` for each target and the point that it stands for.
+/// Calls `todo` for each target with the point that it sets.
 template<class Todo>
 void ForEachTarget(TiltLensCamera& camera, FocusTarget::Kind kind, const Todo& todo)
 {
@@ -160,7 +159,7 @@ void ForEachTarget(TiltLensCamera& camera, FocusTarget::Kind kind, const Todo& t
             todo(camera.pointTargets[i], camera.statement.points[i]);
 }
 
-/// Where the found points lie, for a message on a lens that cannot be focused there.
+/// Describes the found points, for errors of a lens that cannot focus there.
 std::string Found(TiltLensCamera& block)
 {
     std::string text;
@@ -170,7 +169,8 @@ std::string Found(TiltLensCamera& block)
     return text;
 }
 
-/// Brings the focus and the angle of view into agreement; tells whether they are.
+/// Iterates focus and angle of view.
+/// @return  true if they agree
 bool FindInPicture(Finder& finder, Camera& camera)
 {
     TiltLensCamera& block = camera.TiltLens;
@@ -213,7 +213,7 @@ std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene)
     std::vector<std::string> warnings = Warnings(*block.lens, block.statement);
     if (!agree)
         warnings.push_back("focus_at lies on an edge: when the lens focuses on the nearer of two surfaces, the angle of view "
-                           "changes and the ray meets the other one. Give a place a little off the edge.");
+                           "changes and the ray hits the other one. Give a place a little off the edge.");
     return warnings;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_target.h
-/// Finds by rays what `focus_on` and `focus_at` put into focus, as an autofocus does.
+/// Autofocus: finds the points of `focus_on` and `focus_at` by rays.
 
 #ifndef POVRAY_BACKEND_FOCUS_TARGET_H
 #define POVRAY_BACKEND_FOCUS_TARGET_H
@@ -18,16 +18,16 @@ namespace pov
 
 class SceneData;
 
-/// Puts the points into the camera's statement and solves its lens; does nothing where nothing has to be found.
+/// Sets the points in the camera's statement and solves its lens; does nothing without `focus_on` and `focus_at`.
 ///
-/// - An object: where the ray from the lens centre to the middle of the object's bounding box first meets it, whatever else
-///   is in the way; where that ray misses it, the next of 1024 rays around that one, by growing angle.
-/// - A place in the picture: where its chief ray first meets a surface that is visible to the camera, transparent or not.
-///   Where focusing changes the angle of view (`focal_length`), the two are brought into agreement step by step.
+/// - Object: its first intersection with the ray from the lens centre to the centre of its bounding box, even behind other objects.
+///   If that ray misses it, the next of 1024 rays around it, by growing angle.
+/// - Place in the picture: first intersection of its chief ray with a visible surface, transparent or not. If focusing changes the
+///   angle of view (`focal_length`), the two are iterated until they agree.
 ///
-/// @param scene  parsed completely
-/// @throws tilt_lens::OpticsError  a ray meets nothing, an object has no end, or no lens can follow
-/// @return what to warn of
+/// @param scene  completely parsed
+/// @throws tilt_lens::OpticsError  a ray hits no object, an object is infinite, or no lens fits
+/// @return  warnings
 std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene);
 
 } // namespace pov

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_attributes.cpp
-/// Names and meanings are those of OpenEXR's list of standard attributes (openexr.com, "Standard
-/// Attributes"); names that it does not have begin with "tiltLens:".
+/// Names and meanings follow OpenEXR's list of standard attributes (openexr.com, "Standard Attributes"). Other names begin with
+/// "tiltLens:".
 
 #include "backend/scene/layer_attributes.h"
 
@@ -23,7 +23,7 @@ namespace
 
 std::vector<double> Numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// The camera's axes and its window: x and y at distance 1 along z, as OpenEXR and RenderMan have it.
+/// The camera's axes, and its window at distance 1 along z, as in OpenEXR and RenderMan.
 struct Window
 {
     Vec3 x, y, z;
@@ -43,7 +43,7 @@ struct Window
     }
 };
 
-/// A matrix for row vectors, from the columns that make x, y, z and w.
+/// A matrix for row vectors, from the columns that yield x, y, z and w.
 std::vector<double> Matrix(const Vec3& location, const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& w,
                            double wOffset)
 {
@@ -58,7 +58,7 @@ void AddProjection(std::vector<LayerAttribute>& list, const Camera& camera)
     list.push_back({"screenWindowWidth", {window.width}});
     list.push_back({"screenWindowCenter", {window.middleX, window.middleY}});
     list.push_back({"worldToCamera", Matrix(location, window.x, window.y, window.z, none, 1.0)});
-    // to (0, 0) and (1, 1) in the upper left and lower right corners, after division by w = depth
+    // maps the upper left and lower right corners to (0, 0) and (1, 1) after division by w = depth
     const Vec3 u = (window.x + (0.5 * window.width - window.middleX) * window.z) / window.width;
     const Vec3 v = ((0.5 * window.height + window.middleY) * window.z - window.y) / window.height;
     list.push_back({"worldToNDC", Matrix(location, u, v, window.z, window.z, 0.0)});
@@ -92,7 +92,7 @@ void AddLens(std::vector<LayerAttribute>& list, const Camera& camera, unsigned i
     // n.X = d with X in world coordinates
     const double distance = Length(lens.focus);
     if (distance == 0.0)
-        return;  // all that is sharp is at infinity
+        return;  // the plane of sharp focus is at infinity
     const Vec3 normal = lens.focus / distance;
     list.push_back({"tiltLens:focusNormal", Numbers(normal)});
     list.push_back({"tiltLens:focusDistance", {1.0 / distance + Dot(normal, FromPov(camera.Location))}});

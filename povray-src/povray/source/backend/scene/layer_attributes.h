@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_attributes.h
-/// A camera's numbers under the names that OpenEXR files have for them, and under ours.
+/// A camera's numbers as attributes of OpenEXR files.
 
 #ifndef POVRAY_BACKEND_LAYER_ATTRIBUTES_H
 #define POVRAY_BACKEND_LAYER_ATTRIBUTES_H
@@ -20,18 +20,18 @@ namespace pov
 struct LayerAttribute
 {
     std::string name;
-    std::vector<double> values;  ///< 1, 2, 3 or 16 (a matrix for row vectors, row by row)
+    std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (a matrix for row vectors, row by row)
 };
 
-/// Whether depth is measured along the camera's axis: perspective and orthographic cameras. Others see in
-/// all directions, so their depth is the length of the ray.
+/// True for perspective and orthographic cameras, whose depth is measured along the axis. For others, which see in all directions, depth
+/// is the length of the ray.
 bool HasDepthAxis(const Camera& camera);
 
-/// That axis: the unit normal of the film, into the scene.
+/// The unit normal of the film, into the scene.
 tilt_lens::Vec3 DepthAxis(const Camera& camera);
 
-/// For a perspective camera; empty for others. With `tilt_lens` those of the lens as well.
-/// @param camera  as it renders: shift and angle of view are in its direction
+/// For a perspective camera, including its `tilt_lens`; empty for others.
+/// @param camera  as rendered: shift and angle of view are in its direction
 /// @param width   of the whole picture, in pixels
 std::vector<LayerAttribute> LayerAttributesOf(const Camera& camera, unsigned int width);
 

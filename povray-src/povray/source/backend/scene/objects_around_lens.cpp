@@ -23,19 +23,19 @@ namespace pov
 namespace
 {
 
-/// Half the extent of the lens along one world axis; a picture in the lens fills the square around the disc.
+/// Half the extent of the lens along one world axis; an aperture picture fills the square around the disc.
 double HalfExtent(double x, double y, bool square)
 {
     return square ? std::fabs(x) + std::fabs(y) : std::hypot(x, y);
 }
 
-/// The box around the lens, scene units.
+/// World coordinates, scene units.
 struct LensBox
 {
     double low[3], high[3];
 };
 
-/// Around the first surface of a lens of glass, where rays leave it.
+/// Box around the first surface of a lens of glass, where its rays start.
 LensBox BoxOfGlass(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const tilt_lens::GlassLens::Front front = lens.glass->FrontBox();
@@ -62,14 +62,14 @@ LensBox BoxOfLens(const Camera& camera, const tilt_lens::Lens& lens)
     LensBox box;
     for (int i = X; i <= Z; i++)
     {
-        const double room = half[i] + 1e-9 * std::fabs(camera.Location[i]);  // for rounding
+        const double room = half[i] + 1e-9 * std::fabs(camera.Location[i]);  // with room for rounding
         box.low[i] = camera.Location[i] - room;
         box.high[i] = camera.Location[i] + room;
     }
     return box;
 }
 
-/// Whether no point of the box is in the object, as far as the object's own box tells.
+/// True if the object's own box excludes that it contains a point of the box.
 bool IsApart(const LensBox& box, const ObjectBase& object)
 {
     for (int i = X; i <= Z; i++)
@@ -82,7 +82,7 @@ bool IsApart(const LensBox& box, const ObjectBase& object)
     return false;
 }
 
-/// How many corners of the box are in the object.
+/// Number of the box's corners inside the object.
 int CornersInside(const LensBox& box, const ObjectBase& object)
 {
     int inside = 0;
@@ -95,7 +95,7 @@ int CornersInside(const LensBox& box, const ObjectBase& object)
     return inside;
 }
 
-/// Spheres and boxes, which hold what lies between their points.
+/// A convex solid contains the box if it contains its corners.
 bool IsConvexSolid(const ObjectBase& object)
 {
     const bool solid = dynamic_cast<const Sphere*>(&object) != NULL || dynamic_cast<const Box*>(&object) != NULL;
@@ -115,7 +115,7 @@ std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt
         const bool plane = dynamic_cast<const Plane*>(object) != NULL;
         const int inside = plane || IsConvexSolid(*object) ? CornersInside(box, *object) : 0;
         if (plane && inside == 0)
-            continue;  // its own box is all of space, but what lies before it is convex as well
+            continue;  // a plane's own box is all of space; but its outside is convex, so that it contains no point of the box
         objects.push_back({object, inside == 8});
     }
     return objects;

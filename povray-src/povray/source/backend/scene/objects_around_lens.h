@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file objects_around_lens.h
-/// The objects whose interior rays from the lens start in.
+/// The objects whose interiors contain the starting points of camera rays.
 
 #ifndef POVRAY_BACKEND_OBJECTS_AROUND_LENS_H
 #define POVRAY_BACKEND_OBJECTS_AROUND_LENS_H
@@ -21,10 +21,10 @@ class SceneData;
 struct ObjectAroundLens
 {
     ObjectPtr object;
-    bool holdsLens;  ///< all of it; else each ray has to ask
+    bool holdsLens;  ///< contains the whole lens; else each ray must be tested
 };
 
-/// Every object with an interior that some of the lens may lie in, in the order of the scene.
+/// Every object with an interior that may contain a part of the lens, in the scene's order.
 std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::Lens& lens, const SceneData& scene);
 
 } // namespace pov

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_aids.h
-/// The focus aids of one picture: what becomes of a pixel that one ray through the lens centre found.
+/// The focus aids of one picture: draws them into pixels that one chief ray has found.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_AIDS_H
 #define POVRAY_BACKEND_TILT_LENS_AIDS_H
@@ -20,18 +20,19 @@ namespace pov
 class TiltLensAids
 {
   public:
-    /// @param display  takes the colours of the scene to those of a display, or is neutral
+    /// @param display  from the scene's colours to a display's, or neutral
     TiltLensAids(const tilt_lens::FocusAids& aids, const tilt_lens::Lens& lens, int width, int height,
                  pov_base::GammaCurvePtr display);
 
-    /// Whether the light of the scene shows in the pixel; false where only distances count.
+    /// False if only distances count, not the scene's light.
     bool NeedsLight() const { return !aids.map; }
 
-    /// The pixel with the aids in it.
-    /// @param chief, T  the ray through the pixel's middle, and what it met: T * chief, or T infinite
+    /// The pixel with the aids drawn in.
+    /// @param chief  chief ray of the pixel's centre
+    /// @param T      its hit is T * chief; infinite for none
     Colour Drawn(int x, int y, const tilt_lens::Vec3& chief, double T, const Colour& picture) const;
 
-    /// One line for the report before the render.
+    /// Line of the report before the render.
     std::string Describe() const;
 
   private:

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_camera.h
-/// The `tilt_lens` block of a camera as POV-Ray's Camera carries it: what was written, where it was
-/// written, and how camera transformations act on it.
+/// The `tilt_lens` block in POV-Ray's Camera: its statement, its place in the scene file, and the action of camera transformations.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
 #define POVRAY_BACKEND_TILT_LENS_CAMERA_H
@@ -27,41 +26,41 @@ class Camera;
 
 inline tilt_lens::Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
 
-/// A place in a scene file, for messages.
+/// Place in a scene file, for messages.
 struct TiltLensPlace
 {
     UCS2String file;
     POV_LONG line = 0, column = 0, offset = 0;
 };
 
-/// What a camera statement says of items whose values POV-Ray's camera does not show.
+/// Items of a camera statement whose written values POV-Ray's Camera does not keep.
 struct WrittenItems
 {
-    bool aperture = false;                    ///< it is written; its value may be the default, 0
-    double variance = 0.0, confidence = 0.9;  ///< as written, or allowed; the camera has the default for what is not
+    bool aperture = false;                    ///< written, perhaps with the default value 0
+    double variance = 0.0, confidence = 0.9;  ///< as written; else the default
 
     struct Warning
     {
         TiltLensPlace place;
         std::string text;
     };
-    std::vector<Warning> warnings;  ///< of values that are an error where the camera has `tilt_lens`
+    std::vector<Warning> warnings;  ///< about values that are errors if the camera has `tilt_lens`
 };
 
-/// What the camera around a block says, kept for a block behind the camera's identifier.
+/// Items of the camera before the block, for a block that follows a camera's identifier.
 struct CameraItems
 {
-    bool angle = false, aperture = false;  ///< these are written
-    bool focalPoint = false;               ///< so is `focal_point` or `look_at`: the statement's focalPoint is one of the two
+    bool angle = false, aperture = false;  ///< written
+    bool focalPoint = false;               ///< `focal_point` or `look_at` is written: it is the statement's focalPoint
 };
 
-/// A point in focus that is found by a ray when the scene is known.
+/// A point in focus, found by a ray after parsing.
 struct FocusTarget
 {
     enum Kind { NotUsed, Object, Picture } kind = NotUsed;
     std::string name;              ///< of the object
-    shared_ptr<ObjectBase> object; ///< a copy of it
-    double x = 0.0, y = 0.0;       ///< in the picture: from its lower left corner, 0 to 1
+    shared_ptr<ObjectBase> object; ///< a copy
+    double x = 0.0, y = 0.0;       ///< in the picture: from the lower left corner, 0 to 1
     tilt_lens::Vec3 found;         ///< world
 
     std::string Written() const;  ///< as in the scene
@@ -69,31 +68,31 @@ struct FocusTarget
 
 struct TiltLensCamera
 {
-    bool given = false;  ///< the camera has a `tilt_lens` block; all else is unused without, but for `items` and the
-                         ///< statement's focalPoint and scale
-    bool open = false;   ///< the block belongs to the camera statement that is being parsed
+    bool given = false;  ///< the camera has a `tilt_lens` block; without it, only `items` and the statement's focalPoint
+                         ///< and scale are used
+    bool open = false;   ///< the block belongs to the camera statement being parsed
     WrittenItems written;
     CameraItems items;
     TiltLensPlace place; ///< of the block's first word
-    std::set<std::string> words;  ///< the items that the block has
+    std::set<std::string> words;  ///< names of the block's items
     tilt_lens::Statement statement;
-    tilt_lens::Vec3 facade;  ///< from the lower left to the lower right corner that Tilt_Lens_Facade was told; 0 without
-    tilt_lens::FocusAids aids;  ///< what a preview draws in place of the lens's picture
+    tilt_lens::Vec3 facade;  ///< from the lower left to the lower right corner given to Tilt_Lens_Facade; 0: none
+    tilt_lens::FocusAids aids;  ///< drawn in place of the lens's picture
 
     FocusTarget focusTarget;      ///< in place of the statement's focalPoint
-    FocusTarget pointTargets[3];  ///< in place of its points
+    FocusTarget pointTargets[3];  ///< in place of the statement's points
 
-    /// Whether the statement holds its points; else FindFocus() (focus_target.h) puts them there.
+    /// False if FindFocus() (focus_target.h) must still set points of the statement.
     bool HasPoints() const;
 
-    /// What the block makes of the camera that it belongs to. Solved once, when a camera statement ends, or before the render
-    /// where the focus has to be found; NULL before and after a transformation.
+    /// The solved lens. Set at the end of a camera statement, or before the render if the focus must be found; NULL before that and
+    /// after a transformation.
     shared_ptr<const tilt_lens::Lens> lens;
 
-    /// Carries plane, points and scale of the lens with the camera.
+    /// Transforms plane, points and scale with the camera.
     void Transform(const TRANSFORM* trans);
 
-    /// Solves the block for its camera.
+    /// Solves the camera's block.
     /// @throws tilt_lens::OpticsError
     static void Solve(Camera& camera);
 };

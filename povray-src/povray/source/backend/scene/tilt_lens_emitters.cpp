@@ -25,7 +25,7 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// How bright the texture is by itself.
+/// Radiance that the texture emits.
 double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
 {
     double brightest = 0.0;
@@ -45,8 +45,9 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
     return brightest;
 }
 
-/// A sphere around an object.
-/// @param light, around  radiance of the object, and that of what lies around it at most
+/// Bounding sphere of an object, relative to the camera's location.
+/// @param light   the object's radiance
+/// @param around  greatest radiance of its surroundings
 tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double light, double around)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -59,8 +60,8 @@ tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double ligh
     return {low + half - location, Length(half), light, around};
 }
 
-/// Radiance that an object must exceed by its own finish to stand out from what lights light: all light sources together seldom
-/// make a surface brighter than this. White where they are bright, and where other things light the scene.
+/// Emitted radiance above which an object stands out from lit surfaces, which are seldom brighter than the sum of the light sources. At
+/// most white; white if radiosity or other objects light the scene.
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;
@@ -83,7 +84,7 @@ void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, dou
         return;
     }
     if (object->BBox.Lengths[X] > CRITICAL_LENGTH)
-        return;  // infinite: nobody can miss it
+        return;  // infinite: samples cannot miss it
     const double light = LightOf(object->Texture, scene.ambientLight);
     if (light > leastRadiance)
         emitters.push_back(EmitterOf(object, camera, light, leastRadiance));

@@ -18,10 +18,9 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Every finite object that glows brighter than white by its own finish: `emission` and `ambient` with
-/// its pigment. Parts of unions count one by one, other CSG as a whole. Relative to the camera's location.
-/// Brightness is that of the brightest layer of a plain texture; texture maps are not looked into. It need
-/// not be right: it only decides how many samples are sent at emitters.
+/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) is brighter than lit surfaces. Parts of unions count
+/// separately, other CSG as a whole. Relative to the camera's location. The brightness is that of the brightest layer of a plain
+/// texture; texture maps are ignored. An error of it does no harm: it only decides how many samples emitters get.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 } // namespace pov

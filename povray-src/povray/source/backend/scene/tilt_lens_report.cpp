@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_report.cpp
-/// What a user reads of a `tilt_lens` picture: the lens before the render, what was spent after it.
+/// The report of a `tilt_lens` picture: the lens before the render, effort and noise after it.
 
 #include <algorithm>
 #include <cstdio>
@@ -30,7 +30,7 @@ std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
     return text;
 }
 
-/// A vector for reading: what is only rounding error beside numbers of size `scale` is a zero.
+/// A vector as text; components within rounding error of 0, relative to `scale`, become 0.
 std::string Text(const Vec3& v, double scale)
 {
     const double least = 1e-12 * scale;
@@ -38,7 +38,7 @@ std::string Text(const Vec3& v, double scale)
     return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">";
 }
 
-/// A distance in scene units, `scale` being a usual one; what is infinite but for rounding, in words.
+/// A distance in scene units. Infinite up to rounding, relative to the usual distance `scale`, becomes "infinity".
 std::string Distance(double units, double scale)
 {
     return std::isfinite(units) && units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
@@ -46,7 +46,7 @@ std::string Distance(double units, double scale)
 
 double Degrees(double radians) { return radians * (180.0 / M_PI); }
 
-/// An angle in degrees, without the rounding error of a lens that is not turned.
+/// Removes the rounding error of an untilted lens.
 double Tidy(double degrees)
 {
     return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;
@@ -58,12 +58,12 @@ std::string Count(double number, const char* what)
     return Line("%.0f ", number) + what + (number == 1.0 ? "" : "s");
 }
 
-/// Size and place of the frame on the film, and how much it sees.
+/// Size and shift of the frame on the film, and angle of view.
 std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const tilt_lens::Statement& given = camera.TiltLens.statement;
     const double height = given.filmWidth * Length(lens.up) / Length(lens.right);
-    // a shift that `direction` has brought along counts as well
+    // includes a shift from the camera's own `direction`
     const double perUnit = given.filmWidth / Length(lens.right), scale = 1e-9 * given.filmWidth;
     const double right = Dot(lens.direction, lens.axisRight) * perUnit, up = Dot(lens.direction, lens.axisUp) * perUnit;
     const auto number = [=](double mm) { return std::fabs(mm) < scale ? 0.0 : mm; };
@@ -74,7 +74,7 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
-/// Share of the middle's light that a corner of the frame gets, by natural vignetting alone: the darkest one.
+/// Brightness of the darkest corner relative to the centre, by natural vignetting alone.
 double DarkestCorner(const tilt_lens::Lens& lens, const tilt_lens::Aperture& disc, const tilt_lens::Character& character)
 {
     tilt_lens::Character natural;
@@ -85,7 +85,7 @@ double DarkestCorner(const tilt_lens::Lens& lens, const tilt_lens::Aperture& dis
     return darkest;
 }
 
-/// What the lens does otherwise than an ideal one, a line each.
+/// Aberrations of an ideal lens made real, one line each.
 std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character& character)
 {
     std::string text;
@@ -114,13 +114,13 @@ std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character&
     return text;
 }
 
-/// The glass's cardinal points, along its axis from the front principal point, which is the camera's location.
+/// Cardinal points of the glass, along its axis from the front principal point, which is the camera's location.
 std::string GlassOf(const tilt_lens::Lens& lens, double filmWidth)
 {
     const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
     std::string text = Line("  Glass................open to f/%.4g, rear principal point at %.5g mm\n", points.fNumber, -points.separation);
     text += Line("    surfaces...........first at %.5g, last at %.5g mm\n", points.frontVertex, points.rearVertex);
-    // along the axis, as far from H' as the turned film's middle
+    // along the axis, from H' to the centre of the tilted film
     const double film = lens.filmDistance / lens.millimetre * Dot(lens.axis, lens.normal), height = 0.5 * filmWidth;
     text += Line("    film...............%.5g mm behind the last\n", film + points.separation + points.rearVertex);
     text += Line("    entrance pupil.....at %.5g mm, diameter %.5g mm\n", points.entrancePupil,
@@ -132,13 +132,13 @@ std::string GlassOf(const tilt_lens::Lens& lens, double filmWidth)
         text += "    exit pupil.........at infinity\n";
     const auto field = FieldAberrationsOf(*lens.glass, film, height);
     if (!field)
-        return text + Line("    beside the axis....at %.4g mm nothing passes the middle of the stop\n", height);
-    text += Line("    beside the axis....at %.4g mm distortion %.3g%%\n", height, 100.0 * field->distortion);
+        return text + Line("    off the axis.......at %.4g mm no ray passes the centre of the stop\n", height);
+    text += Line("    off the axis.......at %.4g mm distortion %.3g%%\n", height, 100.0 * field->distortion);
     text += Line("    image before film..%.3g mm (sagittal), %.3g mm (tangential)\n", field->sagittal, field->tangential);
     return text;
 }
 
-/// Where the middles of the spectrum's thirds are focused, beside the d line, for something far away.
+/// Focus of the centres of the spectrum's thirds relative to the d line, for a distant object.
 std::string DispersionOf(const tilt_lens::Lens& lens, const tilt_lens::Prescription& prescription)
 {
     if (!lens.glassOfColours)
@@ -148,7 +148,6 @@ std::string DispersionOf(const tilt_lens::Lens& lens, const tilt_lens::Prescript
     return Line("    focus of colours...%+.3g, %+.3g, %+.3g mm behind (450, 550, 650 nm)\n", behind(450.0), behind(550.0), behind(650.0));
 }
 
-/// What a squeezed aperture adds to its diameter.
 std::string SqueezeOf(double squeeze)
 {
     if (squeeze == 1.0)
@@ -157,7 +156,7 @@ std::string SqueezeOf(double squeeze)
                          : Line(", squeezed to %.4g of its height", squeeze);
 }
 
-/// What set the focus, where the scene does not say it as a point or a plane.
+/// How the focus was found, if the scene states it neither as a point nor as a plane.
 std::string FocusOf(const TiltLensCamera& block)
 {
     std::string text;
@@ -175,7 +174,7 @@ std::string FocusOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Where the groups of a lens stand that focuses by them, and what the film has to add.
+/// Position of the focusing groups, and the film's movement in addition.
 std::string GroupsOf(const TiltLensCamera& block, const tilt_lens::Lens& lens)
 {
     if (!lens.glass || block.statement.prescription->objectDistances.empty())
@@ -190,11 +189,11 @@ std::string GroupsOf(const TiltLensCamera& block, const tilt_lens::Lens& lens)
                        place(before) + " to " + place(before + 1) + "\n";
     const double moved = lens.filmDistance / lens.millimetre - FilmPlaceOf(prescription, lens.groups);
     if (std::fabs(moved) > 1e-6)
-        text += Line("    film...............moved back by %.4g mm, for what the groups do not reach\n", moved);
+        text += Line("    film...............moved back by %.4g mm, because the groups do not reach the focus\n", moved);
     return text;
 }
 
-/// The plane of sharp focus, by a point to check it: on the axis where the plane crosses it in front, else the nearest one.
+/// The plane of sharp focus by a point to check it: its intersection with the axis, if in front, else its nearest point.
 std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -212,13 +211,12 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
 
 void TiltLensView::AddProgress(POVMS_Object& message) const
 {
-    // nothing is done in a mosaic preview or in radiosity's first pass; a little more than the share, so that a
-    // sum that is 1 but for rounding reads 100
+    // no work is done in a mosaic preview or in radiosity's first pass; the addition makes a rounded sum of 1 read 100
     const std::optional<double> share = progress.Share();
     if (share && *share > 0.0)
     {
         message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
-        // what a continued render has already is a part of the picture as well
+        // pixels of a continued render belong to the picture as well
         message.SetInt(kPOVAttrib_PixelsCompleted, message.GetInt(kPOVAttrib_PixelsCompleted) + POVMSInt(pixelsBefore));
     }
 }
@@ -236,14 +234,14 @@ std::string TiltLensView::Summary(const TiltLensCost& cost) const
     text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", statistics.Samples() / pixels,
                  statistics.Quantile(0.99), statistics.Most());
     if (limits.max < 2)
-        return text + "  Standard error.......unknown, since one sample a pixel does not tell\n" + Skipped();
+        return text + "  Standard error.......unknown: one sample per pixel gives no estimate\n" + Skipped();
     text += Line("  Standard error.......%.2g of white (estimated), ", statistics.StandardError());
     text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance))
                                   : std::string("all samples asked for\n");
     return text + Skipped();
 }
 
-/// What the render left out, had not to do or could not use, a line each.
+/// Omitted or unusable work, one line each.
 std::string TiltLensView::Skipped() const
 {
     const double pixels = statistics.Pixels();
@@ -265,7 +263,7 @@ std::string TiltLensView::Skipped() const
                 Line(", %.0f left as they were\n", pixels - statistics.reconstructed);
     if (statistics.lightPoints > 0)
         text += "  Area lights.........." + Count(statistics.lightPoints, "point") +
-                Line(" asked, %.0f more left out\n", statistics.lightPointsSkipped);
+                Line(" sampled, %.0f skipped\n", statistics.lightPointsSkipped);
     if (!emitters.Empty())
         text += "  Emitter samples......" + Count(statistics.emitterSampled, "sample") +
                 Line(", emitters in view: %.0f\n", emitters.Count());
@@ -273,14 +271,14 @@ std::string TiltLensView::Skipped() const
     {
         const std::size_t hold = std::count_if(aroundLens.begin(), aroundLens.end(),
                                                [](const ObjectAroundLens& around) { return around.holdsLens; });
-        text += Line("  Around the lens......%.0f of ", aroundLens.size() - hold) + Count(objectsWithInterior, "interior") +
-                Line(" asked by each ray, %.0f hold all of it\n", hold);
+        text += Line("  Around the lens......%.0f of ", aroundLens.size() - hold) + Count(objectsWithInterior, "object") +
+                Line(" with interior tested by each ray, %.0f contain the whole lens\n", hold);
     }
     if (glass)
     {
         const double passed = statistics.Samples() * (glass->HasColours() ? 3.0 : 1.0), tried = passed + statistics.refusedRays;
-        text += Line("  Refused by the glass.%.0f of ", statistics.refusedRays) + Count(tried, "ray") +
-                Line(" tried (%.2g%%)\n", tried > 0.0 ? 100.0 * statistics.refusedRays / tried : 0.0);
+        text += Line("  Blocked by the glass.%.0f of ", statistics.refusedRays) + Count(tried, "ray") +
+                Line(" (%.2g%%)\n", tried > 0.0 ? 100.0 * statistics.refusedRays / tried : 0.0);
     }
     if (statistics.notFinite > 0)
         text += "  Not finite..........." + Count(statistics.notFinite, "sample") + ", counted as black\n";

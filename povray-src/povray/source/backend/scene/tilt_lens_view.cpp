@@ -25,21 +25,21 @@ namespace pov
 namespace
 {
 
-/// The shape of the opening, evenly bright and before it is squeezed.
+/// The aperture's shape, before edge light and squeeze.
 tilt_lens::Aperture DiaphragmOf(const Camera& camera, shared_ptr<SceneData> scene)
 {
     const tilt_lens::Statement& s = camera.TiltLens.statement;
     if (camera.Bokeh != NULL)
     {
         SceneThreadData thread(scene);
-        Post_Pigment(camera.Bokeh);  // stock leaves that out, and crashes where a pattern needs it
+        Post_Pigment(camera.Bokeh);  // omitted by stock, which crashes if a pattern needs it
         return tilt_lens::Aperture::Picture(
             [&](double u, double v)
             {
                 Colour colour;
                 VECTOR point = {u, v, 0.0};
                 Compute_Pigment(colour, camera.Bokeh, point, NULL, NULL, &thread);
-                return std::min(1.0, double(colour.greyscale()));  // as stock, which draws lens points by chance
+                return std::min(1.0, double(colour.greyscale()));  // as stock, which draws lens points by rejection
             });
     }
     if (s.blades > 0)
@@ -56,7 +56,7 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return s.squeeze == 1.0 ? aperture : tilt_lens::Aperture::Squeezed(aperture, s.squeeze);
 }
 
-/// Whether rays can be sent at emitters: not where a camera normal or a lens of glass bends them.
+/// False if a camera normal or a lens of glass deflects rays aimed at emitters.
 bool EmittersAreSampled(const Camera& camera)
 {
     return camera.Tnormal == NULL && !camera.TiltLens.lens->glass;
@@ -93,7 +93,7 @@ std::unique_ptr<const tilt_lens::GlassCamera> GlassOf(const Camera& camera, cons
     return std::make_unique<const tilt_lens::GlassCamera>(lens, aperture, camera.TiltLens.statement.character.naturalVignetting);
 }
 
-/// Of an ideal lens; a lens of glass has its own.
+/// Of a thin lens; a lens of glass has its own.
 tilt_lens::Vignetting VignettingOf(const Camera& camera, const tilt_lens::Aperture& aperture)
 {
     const tilt_lens::Lens& lens = *camera.TiltLens.lens;
@@ -132,7 +132,7 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
     camera.Direction[X] = lens.direction.x;
     camera.Direction[Y] = lens.direction.y;
     camera.Direction[Z] = lens.direction.z;
-    camera.Aperture = 0.0;  // POV-Ray's own focal blur keeps out
+    camera.Aperture = 0.0;  // disables POV-Ray's own focal blur
     if (lens.diameter == 0.0 && !lens.distorts && lens.lateralColour == 0.0 &&
         camera.TiltLens.statement.character.naturalVignetting == 0.0)
         return shared_ptr<TiltLensView>();
@@ -149,8 +149,8 @@ void TiltLensView::Add(const tilt_lens::SamplingStatistics& tile)
     statistics.Add(tile);
 }
 
-/// A camera with `tilt_lens` gets its threads' common data, tells its numbers and takes over from all
-/// anti-aliasing; any other camera is left alone, but for the record that TILT_LENS_PREVIEW asks for.
+/// Prepares the threads' common data of a camera with `tilt_lens`, sends its report, and replaces anti-aliasing. Other cameras are
+/// only recorded, for TILT_LENS_PREVIEW.
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
@@ -196,12 +196,12 @@ void View::StartTiltLens(unsigned int& tracingmethod)
     PlanTiltLensWork();
 }
 
-/// Tells the progress display what there is to do, and which tiles a continued render has already.
+/// Plans the progress display, with the tiles that a continued render already has.
 void View::PlanTiltLensWork()
 {
     const POVRect& area = viewData.renderArea;
     tilt_lens::ProgressEstimator& progress = viewData.tiltLens->progress;
-    // trying pixels would change a radiosity cache, and with it the picture
+    // test pixels would change a radiosity cache, and with it the picture
     const bool probing = !viewData.tiltLens->aids && !viewData.sceneData->radiositySettings.radiosityEnabled;
     progress.Plan({area.left, area.top, area.GetWidth(), area.GetHeight()}, probing);
 

@@ -19,7 +19,7 @@ struct Tables
     std::map<std::tuple<double, double, std::size_t>, const std::vector<double>> kept;
 };
 
-/// Asked for while statics are made, and maybe while they end: never destroyed.
+/// Never destroyed, because statics use it while they are constructed and perhaps while they are destroyed.
 Tables& Kept()
 {
     static Tables& tables = *new Tables;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_seeds.h
-/// Seeds of random generators whose numbers belong to the sample that is being traced, so that a picture does not depend on
-/// what was traced before. Most samples draw no number; a seed is computed when the first one is drawn.
+/// Seeds random generators by the current sample, so that a picture does not depend on the order of tracing. Most samples draw no
+/// number; a seed is computed at the first draw.
 
 #ifndef POVRAY_BACKEND_SAMPLE_SEEDS_H
 #define POVRAY_BACKEND_SAMPLE_SEEDS_H
@@ -13,16 +13,16 @@
 namespace pov
 {
 
-/// Who traces the samples.
+/// Interface of the tracer of samples.
 class SampleSeedSource
 {
   public:
     virtual ~SampleSeedSource() = default;
 
-    /// Of the sample that is being traced.
+    /// Of the current sample.
     virtual unsigned int Seed() const = 0;
 
-    /// Number of the sample that is being traced, from 1; 0 while none is.
+    /// Number of the current sample, from 1; 0 if none is being traced.
     std::size_t Sample() const { return sample; }
 
   protected:
@@ -33,15 +33,15 @@ class SampleSeedSource
     std::size_t sample = 0, begun = 0;
 };
 
-/// A generator's part: asks for a seed once a sample.
+/// Member of a generator: takes one seed per sample.
 class SampleSeeds
 {
   public:
-    /// @param itsSource  outlives the generator's last draw
+    /// @param itsSource  must outlive the generator's last draw
     void Follow(const SampleSeedSource& itsSource) { source = &itsSource; }
 
-    /// To be called before a number is drawn.
-    /// @param state  of the generator; is set to the seed of a sample that has drawn none yet
+    /// Call before each draw.
+    /// @param state  of the generator; set to the seed at the sample's first draw
     template<class State>
     void Take(State& state)
     {
@@ -53,7 +53,7 @@ class SampleSeeds
 
   private:
     const SampleSeedSource* source = NULL;
-    std::size_t seeded = 0;  ///< the last sample that has drawn
+    std::size_t seeded = 0;  ///< sample of the last draw
 };
 
 } // namespace pov

@@ -27,7 +27,7 @@ namespace OpenEXR
 namespace
 {
 
-/// POV-Ray's file, as the OpenEXR library writes to it.
+/// Adapter from POV-Ray's file to OpenEXR's.
 class FloatStream : public Imf::OStream
 {
   public:
@@ -97,7 +97,7 @@ void WriteFloats(OStream& file, unsigned int width, unsigned int height, const s
     for (size_t i = 0; i < channels.size(); i++)
     {
         header.channels().insert(channels[i], Imf::Channel(Imf::FLOAT));
-        // a row behind the other takes the same place
+        // stride 0: each row reuses the same buffer
         pixels.insert(channels[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row[i].data()), sizeof(float), 0));
     }
     for (const FloatAttributes::value_type& attribute : attributes)
@@ -129,7 +129,7 @@ void WriteFloatImage(OStream& file, const Image& image, const Image::WriteOption
 {
     const unsigned int width = image.GetWidth(), height = image.GetHeight();
     const bool alpha = image.HasTransparency() && options.alphachannel;
-    // OpenEXR holds linear light and premultiplied colours, unless the user wants it otherwise
+    // OpenEXR's convention is linear light and premultiplied colours; the user may override it
     const bool premultiplied = options.premultiplyOverride ? options.premultiply : true;
     const GammaCurvePtr gamma = TranscodingGammaCurve::Get(options.workingGamma, NeutralGammaCurve::Get());
 
