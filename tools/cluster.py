@@ -81,7 +81,6 @@ def environment_of(pid):
 
 
 def parent_of(pid):
-    """The number of a process's parent."""
     try:
         return int(
             pathlib.Path(f"/proc/{pid}/stat")
@@ -94,7 +93,7 @@ def parent_of(pid):
 
 
 def free_ports(count):
-    """The first of so many free ports in a row, below those that the system gives to whoever asks for any."""
+    """The first of `count` consecutive free ports, below those that the system assigns itself."""
     for first in range(10000 + os.getpid() % 20000, 32768, count):
         with contextlib.ExitStack() as stack:
             try:

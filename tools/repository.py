@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Where this repository lies, and how its Python programs are started from any folder."""
+"""The place of this repository, and command lines that start its Python programs from any folder."""
 
 import pathlib
 import sys

@@ -19,21 +19,19 @@ The same command again goes on with whatever is missing. See docs/batch.md."""
 
 
 def positive(text):
-    """A whole number above zero."""
     if not text.isdigit() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number, 1 or more")
     return int(text)
 
 
 def whole(text):
-    """A whole number."""
     if not text.isdigit():
         raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number, 0 or more")
     return int(text)
 
 
 def seconds(text):
-    """A length of time: 90, 30m, 2h."""
+    """A duration: 90, 30m, 2h."""
     found = re.fullmatch(r"(\d+)([smh]?)", text)
     if not found or int(found.group(1)) < 1:
         raise argparse.ArgumentTypeError(f"{text!r}: expected seconds, or a number with m or h, as in 30m")
@@ -41,7 +39,7 @@ def seconds(text):
 
 
 def common_options(kind):
-    """What all kinds of batches take."""
+    """Options of all kinds of batches."""
     kind.add_argument("scene", help="the scene file")
     kind.add_argument(
         "--bands",
@@ -75,7 +73,7 @@ def common_options(kind):
 
 
 def course_options(kind):
-    """How a call goes on and ends."""
+    """Options for running and finishing."""
     kind.add_argument(
         "--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)"
     )
@@ -95,7 +93,7 @@ def course_options(kind):
 
 
 def site_options(kind):
-    """What is for Slurm only."""
+    """Options for Slurm."""
     site = kind.add_argument_group("Slurm")
     for name in ("partition", "time", "account"):
         site.add_argument(f"--{name}", metavar=name.upper(), help=f"as for sbatch --{name}")
@@ -110,7 +108,6 @@ def site_options(kind):
 
 
 def parser():
-    """The command line."""
     top = argparse.ArgumentParser(
         prog="batch", allow_abbrev=False, epilog=HELP, description=__doc__.split("\n", maxsplit=1)[0]
     )
@@ -149,10 +146,10 @@ def parser():
 
 
 def finish(work, description):
-    """The last step: pictures that are not put together yet, the contact sheet. Returns complaints."""
+    """The last step: puts remaining pictures together and makes the contact sheet. Returns complaints."""
     bands = len(description["key"]["bands"])
     complaints = []
-    for name in work.names("running"):  # of workers that were killed: none is at work any more
+    for name in work.names("running"):  # of killed workers: none is running any more
         work.record("running", name).unlink(missing_ok=True)
     done = work.names("done")
     for picture in range(len(description["key"]["pictures"])):
@@ -172,7 +169,7 @@ def finish(work, description):
 
 
 def make_sheet(work, description):
-    """The contact sheet, where it is not there yet."""
+    """Makes the contact sheet unless it exists."""
     record = work.folder / "sheet.json"
     try:
         with locked(work.folder / "sheet.lock"):
@@ -193,7 +190,7 @@ def make_sheet(work, description):
 
 
 def work_through(work, description, settings, engine):
-    """Rounds of tasks until nothing is missing that a further try could bring."""
+    """Runs rounds of tasks until no missing unit is worth another try."""
     line = progress.Progress(work, description, settings.quiet)
     complaints = []
     for _ in range(1 + settings.retries):
@@ -213,7 +210,7 @@ def work_through(work, description, settings, engine):
 
 
 def tasks_of(description, missing, settings, engine):
-    """Lists of units: short ones together, so that each task is worth seconds, but enough to go round."""
+    """Groups units into tasks: short units together, so that a task is worth seconds, but enough tasks for all workers."""
     estimate, bands = description["estimate"], len(description["key"]["bands"])
     seconds = estimate["picture"] / bands + estimate["start"]
     parallel = engine.workers(settings, description["threads"])
@@ -224,7 +221,7 @@ def tasks_of(description, missing, settings, engine):
 
 
 def report(work, description, complaints, elapsed):
-    """Summary and failures, on the screen and in the work folder; the exit code."""
+    """Prints and stores summary and failures; returns the exit code."""
     state = progress.State(work, description)
     lines = [
         *complaints,
@@ -248,7 +245,7 @@ def report(work, description, complaints, elapsed):
 
 
 def afterwards(work, description, command):
-    """Runs the user's command behind a complete batch; 1 where it fails."""
+    """Runs the user's command after a complete batch; returns 1 if it fails."""
     if not command:
         return 0
     names = {"BATCH_OUTPUT": description["output"], "BATCH_WORK": str(work.folder)}
@@ -295,7 +292,7 @@ def batch(settings, words):
 
 
 def watch(work, jobs, settings):
-    """Waits for the jobs of an earlier call before anything is done about what is missing."""
+    """Waits for the jobs of an earlier call before planning missing units."""
     with slurm.interrupted_alone(jobs):
         print(f"jobs {' '.join(jobs)} of an earlier call are still at work: waiting for them", file=sys.stderr)
         slurm.wait(jobs, progress.Progress(work, read_json(work.description), settings.quiet))
@@ -311,7 +308,7 @@ def last_step(folder):
 
 
 def main(words):
-    """Reads the command line; every error that a user can mend is one message."""
+    """Runs the command line. A user's mistake is reported in one message."""
     if words[:1] == ["task"]:
         return task.run(words[1], int(words[2]))
     if words[:1] == ["finish"]:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes the description of a new batch, or takes up that of an earlier call where nothing has changed."""
+"""Creates the description of a new batch, or resumes that of an earlier call if nothing has changed."""
 
 import contextlib
 import math
@@ -18,12 +18,12 @@ MESSAGE_LINES = 12
 
 
 def say(text):
-    """A remark for the user."""
+    """Prints a remark for the user."""
     print(text, file=sys.stderr)
 
 
 class Request:
-    """What the command line asks for, with everything in it looked up."""
+    """The command line with all files resolved."""
 
     def __init__(self, settings, words):
         self.settings = settings
@@ -43,7 +43,7 @@ class Request:
         self.program = program
 
     def picture_kind(self):
-        """png or exr, from +F or the name of the output, which must agree."""
+        """"png" or "exr", from +F and the output's name, which must agree."""
         asked = self.inputs.options.kind
         named = None
         if self.kind == "still" and self.settings.output:
@@ -75,7 +75,7 @@ class Request:
         self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
-        """The part of the key that is known before the scene was looked at."""
+        """The part of the key that needs no look at the scene."""
         return {
             "format": 1,
             "kind": self.kind,
@@ -92,7 +92,7 @@ class Request:
         }
 
     def changeable(self):
-        """What may be another in each call without another pixel."""
+        """Settings that may differ from call to call without changing pixels."""
         return {
             "threads": self.threads,
             "retries": self.settings.retries,
@@ -106,7 +106,7 @@ class Request:
         }
 
     def description(self):
-        """The description as far as it is known."""
+        """The description without the results of the probe."""
         return {
             "key": self.key(),
             "input": keys.Links.UP + self.inputs.file,
@@ -121,7 +121,7 @@ class Request:
 
 
 def understood(settings, words):
-    """The request; whatever is wrong with it is a mistake in the command line."""
+    """The request; errors in it are UsageErrors."""
     try:
         return Request(settings, words)
     except BatchError as error:
@@ -129,7 +129,7 @@ def understood(settings, words):
 
 
 def take_up(work, request, stored):
-    """The stored description, where everything in its key is as it was."""
+    """The stored description, if everything in its key is unchanged."""
     old, new = stored["key"], request.key()
     if stored["hash"] != keys.key_hash(old):
         raise BatchError(f"{str(work.description)!r} is damaged. Start over with --anew.")
@@ -173,7 +173,7 @@ def changed_by_units(work):
 
 
 def begin(work, request, engine):
-    """A new batch: look at the scene, choose the bands."""
+    """A new batch: probes the scene and chooses the bands."""
     description = request.description()
     key = description["key"]
     work.make()
@@ -192,7 +192,7 @@ def begin(work, request, engine):
 
 
 def output_can_be_written(folder):
-    """Asked before hours of rendering rather than after."""
+    """Checks before hours of rendering rather than after."""
     try:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:
@@ -207,7 +207,7 @@ def lock_of_output(kind, output, pictures):
 
 
 def has_jobs(folder):
-    """Whether a batch has jobs in a queue, as far as that can be told."""
+    """True if the batch has jobs in a queue, or if that is unknown."""
     try:
         return bool(slurm.active_jobs(Work(folder)))
     except BatchError:  # the controller does not answer
@@ -215,7 +215,7 @@ def has_jobs(folder):
 
 
 def leave_output(work, description):
-    """Removes the lock that a call has left for its jobs, by the last of them; a call that waits removes it itself."""
+    """Removes the lock that a call left for its jobs. Called by the last job; a waiting call removes its lock itself."""
     key, own = description["key"], str(work.folder)
     path = lock_of_output(key["kind"], description["output"], key["pictures"])
     if path.exists():
@@ -238,8 +238,7 @@ def output_alone(work, request):
 
 
 def choose_bands(request, probe, size, engine):
-    """Bands of each picture: as asked, or as many as keep the workers busy while each is worth its
-    start."""
+    """Number of bands per picture: as requested, or enough to keep the workers busy while each is worth its start."""
     asked, count = request.settings.bands, len(request.pictures)
     if asked == 1:
         return {"picture": 0.0, "start": 0.6}, 1
@@ -272,7 +271,7 @@ def choose_bands(request, probe, size, engine):
 
 
 def refuse_foreign(work):
-    """A folder with other things in it is no work folder: nothing is written there, nothing removed."""
+    """Refuses a work folder with foreign contents, so that none are overwritten or removed."""
     if work.folder.exists():
         foreign = sorted(set(os.listdir(work.folder)) - work.names_in_it())
         if foreign:
@@ -283,7 +282,6 @@ def refuse_foreign(work):
 
 
 def open_batch(work, request, engine):
-    """The batch to work on."""
     stored = read_json(work.description)
     if stored is None or (request.settings.anew and request.only is None):
         work.clear()
@@ -298,7 +296,7 @@ def open_batch(work, request, engine):
 
 
 def forget(work, description, pictures):
-    """Throws away what there is of some pictures; they are rendered again."""
+    """Discards the results of some pictures, which are then rendered again."""
     bands = len(description["key"]["bands"])
     for picture in pictures:
         work.record("merged", f"{picture:05d}").unlink(missing_ok=True)
@@ -308,7 +306,7 @@ def forget(work, description, pictures):
 
 
 def drop_lost(work, description):
-    """Forgets records whose files are gone: pictures that were moved away, parts that a disk has lost."""
+    """Discards records whose files are gone: pictures moved by the user, parts lost by a disk."""
     bands = len(description["key"]["bands"])
     for state in ("failed", "running"):
         for name in work.names(state):
@@ -326,7 +324,7 @@ def drop_lost(work, description):
 
 
 def unit_is_there(work, name):
-    """Whether a done unit's files have the sizes that were recorded."""
+    """True if a done unit's files have the recorded sizes."""
     record = read_json(work.record("done", name))
     if record is None:
         return False

@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The key of a batch: all that its pixels depend on, and what has changed when it does not fit.
+"""The key of a batch: everything that its pixels depend on, and the differences between two keys.
 
-POV-Ray lists every file that it reads and every one that it looks for in vain (TILT_LENS_FILE_LIST). The
-key holds those of the first render with a hash of each; each unit's record holds those that it needed
-besides, such as an include file of one frame. So a part is used again only where every file is as it was,
-and none has appeared where POV-Ray looked first. """
+POV-Ray lists every file that it reads and every file that it looks for in vain (TILT_LENS_FILE_LIST). The key holds those of the
+first render with a hash of each; a unit's record holds those that it needed in addition, such as an include file of one frame. A part
+is reused only if every file is unchanged and none has appeared where POV-Ray looked first."""
 
 import hashlib
 import json
@@ -15,7 +14,7 @@ from tools.batch.store import BatchError, sha256
 
 
 class Links:
-    """Names under inputs/ and where they lead: POV-Ray sees only these, whatever the user's paths hold."""
+    """Links under inputs/ to the user's paths. POV-Ray sees only these names, so that the paths may contain any characters."""
 
     UP = "../../inputs/"  # as seen from a unit's folder
 
@@ -23,7 +22,7 @@ class Links:
         self.targets = dict(targets)
 
     def make(self, folder):
-        """Makes the links, anew where they lead elsewhere."""
+        """Makes the links, and replaces those that lead elsewhere."""
         for name, target in self.targets.items():
             link = folder / name
             if link.is_symlink() and os.readlink(link) == target:
@@ -33,9 +32,8 @@ class Links:
             link.symlink_to(target)
 
     def real(self, name):
-        """The user's path of a name that POV-Ray used; None for a file in the unit's own folder. Symbolic
-        links of the user's stay as they are: where one is turned to another file, the path's contents
-        change."""
+        """The user's path of a name that POV-Ray used; None for a file in the unit's own folder. The user's symbolic links are not
+        resolved: the path counts, with the contents that it leads to."""
         if name.startswith(self.UP):
             link, _, rest = name[len(self.UP) :].partition("/")
             if link in self.targets:
@@ -45,7 +43,7 @@ class Links:
 
 
 def listed_files(path, links):
-    """The user's files in POV-Ray's list: those read and those missing."""
+    """The user's files in POV-Ray's list: (read, missing)."""
     try:
         entries = path.read_bytes().split(b"\0")
     except FileNotFoundError:
@@ -55,7 +53,7 @@ def listed_files(path, links):
         ) from None
     read, missing = set(), set()
     for entry in entries:
-        if entry[:1] not in (b"+", b"-"):  # the last one is empty; "=" is a picture that was written
+        if entry[:1] not in (b"+", b"-"):  # the last entry is empty; "=" is a written picture
             continue
         name = links.real(os.fsdecode(entry[1:]))
         if name is not None:
@@ -64,14 +62,14 @@ def listed_files(path, links):
 
 
 def file_stamp(path):
-    """Size and time of change: while these stay, the hash need not be taken again."""
+    """Size and modification time: while these stay, the hash is not computed again."""
     state = os.stat(path)
     return [state.st_size, state.st_mtime_ns, state.st_ino]
 
 
 def change_stamps(paths):
-    """Path -> what differs after any change of a file or its name, None where there is no file: also where somebody put back
-    the old contents and times, since nobody can put back the time of the last change of its entry."""
+    """Path -> stamp that differs after any change of a file or its name, None for no file. Includes the time of the last change of the
+    directory entry, which cannot be set back even by restoring contents and times."""
     stamps = {}
     for path in paths:
         try:
@@ -82,8 +80,8 @@ def change_stamps(paths):
 
 
 def changed_since(path, before, moment):
-    """Whether a file may have changed since its stamp was taken; where there is none, since a moment (seconds of the epoch) by the
-    clock of its file system, which may be some milliseconds behind."""
+    """True if a file may have changed since its stamp was taken; without a stamp, since a moment (seconds of the epoch) by the file
+    system's clock, which may be some milliseconds late."""
     if path in before:
         return change_stamps([path]) != {path: before[path]}
     return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9
@@ -95,12 +93,12 @@ def hashes(paths):
 
 
 def key_hash(key):
-    """The one number that stands for the key."""
+    """Hash of the whole key."""
     return hashlib.sha256(json.dumps(key, sort_keys=True).encode()).hexdigest()
 
 
 def changed_files(files, missing):
-    """What a user should read about files that are no longer as they were; a line for each."""
+    """Changes of files for the user, one line each."""
     for path, old in sorted(files.items()):
         try:
             new = sha256(path)
@@ -139,7 +137,7 @@ def short(value):
 
 
 def first_difference(these, those):
-    """How many there are, and the first that is not in the other list."""
+    """Length of a list, and its first element that is not in the other list."""
     other = [item for item in these if item not in those]
     first = other[0] if other else None
     told = f", among them {first['name'] if isinstance(first, dict) else first}" if first else ""
@@ -147,7 +145,7 @@ def first_difference(these, those):
 
 
 def changed_settings(old, new):
-    """The same for all of the key but the files."""
+    """Changes of the rest of the key, one line each."""
     for name, text in TEXTS.items():
         if old.get(name) != new.get(name):
             was, now = old.get(name), new.get(name)

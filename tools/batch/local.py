@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs tasks on this machine with GNU parallel, one worker a core."""
+"""Runs tasks on this machine with GNU parallel, one worker per core."""
 
 import os
 import shutil
@@ -15,24 +15,23 @@ from tools.repository import LAUNCHER
 
 
 def workers(settings, threads):
-    """How many POV-Rays at once."""
+    """Number of simultaneous POV-Rays."""
     return settings.workers or max(1, len(os.sched_getaffinity(0)) // threads)
 
 
 def check():
-    """Says what is missing before anything is started."""
+    """Reports missing programs before anything is started."""
     if shutil.which("parallel") is None:
         raise BatchError("GNU parallel is missing (Debian package parallel).")
 
 
 def invocation(work, description, settings):
-    """The call of parallel, and its environment."""
+    """Command line and environment of parallel."""
     count = workers(settings, description["threads"])
-    # parallel's shell gives way to the worker, whose parent is then parallel itself. Names that hold anything
-    # reach it through the environment.
+    # exec makes parallel the worker's parent; names reach the shell through the environment, so that they may contain any characters
     command = [
         "parallel",
-        "--plain",  # whatever ~/.parallel/config says
+        "--plain",  # ignores ~/.parallel/config
         "--will-cite",
         "--no-notice",
         f"-j{count}",
@@ -55,8 +54,8 @@ def invocation(work, description, settings):
 
 
 def run(work, description, tasks, settings, progress):
-    """Does the tasks; returns when all have ended. Every process ends with its parent, down to POV-Ray: a
-    Ctrl-C, or even the death of this process, leaves nothing running."""
+    """Runs the tasks to their end. Every process dies with its parent, down to POV-Ray, so that neither Ctrl-C nor the death of this
+    process leaves any running."""
     command, env = invocation(work, description, settings)
     with open(work.logs / "parallel.log", "ab") as log:
         process = subprocess.Popen(
@@ -82,4 +81,4 @@ def end(process):
     """Ends parallel; the kernel ends its workers and their POV-Rays with it."""
     process.send_signal(signal.SIGKILL)
     process.wait()
-    time.sleep(0.3)  # for the last of them to be gone before the user reads that all has stopped
+    time.sleep(0.3)  # lets the last of them end before the user reads that all have stopped

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""More frames of a film than an earlier call had: the frames that are done stay, where nothing in them tells the length of the
-film."""
+"""Extends a film by more frames: finished frames are kept if nothing in them depends on the length of the film."""
 
 import re
 import struct
@@ -11,7 +10,7 @@ from tools.batch.plan import read_ini
 from tools.batch.store import read_json
 from tools.focus import scene_text
 
-# What POV-Ray declares in an animation and computes from the last frame; `clock` is looked at by its values.
+# declared by POV-Ray in an animation and computed from the last frame; `clock` is compared by its values
 LENGTHS = re.compile(r"\b(final_frame|final_clock|clock_delta)\b")
 CLOCK = re.compile(r"\bclock\b")
 # POV-Ray's options for the clock of the first and of the last frame
@@ -22,7 +21,7 @@ IN_INI = re.compile(r"^\s*([+-]K|\w+_Clock|Cyclic_Animation)", re.IGNORECASE | r
 
 
 def single(value):
-    """The number in single precision, as POV-Ray's options hold it."""
+    """The number in single precision, as in POV-Ray's options."""
     return struct.unpack("f", struct.pack("f", value))[0]
 
 
@@ -53,12 +52,12 @@ class Clock:
 
 
 def without_clock(words):
-    """The options but for those of the clock."""
+    """The options without those of the clock."""
     return [word for word in words if not (FIRST.fullmatch(word) or LAST.fullmatch(word))]
 
 
 def code_of(path):
-    """A file that POV-Ray read, as far as it is code; other files hold nothing that looks like it but by chance."""
+    """The contents of a file that POV-Ray read, if it is code; others match a pattern only by chance."""
     try:
         with open(path, encoding="latin-1") as stream:
             return scene_text.blanked(stream.read())
@@ -75,14 +74,14 @@ def files_of(work, key):
 
 
 def sets_clock(inputs):
-    """Whether an ini file says something of the clock."""
+    """True if an ini file sets the clock."""
     targets = inputs.links.targets
     inis = [targets[name] for name in targets if name.startswith("options")] + [inputs.ini] * bool(inputs.ini)
     return any(IN_INI.search(read_ini(path)) for path in inis)
 
 
 def objection(work, old, new, inputs):
-    """Why the frames of the film would not be the same in the longer one; None where they would."""
+    """Reason why the frames would differ in the longer film; None if they would not."""
     frames = len(new["pictures"])
     code = {path: code_of(path) for path in files_of(work, old)}
     for path, text in code.items():
@@ -105,7 +104,7 @@ def objection(work, old, new, inputs):
 
 
 def lengthen(work, request, stored, new):
-    """Takes more frames into the description where the film may have them; returns what is against it."""
+    """Adds frames to the description, or returns the objection."""
     old = stored["key"]
     longer = request.kind == old["kind"] == "film" and len(new["pictures"]) > len(old["pictures"]) > 1
     if not longer or new["pictures"][: len(old["pictures"])] != old["pictures"]:

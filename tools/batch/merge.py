@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Puts the bands of a picture together and the picture where the user wants it."""
+"""Joins the bands of a picture and delivers it."""
 
 import contextlib
 import functools
@@ -16,7 +16,7 @@ from tools.batch.store import BatchError, little_room, read_json, sha256, sync_f
 
 
 def oiiotool(folder, arguments):
-    """Runs oiiotool; what it complains of is an error."""
+    """Runs oiiotool; raises its complaints."""
     done = subprocess.run(
         povray.ending_with_parent(["oiiotool", *arguments]),
         cwd=folder,
@@ -33,8 +33,7 @@ def oiiotool(folder, arguments):
 
 
 def band_records(work, key, picture):
-    """The records of a picture's bands; a band whose files are not what was recorded is forgotten, to be
-    done again."""
+    """Records of a picture's bands. Forgets a band whose files differ from its record, so that it is rendered again."""
     records = []
     for band in range(len(key["bands"])):
         name = unit_name(picture * len(key["bands"]) + band, len(key["bands"]))
@@ -51,8 +50,7 @@ def band_records(work, key, picture):
 
 
 def join(folder, bands, width, target):
-    """Joins files: the rows of each are cut out of its full frame and pasted, all channels, values
-    untouched."""
+    """Joins files: crops each band's rows from its full frame and pastes them, all channels, with exact values."""
     words = ["--no-autopremult", "--nosoftwareattrib"]
     for path, (first, last) in bands:
         words += [path, "--crop", f"{width}x{last - first + 1}+0+{first - 1}"]
@@ -60,7 +58,7 @@ def join(folder, bands, width, target):
 
 
 def paste(work, key, records, rest, target):
-    """Joins one file of each band and checks what came out."""
+    """Joins one file of each band and checks the result."""
     width, height = key["size"]
     paths = [f"{name}/{record['files'][rest]['file']}" for name, record in records]
     join(work.units, list(zip(paths, key["bands"])), width, target)
@@ -78,7 +76,7 @@ def paste(work, key, records, rest, target):
 
 
 def deliver(source, target):
-    """Puts a file at its place whole, without a second copy on the same file system."""
+    """Moves a file to its place in one step, without a copy if that is on the same file system."""
     target.parent.mkdir(parents=True, exist_ok=True)
     new = target.parent / f".new.{os.getpid()}.{source.name}"
     try:
@@ -95,7 +93,7 @@ def deliver(source, target):
 
 
 def merged_files(work, key, picture):
-    """The whole files of a picture in the work folder: rest of the name -> (path, hash of the pixels)."""
+    """Complete files of a picture in the work folder: rest of the name -> (path, hash of the pixels)."""
     records = band_records(work, key, picture)
     rests = set(records[0][1]["files"])
     for name, record in records:
@@ -116,7 +114,7 @@ def merged_files(work, key, picture):
 
 
 def merge_picture(work, description, picture):
-    """Makes one picture of the batch, where that is not done yet."""
+    """Joins and delivers one picture, unless that is done."""
     if is_merged(work, description, picture):
         return
     key = description["key"]
@@ -136,7 +134,7 @@ def merge_picture(work, description, picture):
 
 
 def free_space(work, key, picture):
-    """Removes the parts of a picture that is in its place."""
+    """Removes the parts of a delivered picture."""
     for band in range(len(key["bands"])):
         shutil.rmtree(
             work.unit(unit_name(picture * len(key["bands"]) + band, len(key["bands"]))), ignore_errors=True
@@ -148,12 +146,12 @@ def free_space(work, key, picture):
 
 @functools.lru_cache(maxsize=None)
 def hash_now(path, *_):
-    """Hash of a file, taken once in this process while its stamp stays."""
+    """Hash of a file, computed once per process while its stamp stays."""
     return sha256(path)
 
 
 def is_merged(work, description, picture):
-    """Whether the picture is in its place, as it was put there."""
+    """True if the picture is in its place, as delivered."""
     told = read_json(work.record("merged", f"{picture:05d}"))
     if not told:
         return False

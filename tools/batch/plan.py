@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """From a command line to the description of a batch: scene, inputs, pictures, bands, units, tasks.
 
-A picture is one output file; a band is some of its rows; a unit is one band of one picture, the least
-that is rendered, kept and repeated. A task is one or more units in a row, which a worker does one after
-the other. """
+A picture is one output file; a band is a range of its rows; a unit is one band of one picture, the smallest part that is rendered, kept
+and repeated. A task is a sequence of units for one worker."""
 
 import decimal
 import itertools
@@ -15,11 +14,11 @@ from tools.batch.key import Links
 from tools.batch.pov_options import PovOptions
 from tools.batch.store import BatchError, sha256
 
-BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on where they begin
-TALL = 256  # rows of a band, where there is a choice: each edge costs some 15 to 20 rows in a blurred picture
-POVINC = "povinc"  # link to the folder that the variable POVINC names; POV-Ray looks there before those of +L
+BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on their boundaries
+TALL = 256  # rows of a band, if there is a choice: each edge costs 15 to 20 rows in a blurred picture
+POVINC = "povinc"  # link to the folder in the variable POVINC; POV-Ray searches it before those of +L
 MOST_VALUES = 100000  # of a range in --set; each is a picture
-SECONDS_A_TASK = 5.0  # what a task should be worth at least, ten times what starting POV-Ray costs
+SECONDS_A_TASK = 5.0  # least worth of a task, ten times the cost of starting POV-Ray
 DEFAULT_INI = (
     "./povray.ini",
     "~/.povray/3.7/povray.ini",
@@ -29,13 +28,13 @@ DEFAULT_INI = (
 
 
 def safe_name(path, fallback):
-    """The last part of a path where POV-Ray can take it as it is."""
+    """The last part of a path, or the fallback if POV-Ray cannot take it."""
     name = os.path.basename(path)
     return name if re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.+-]*\.[A-Za-z0-9]+", name) else fallback
 
 
 def chosen(text, last):
-    """Numbers of frames in --only, such as 5-8,12, as indices of pictures (from 0)."""
+    """Picture indices (from 0) of the frame numbers in --only, such as 5-8,12."""
     found = set()
     for part in text.split(","):
         match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
@@ -47,7 +46,7 @@ def chosen(text, last):
 
 
 def values(text):
-    """The values of --set with commas between: numbers, FROM:TO:STEP, and texts in quotation marks, which they keep."""
+    """Comma-separated values of --set: numbers, FROM:TO:STEP, and quoted texts, which keep their quotation marks."""
     found = []
     for part in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', text):
         if '"' in part:
@@ -104,7 +103,7 @@ def parse_sets(words):
 
 
 def pictures(kind, stem, extension, frames=1, sets=()):
-    """All pictures of the batch: file name, POV-Ray's options for it, frame number, label."""
+    """All pictures of the batch: file name, POV-Ray's options, frame number, label."""
     if kind == "film":
         digits = max(4, len(str(frames)))
         return [
@@ -129,9 +128,9 @@ def pictures(kind, stem, extension, frames=1, sets=()):
 
 
 def cut_bands(height, count):
-    """Rows of each band, 1-based, both included. Up to one band a block they are cut between POV-Ray's
-    blocks; more of them anywhere, but the first has two rows, since +SR1 +ER1 means all rows to
-    POV-Ray."""
+    """Rows of each band, from 1, inclusive. Up to one band per block, cuts lie between POV-Ray's blocks; beyond that anywhere, except that
+    the
+    first band has two rows, because +SR1 +ER1 means all rows to POV-Ray."""
     step = BLOCK if count <= -(-height // BLOCK) else 1
     blocks = -(-height // step)
     count = max(1, min(count, blocks if step > 1 else height - 1))
@@ -143,12 +142,12 @@ def cut_bands(height, count):
 
 
 def unit_name(number, bands):
-    """The name of a unit: picture and band."""
+    """Name of a unit from picture and band."""
     return f"{number // bands:05d}.{number % bands:04d}"
 
 
 def read_ini(path):
-    """An ini file's text; commands in it are refused, for they would run once a band."""
+    """Text of an ini file. Refuses commands in it, which would run once per band."""
     with open(path, encoding="utf-8", errors="surrogateescape") as stream:
         text = stream.read()
     command = re.search(
@@ -163,8 +162,7 @@ def read_ini(path):
 
 
 def main_ini(program, folder):
-    """POV-Ray's own choice of its ini file, made here once for all machines: the file, and those it
-    looked for before."""
+    """POV-Ray's choice of its main ini file, made once for all machines: the file, and the files looked for before it."""
     prefix = os.path.dirname(os.path.dirname(os.path.realpath(program)))
     named = os.environ.get("POVINI")
     candidates = [named] if named else []
@@ -177,8 +175,8 @@ def main_ini(program, folder):
 
 
 class Inputs:
-    """Where a scene's files are looked for, as ./render does it: the current folder, those of the ini
-    file, the project's include folder, the scene's folder, those of +L."""
+    """Search path of a scene's files, as in ./render: the current folder, those of the ini file, the project's include folder, the scene's
+    folder, those of +L."""
 
     def __init__(self, scene, folder, words, program, repository):
         self.scene = os.path.join(folder, scene)
@@ -210,15 +208,14 @@ class Inputs:
         self.links = Links(targets)
 
     def add_ini(self, i, ini, targets):
-        """An ini file among the options."""
+        """Adds an ini file from the options."""
         if not os.path.isfile(ini):
             raise BatchError(f"there is no ini file {ini!r}.")
         read_ini(ini)
         targets[f"options{i}.ini"] = ini
 
     def write(self, work):
-        """Makes links, and the ini file that POV-Ray reads first: the user's, after the user's current
-        folder."""
+        """Makes the links, and the ini file that POV-Ray reads first: the user's, after the user's current folder."""
         self.links.make(work.inputs)
         text = f'Library_Path="{Links.UP}here"\n'
         if self.ini:
@@ -232,5 +229,5 @@ class Inputs:
         path.write_text(text, encoding="utf-8", errors="surrogateescape")
 
     def own_files(self):
-        """The files of the key that POV-Ray's list cannot hold."""
+        """Files of the key that are not in POV-Ray's list."""
         return {self.ini: sha256(self.ini)} if self.ini else {}

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""POV-Ray's own options as a user gives them to a batch: those that the batch sets itself are refused,
-names of files are made independent of the current folder, and the kind of picture is read."""
+"""POV-Ray's options as given to a batch. Refuses those that the batch sets itself, makes file names independent of the current folder, and
+determines the kind of picture."""
 
 import os
 import re
@@ -9,7 +9,7 @@ import re
 from tools.batch.key import Links
 from tools.batch.store import BatchError
 
-# What the batch sets itself, with what to do instead.
+# options that the batch sets itself, with the remedy
 REFUSED_SWITCHES = {
     "I": "give the scene as the first argument",
     "O": "use --output",
@@ -50,15 +50,15 @@ FORMATS = {"N": "png", "E": "exr"}
 
 
 def unquoted(text):
-    """Without the quotation marks that POV-Ray needs around a name with spaces."""
+    """The text without the quotation marks that POV-Ray needs around a name with spaces."""
     if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
     return text
 
 
 class PovOptions:
-    """The options, sorted. `words` go to POV-Ray in this order, which decides where two of them set the same; `libraries`
-    and `inis` name files. An ini file is among the words under the name of its link, options0.ini and so on."""
+    """The options by kind. `words` go to POV-Ray in this order, because later options override earlier ones; `libraries` and `inis` name
+    files. In `words` an ini file has the name of its link, options0.ini and so on."""
 
     def __init__(self, words):
         self.words, self.libraries, self.inis = [], [], []
@@ -67,7 +67,6 @@ class PovOptions:
             self.add(word)
 
     def add(self, word):
-        """Sorts one option."""
         named = re.fullmatch(r"([A-Za-z_]+)\s*=(.*)", word, re.DOTALL)
         if word[:1] in "+-" and len(word) > 1:
             self.add_switch(word)
@@ -123,7 +122,7 @@ class PovOptions:
             self.words.append(word)
 
     def set_kind(self, word, value):
-        """PNG or OpenEXR; the bits stay with POV-Ray."""
+        """Chooses PNG or OpenEXR; bits remain POV-Ray's option."""
         if value[:1].upper() not in FORMATS:
             raise BatchError(
                 f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put "
@@ -139,7 +138,7 @@ class PovOptions:
         self.threads = int(value)
 
     def named_files(self, folder):
-        """Folders and ini files that the options name, absolute."""
+        """Absolute paths of folders and ini files in the options."""
         for library in self.libraries:
             yield os.path.join(folder, library)
         for ini in self.inis:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs POV-Ray on a part of a picture, and keeps its state file fit to continue from."""
+"""Runs POV-Ray on a part of a picture, and keeps its state file fit for continuing."""
 
 import os
 import re
@@ -12,19 +12,19 @@ import subprocess
 from tools.batch.plan import POVINC
 from tools.batch.store import BatchError, boot, read_json, write_json
 
-PICTURE = "picture"  # stem of what POV-Ray writes in a unit's folder
-KILLED = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU)  # by others, not by a fault of its own
+PICTURE = "picture"  # stem of POV-Ray's files in a unit's folder
+KILLED = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU)  # signals from outside, not faults of the program
 PAGE = 4096
 STATE_HEADER = 512
 
 
 def ending_with_parent(command):
-    """The command as one that the kernel kills when this process dies, so that none is left behind."""
+    """The command wrapped so that the kernel kills it when this process dies."""
     return ["setpriv", "--pdeathsig", "KILL", *command]
 
 
 def version(program):
-    """What `povray --version` says in its first lines."""
+    """The first lines of `povray --version`."""
     try:
         done = subprocess.run(
             [program, "--version"],
@@ -67,7 +67,7 @@ def arguments(description, picture, rows, size=None):
 
 
 def environment(links):
-    """The user's, with the batch's ini file, folder of include files and list."""
+    """The user's environment with the batch's ini file, include folder and file list."""
     env = dict(os.environ, POVINI="../../inputs/povray.ini", TILT_LENS_FILE_LIST="files")
     env.pop("DISPLAY", None)
     env.pop("POVINC", None)
@@ -77,13 +77,13 @@ def environment(links):
 
 
 def state_file(folder):
-    """What POV-Ray would continue from, or None."""
+    """POV-Ray's state file, or None."""
     return next(iter(sorted(folder.glob(f"{PICTURE}*.pov-state"))), None)
 
 
 def whole_messages(data, trusted):
-    """How many bytes of a state file are whole messages. Where the machine stopped since (not `trusted`),
-    pages that never reached the disk read as zeros: nothing behind the first such page is kept."""
+    """Length in bytes of the complete messages of a state file. If the machine stopped since (not `trusted`), pages that never reached the
+    disk read as zeros; the first such page ends the result."""
     end = len(data)
     if not trusted:
         pages = (
@@ -104,7 +104,7 @@ def whole_messages(data, trusted):
 
 
 def prepare_state(folder):
-    """Cuts the state file to what can be relied on; returns its length in bytes, 0 where there is nothing to continue from."""
+    """Truncates the state file to its reliable part; returns its length in bytes, 0 if there is nothing to continue from."""
     path = state_file(folder)
     if path is None:
         return 0
@@ -119,15 +119,14 @@ def prepare_state(folder):
 
 
 def clear_output(folder, also_state=False):
-    """Removes what an earlier try left: a picture whose writing was cut short looks finished to POV-Ray."""
+    """Removes files of an earlier try: POV-Ray would take a truncated picture for a finished one."""
     for path in folder.glob(f"{PICTURE}*"):
         if also_state or path.suffix != ".pov-state":
             path.unlink()
 
 
 def start(description, folder, words, log, lock=None):
-    """Starts POV-Ray in the folder. It inherits the unit's lock, so that no other try can begin beside
-    it."""
+    """Starts POV-Ray in the folder. It inherits the unit's lock, which keeps other tries from starting."""
     write_json(folder / "boot.json", boot())
     with open(log, "ab") as stream:
         return subprocess.Popen(
@@ -142,7 +141,7 @@ def start(description, folder, words, log, lock=None):
 
 
 def outputs(folder):
-    """The pictures in the folder: rest of the name behind "picture" and frame number -> file."""
+    """Pictures in the folder: rest of the name after "picture" and frame number -> file."""
     found = {}
     for path in sorted(folder.glob(f"{PICTURE}*")):
         if path.suffix in (".png", ".exr"):
@@ -151,7 +150,7 @@ def outputs(folder):
 
 
 def image_info(path):
-    """Size, channels and hash of the decoded pixels, by reading all of the file."""
+    """Size, channels and hash of the decoded pixels; reads the whole file."""
     done = subprocess.run(
         ending_with_parent(["oiiotool", "--info", "--hash", path.name]),
         cwd=path.parent,
@@ -174,7 +173,7 @@ def image_info(path):
 
 
 def needed_programs():
-    """Says which program a machine lacks."""
+    """Raises an error for a missing program."""
     for name, package in (("setpriv", "util-linux"), ("oiiotool", "openimageio-tools")):
         if shutil.which(name) is None:
             raise BatchError(f"{name} is missing on {os.uname().nodename} (Debian package {package}).")

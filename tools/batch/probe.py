@@ -1,10 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The first look at a scene: does it parse, which files does it read, how large is the picture, how long
-will it take, and do its pixels depend on the rows that are rendered with them?
+"""Probes a scene before the batch: does it parse, which files does it read, how large is the picture, how long will it take, and do its
+pixels
+depend on the rows that are rendered together?
 
-Only the last question needs more than one small render. Radiosity and stock's jittered area lights do
-depend on them; the samples of a tilt_lens picture never do. """
+Only the last question needs more than one small render. Radiosity and stock's jittered area lights depend on the rows; the samples of
+a tilt_lens picture never do."""
 
 import itertools
 import re
@@ -28,7 +29,7 @@ class Probe:
         self.small = None  # the last result of estimate()
 
     def render(self, name, rows, size=None):
-        """Renders rows; returns the folder, the log's text and the seconds it took."""
+        """Renders rows; returns the folder, the log's text and the duration in seconds."""
         folder = self.work.probe / name
         folder.mkdir(parents=True, exist_ok=True)
         povray.clear_output(folder, also_state=True)
@@ -58,7 +59,7 @@ class Probe:
         return folder, text, seconds
 
     def wait(self, process, log):
-        """Waits for a small render, and says so where it takes long; ends it at the limit for units."""
+        """Waits for a small render, tells the user if it takes long, and ends it at the time limit of units."""
         begun, limit = time.monotonic(), self.description["limit"]
         for pause in itertools.chain((5, 25, 90), itertools.repeat(600)):
             spent = time.monotonic() - begun
@@ -76,23 +77,20 @@ class Probe:
             print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
     def picture_size(self):
-        """Size of the whole picture, from two pixels of it; its parse reads the files that the key
-        names."""
+        """Size of the whole picture, from a render of two pixels, whose file list goes into the key."""
         folder, _, _ = self.render("whole", (1, 2))
         return povray.image_info(self.output(folder))["size"]
 
     def output(self, folder):
-        """The picture in the folder."""
         return povray.outputs(folder)["." + self.description["key"]["extension"]]
 
     def small_size(self, size):
-        """A small version with the same proportions, near enough for an estimate."""
+        """A small size with almost the same proportions, for estimates."""
         rows = min(SMALL_ROWS, size[1])
         return [max(2, min(SMALL_COLUMNS, round(size[0] * rows / size[1]))), rows]
 
     def estimate(self, size):
-        """Seconds for one whole picture, and seconds that each start of POV-Ray costs besides (parsing,
-        photons)."""
+        """Seconds for one whole picture, and seconds for each start of POV-Ray (parsing, photons)."""
         small = self.small_size(size)
         self.small = self.render("small", (1, small[1]), small)
         _, text, seconds = self.small
@@ -104,7 +102,7 @@ class Probe:
         }
 
     def seam(self, size, aligned):
-        """Whether the small picture changes when it is cut in two, as it would be in bands."""
+        """True if the small picture changes when it is cut in two, as it would be in bands."""
         small = self.small_size(size)
         cut = 32 if aligned else 19
         if small[1] <= cut or re.search(r"^Tilt Lens Sampling", self.small[1], re.MULTILINE):
@@ -121,19 +119,18 @@ class Probe:
         )
 
     def radiosity(self):
-        """Whether the scene uses radiosity, as POV-Ray's statistics tell."""
+        """True if the scene uses radiosity, by POV-Ray's statistics."""
         return bool(re.search(r"^Radiosity", self.small[1], re.MULTILINE))
 
 
 def trace_seconds(text):
-    """ "Trace Time" of the statistics: by the clock, and of the processor, which other programs do not
-    disturb."""
+    """"Trace Time" of the statistics: elapsed, and processor time, which other programs do not disturb."""
     found = re.findall(r"Trace Time:.*?\(([0-9.]+) seconds\)\s+using.*?with ([0-9.]+) CPU-seconds", text)
     return (float(found[-1][0]), float(found[-1][1])) if found else (0.0, 0.0)
 
 
 def told(text):
-    """The lines of a failed render that say why."""
+    """The lines of a failed render's log that tell the reason."""
     lines = [line for line in text.replace("\r", "\n").splitlines() if line.strip()]
     errors = [i for i, line in enumerate(lines) if re.search(r"error", line, re.IGNORECASE)]
     first = max(0, errors[0] - 4) if errors else -8

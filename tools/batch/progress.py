@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What is done, running, failed; the line that tells it; the summary."""
+"""State of a batch, the progress line, and the summary."""
 
 import os
 import re
@@ -11,12 +11,12 @@ from tools.batch.plan import unit_name
 from tools.batch.store import read_json
 
 
-LOOKED_AT, SHOWN = 64, 3  # running units whose records are read, and that the line of progress names
-LONG = 600  # seconds after which a unit that still runs is worth a hint
+LOOKED_AT, SHOWN = 64, 3  # running units whose records are read; units named in the progress line
+LONG = 600  # seconds after which a running unit deserves a hint
 
 
 def span(seconds):
-    """A length of time for people."""
+    """A duration for people."""
     seconds = int(round(seconds))
     if seconds < 90:
         return f"{seconds} s"
@@ -26,7 +26,7 @@ def span(seconds):
 
 
 class State:
-    """Where the batch stands, from four listings of folders; of all pictures, or of those that this call is for (--only)."""
+    """State of the batch from four directory listings: of all pictures, or of those in --only."""
 
     def __init__(self, work, description):
         bands = len(description["key"]["bands"])
@@ -46,7 +46,7 @@ class State:
 
 
 class Running:
-    """A unit that is at work, from its record and its log."""
+    """A running unit, from its record and its log."""
 
     def __init__(self, work, name, description):
         bands = description["key"]["bands"]
@@ -60,19 +60,19 @@ class Running:
         self.seconds = max(0.0, time.time() - self.since)
 
     def percent(self):
-        """How far POV-Ray says it is, or None."""
+        """POV-Ray's progress, or None."""
         lines = log_end(self.log, 1, self.begins) if self.log else [""]
         found = re.findall(r"\((\d+)%", lines[0] if lines else "")
         return int(found[-1]) if found else None
 
     def text(self):
-        """For the line of progress."""
+        """For the progress line."""
         percent = self.percent()
         return f"{self.label} ({span(self.seconds)}" + (")" if percent is None else f", {percent}%)")
 
 
 class Progress:
-    """One line about the whole batch: overwritten on a terminal, a new one now and then elsewhere."""
+    """One line about the whole batch: overwritten on a terminal, repeated now and then elsewhere."""
 
     def __init__(self, work, description, quiet=False):
         self.work, self.description, self.quiet = work, description, quiet
@@ -83,7 +83,7 @@ class Progress:
         self.hinted = False
 
     def time_left(self, state):
-        """From the pace of this run, with what POV-Ray tells of the units at work; nothing before that is a hundredth of one."""
+        """Estimate from the pace of this run and the progress of running units; None before a hundredth of one is done."""
         running = sum((Running(self.work, name, self.description).percent() or 0) / 100 for name in state.running)
         finished = len(state.done) - self.at_begin + running
         if finished < 0.01:
@@ -92,7 +92,6 @@ class Progress:
         return f", {span(pace * (len(state.units) - len(state.done) - running))} left"
 
     def text(self):
-        """The line."""
         state = State(self.work, self.description)
         what = "bands" if len(self.description["key"]["bands"]) > 1 else "pictures"
         left = self.time_left(state) if len(state.done) < len(state.units) else ""
@@ -102,7 +101,7 @@ class Progress:
         )
 
     def at_work(self, state):
-        """The units that have run longest, by name; once a hint where one takes very long."""
+        """The units that have run longest; once, a hint if one takes very long."""
         units = [Running(self.work, name, self.description) for name in sorted(state.running)[:LOOKED_AT]]
         units.sort(key=lambda unit: -unit.seconds)
         if units and units[0].seconds > LONG and not self.hinted and not self.description.get("limit"):
@@ -115,7 +114,6 @@ class Progress:
         return f": {shown}" + ("; ..." if len(state.running) > SHOWN else "") if shown else ""
 
     def show(self, final=False):
-        """Tells where the batch stands."""
         now = time.monotonic()
         pause = 1.0 if self.terminal else 30.0
         if self.quiet or (not final and now - self.last_time < pause):
@@ -146,7 +144,7 @@ def log_end(path, lines=6, begins=0, ends=None):
 
 
 def failures(work, description):
-    """What failed, each with the end of its log."""
+    """Failures, each with the end of its log."""
     for name in sorted(State(work, description).failed):
         record = read_json(work.record("failed", name)) or {}
         yield f"failed: {record.get('picture', name)!r} rows {record.get('rows')}: {record.get('reason')}"
@@ -156,7 +154,7 @@ def failures(work, description):
 
 
 def unfinished(work, description):
-    """The ends of the logs of what started the workers, where some never told what became of them."""
+    """Ends of the logs of the workers' starters, for workers that never reported."""
     state = State(work, description)
     if state.missing():
         logs = sorted(
@@ -173,7 +171,7 @@ def unfinished(work, description):
 
 
 def times(work, description):
-    """Seconds of POV-Ray and repeated tries in the records that are left."""
+    """POV-Ray's seconds and repeated tries, from the remaining records."""
     seconds = tries = 0
     for name in State(work, description).units:
         record = read_json(work.record("done", name))
@@ -184,7 +182,6 @@ def times(work, description):
 
 
 def summary(work, description, elapsed):
-    """The closing lines."""
     state = State(work, description)
     seconds, tries = times(work, description)
     missing = len(state.units) - len(state.done)

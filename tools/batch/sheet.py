@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The contact sheet of a sweep: every picture small, with its values under it."""
+"""The contact sheet of a sweep: thumbnails of all pictures, labelled with their values."""
 
 import math
 import os
@@ -10,21 +10,20 @@ from tools.batch import merge, povray
 from tools.batch.store import sync_file
 
 THUMB = 320  # columns of a picture on the sheet
-STRIP = 26  # rows for the label
-AT_ONCE = 50  # pictures in one call: starting oiiotool costs more than a small picture
+STRIP = 26  # rows of a label
+AT_ONCE = 50  # pictures per call: starting oiiotool takes longer than a thumbnail
 
 
 def columns(sets, count):
-    """With two or more parameters a row for each value of the others, a column for each of the last; with
-    one, a sheet that is a little wider than tall."""
+    """Columns of the sheet. With several parameters, a column for each value of the last and a row for each combination of the others; with
+    one, slightly wider than tall."""
     if len(sets) > 1:
         return len(sets[-1][1])
     return math.ceil(math.sqrt(count))
 
 
 def thumb(link, target, size, label):
-    """Arguments that make one small picture with its label. Linear values are shown as a screen needs
-    them."""
+    """oiiotool's arguments for one labelled thumbnail. Converts linear values for display."""
     width, height = size
     words = [link, "--ch", "R,G,B"]
     if link.endswith(".exr"):
@@ -77,6 +76,6 @@ def make(work, description):
 
 
 def label_that_fits(label, width):
-    """A label too long for its picture loses its end rather than running into the next one."""
+    """Truncates a label that is wider than its picture."""
     most = max(4, (width - 16) // 8)
     return label if len(label) <= most else label[: most - 3] + "..."

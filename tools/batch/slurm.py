@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs tasks on a Slurm cluster: a job array, and a job that depends on it and finishes the batch."""
+"""Runs tasks on a Slurm cluster: a job array, and a dependent job that finishes the batch."""
 
 import contextlib
 import re
@@ -13,7 +13,7 @@ import time
 from tools.batch.store import BatchError, read_json, write_json, write_text
 from tools.repository import module_command
 
-PATIENCE = 600  # seconds that a silent controller is waited for
+PATIENCE = 600  # seconds to wait for a silent controller
 SCRIPT = """#!/bin/sh
 # Written by batch; one task of the array, or the last step.
 exec {program} {work} {argument}
@@ -21,7 +21,7 @@ exec {program} {work} {argument}
 
 
 def check():
-    """Says what is missing before anything is started."""
+    """Reports missing programs before anything is started."""
     for name in ("sbatch", "squeue", "scontrol", "sinfo"):
         if shutil.which(name) is None:
             raise BatchError(
@@ -31,7 +31,7 @@ def check():
 
 
 def command(*words):
-    """Runs one of Slurm's commands; returns what it prints."""
+    """Runs one of Slurm's commands; returns its output."""
     try:
         done = subprocess.run(
             words, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False
@@ -44,13 +44,13 @@ def command(*words):
 
 
 def largest_array():
-    """How many tasks one array may have: the site's MaxArraySize bounds the largest index."""
+    """Greatest number of tasks in an array: the site's MaxArraySize bounds the largest index."""
     found = re.search(r"MaxArraySize\s*=\s*(\d+)", command("scontrol", "show", "config"))
     return int(found.group(1)) if found else 1001
 
 
 def workers(settings, threads):
-    """How many POV-Rays can run at once, as far as sinfo tells; what decides is the site's queue."""
+    """Number of simultaneous POV-Rays by sinfo, an estimate: the site's queue decides."""
     if settings.workers:
         return settings.workers
     words = ["sinfo", "-h", "-o", "%C"] + (
@@ -71,7 +71,7 @@ def site_options(settings):
 
 
 def write_script(work, verb, argument):
-    """The batch script; the shell reads the names from it, so they may hold anything."""
+    """The batch script; the shell reads names from it, so that they may contain any characters."""
     path = work.folder / f"{verb}.sh"
     write_text(
         path,
@@ -96,8 +96,8 @@ def ranges(numbers):
 
 
 def log_name(work, name):
-    """The value of sbatch's --output for a file in the log folder, whatever the folder's name holds. A
-    backslash switches the %-marks of Slurm off, so then all tasks share a file."""
+    """Value of sbatch's --output for a file in the log folder. If the folder's name holds a %-mark, a backslash disables them all, and all
+    tasks share a file."""
     folder = str(work.logs)
     if "\\" in folder:
         return folder.replace("\\", "\\\\") + "/slurm.out"
@@ -105,7 +105,7 @@ def log_name(work, name):
 
 
 def submit(work, description, tasks, settings):
-    """Submits array and last step; returns the numbers of the jobs."""
+    """Submits array and last step; returns the job numbers."""
     common = [
         "sbatch",
         "--parsable",
@@ -124,7 +124,7 @@ def submit(work, description, tasks, settings):
         f"--output={log_name(work, 'slurm-%a.out')}",
         str(write_script(work, "task", '"$SLURM_ARRAY_TASK_ID"')),
     ).split(";")[0]
-    # afterany: a failed task must not keep the last step, which tells what is missing, from running.
+    # afterany: a failed task must not keep the last step, which reports missing units, from running
     try:
         last = command(
             *common,
@@ -143,20 +143,20 @@ def submit(work, description, tasks, settings):
 
 
 def alive(jobs):
-    """Which of the jobs are waiting or running. A number that Slurm has forgotten has ended."""
+    """Jobs that are waiting or running. A number unknown to Slurm has ended."""
     listed = command("squeue", "--noheader", "--me", "--format=%A %F")
     known = {number for line in listed.splitlines() for number in line.split()}
     return [job for job in jobs if job in known]
 
 
 def active_jobs(work):
-    """Jobs of an earlier call that are still at work."""
+    """Unfinished jobs of an earlier call."""
     jobs = read_json(work.folder / "jobs.json")
     return alive(jobs) if jobs and shutil.which("squeue") else []
 
 
 def cancelled(jobs):
-    """Which of the jobs somebody has cancelled, as far as the controller still knows them."""
+    """Cancelled jobs, as far as the controller still knows them."""
     found = []
     for job in jobs:
         with contextlib.suppress(BatchError):
@@ -167,7 +167,7 @@ def cancelled(jobs):
 
 @contextlib.contextmanager
 def interrupted_alone(jobs):
-    """Who interrupts what is done within, ends this call and not the jobs, and is told how to end these."""
+    """Lets an interrupt end this call but not the jobs, and tells the user how to cancel them."""
     try:
         yield
     except KeyboardInterrupt:
@@ -176,7 +176,7 @@ def interrupted_alone(jobs):
 
 
 def wait(jobs, progress):
-    """Waits for the jobs; refuses to go on where somebody cancelled them."""
+    """Waits for the jobs; raises an error if they were cancelled."""
     wait_for_end(jobs, progress)
     gone = cancelled(jobs)
     if gone:
@@ -184,7 +184,7 @@ def wait(jobs, progress):
 
 
 def wait_for_end(jobs, progress):
-    """Waits for the jobs. While the controller does not answer, so does this, but not for ever."""
+    """Waits for the jobs. Tolerates a silent controller for PATIENCE seconds."""
     pause, silent_since = 0.5, None
     while True:
         try:

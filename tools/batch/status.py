@@ -35,7 +35,7 @@ def unit(work, description, state, number):
 
 
 def show(folder):
-    """Prints it; the exit code is 0."""
+    """Prints the JSON; the exit code is 0."""
     folder = os.path.abspath(folder)
     found = [name for name in (folder, folder + ".batch") if read_json(Work(name).description)]
     if not found:

@@ -26,7 +26,7 @@ import tempfile
 
 
 class BatchError(Exception):
-    """Something that the user can mend; the message says what and how."""
+    """An error that the user can mend; the message has the remedy."""
 
 
 class UsageError(BatchError):
@@ -34,7 +34,6 @@ class UsageError(BatchError):
 
 
 def sha256(path):
-    """Hash of a file's bytes."""
     digest = hashlib.sha256()
     with open(path, "rb") as stream:
         for piece in iter(lambda: stream.read(1 << 20), b""):
@@ -43,7 +42,7 @@ def sha256(path):
 
 
 def sync_folder(folder):
-    """Makes names in the folder survive a power failure."""
+    """Makes the folder's names survive a power failure."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -52,13 +51,13 @@ def sync_folder(folder):
 
 
 def sync_file(path):
-    """Makes the contents of a file that another program wrote survive a power failure."""
+    """Makes a file that another program wrote survive a power failure."""
     with open(path, "rb") as stream:
         os.fsync(stream.fileno())
 
 
 def write_text(path, text):
-    """Writes a file whole or not at all, even when the machine stops."""
+    """Writes a file completely or not at all, even if the machine stops."""
     path = pathlib.Path(path)
     handle, name = tempfile.mkstemp(prefix=".new.", dir=path.parent)
     try:
@@ -78,12 +77,12 @@ def write_text(path, text):
 
 
 def write_json(path, value):
-    """As write_text; names that are not UTF-8 survive as surrogates."""
+    """Like write_text(); names that are not UTF-8 survive as surrogates."""
     write_text(path, json.dumps(value, indent=1, ensure_ascii=True) + "\n")
 
 
 def read_json(path):
-    """The value, or None where there is no such file or it is not JSON."""
+    """The value; None if the file is missing or is not JSON."""
     try:
         return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -92,7 +91,7 @@ def read_json(path):
 
 @contextlib.contextmanager
 def locked(path, wait=True):
-    """Holds a lock file; yields whether it was got. The open file is inherited by no other program."""
+    """Holds a lock file; yields True if it was acquired. Child processes do not inherit it."""
     with open(path, "a", encoding="utf-8") as stream:
         try:
             fcntl.flock(stream, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
@@ -103,7 +102,7 @@ def locked(path, wait=True):
 
 
 def little_room(folder):
-    """A remark where the disk is full: programs that ran out of room seldom say so."""
+    """A remark if the disk is full, because programs seldom report that."""
     free = shutil.disk_usage(folder).free
     if free < 1 << 20:
         yield f"The disk is full: {free >> 10} KB are left for {str(folder)!r}. Make room first."
@@ -111,11 +110,11 @@ def little_room(folder):
 
 @contextlib.contextmanager
 def output_lock(path, work, has_jobs):
-    """Holds a lock file beside the pictures while a batch writes them, so that no other batch writes the same; removes it
-    afterwards. Yields None, or the work folder of the batch that has it.
+    """Holds a lock file beside the pictures, so that no other batch writes them, and removes it afterwards. Yields None, or the work folder
+    of the batch that holds it.
 
-    Jobs on a cluster write the pictures also when no call waits for them. `has_jobs` tells of a work folder whether it has such;
-    for them the file stays, with the folder's name."""
+    Jobs on a cluster write pictures even without a waiting call. If `has_jobs` returns True for a work folder, the lock file stays, with
+    the folder's name."""
     while True:
         with open(path, "a+", encoding="utf-8", errors="surrogateescape") as stream:
             try:
@@ -143,7 +142,7 @@ def output_lock(path, work, has_jobs):
 
 
 def boot():
-    """Names this machine and its last start: a file written under another name may have lost its end."""
+    """Identifies this boot of this machine: a file written under another may be truncated."""
     try:
         return pathlib.Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
     except OSError:
@@ -151,7 +150,7 @@ def boot():
 
 
 class Work:
-    """The work folder and the names in it."""
+    """The work folder and its names."""
 
     STATES = ("running", "done", "failed", "merged")
 
@@ -165,7 +164,6 @@ class Work:
         self.probe = self.folder / "probe"
 
     def make(self):
-        """Creates the folders that are missing."""
         for folder in (self.inputs, self.units, self.logs, *(self.folder / name for name in self.STATES)):
             folder.mkdir(parents=True, exist_ok=True)
 
@@ -189,7 +187,7 @@ class Work:
         }
 
     def clear(self):
-        """Empties the folder, but for the lock that this call holds."""
+        """Empties the folder except for the lock that this call holds."""
         for name in self.names_in_it() - {"lock"}:
             path = self.folder / name
             if path.is_dir() and not path.is_symlink():
@@ -198,15 +196,15 @@ class Work:
                 path.unlink(missing_ok=True)
 
     def unit(self, name):
-        """The folder that POV-Ray runs in for a unit."""
+        """The folder in which POV-Ray renders a unit."""
         return self.units / name
 
     def record(self, state, name):
-        """The small file that says that a unit is running, done..."""
+        """The file that marks a unit as running, done..."""
         return self.folder / state / f"{name}.json"
 
     def names(self, state):
-        """All units in a state: one listing of one folder, cheap on a file server."""
+        """All units in a state: one directory listing, cheap on a file server."""
         try:
             entries = os.listdir(self.folder / state)
         except FileNotFoundError:
@@ -214,5 +212,4 @@ class Work:
         return {entry[:-5] for entry in entries if entry.endswith(".json") and not entry.startswith(".")}
 
     def log(self, task):
-        """The log of a task."""
         return self.logs / f"task-{task:05d}.log"

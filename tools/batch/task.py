@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Does one task: renders its units one after the other, checks each, and puts together each picture whose
-last band it has finished. Any number of these may run on the same work folder; a unit that is done or
-locked is never begun again. What ends a worker (a kill, a lost node) loses nothing but the tile in work:
-POV-Ray dies with it and its state file is continued."""
+"""Runs one task: renders its units in turn, checks each, and joins each picture whose last band it has finished. Any number of tasks
+may share a work folder; a unit that is done or locked is not started again. The death of a worker (a kill, a lost node) loses only
+the current tile: POV-Ray dies with it, and its state file is continued."""
 
 import contextlib
 import fcntl
@@ -20,11 +19,11 @@ from tools.batch.store import BatchError, Work, little_room, locked, read_json, 
 
 
 class Changed(BatchError):
-    """An input is not what it was when the batch was planned: no further try can mend it."""
+    """An input has changed since the batch was planned; another try cannot help."""
 
 
 def stamps_before(description, folder):
-    """Stamps of the files that a unit will read, as far as they are known: the key's, and those that an earlier try read."""
+    """Stamps of the files that a unit will read, as far as known: the key's, and those that an earlier try read."""
     files = set(description["key"]["files"])
     with contextlib.suppress(BatchError):  # the first try
         files |= keys.listed_files(folder / "files", keys.Links(description["links"]))[0]
@@ -32,9 +31,9 @@ def stamps_before(description, folder):
 
 
 def check_inputs(description, folder, before, started):
-    """What this unit read besides the key's files; refuses a file that is no longer the key's.
-    @param before  stamps_before() it read them
-    @param started  when it began to"""
+    """The files that this unit read in addition to the key's. Refuses a file that differs from the key's.
+    @param before  stamps_before() the render
+    @param started  start of the render"""
     known, stamps = description["key"]["files"], description["stamps"]
     links = keys.Links(description["links"])
     read, missing = keys.listed_files(folder / "files", links)
@@ -74,11 +73,11 @@ class Unit:
             stream.write(f"--- {time.strftime('%H:%M:%S')} unit {self.name}: {text}\n")
 
     def place_in_log(self):
-        """Which log this unit's lines are in, and from which byte on: other units of the task have theirs before."""
+        """Log file, and byte offset of this unit's lines."""
         return {"log": str(self.log), "begins": self.begins}
 
     def do(self):
-        """Renders the unit where that is not done yet, with a bounded number of tries."""
+        """Renders the unit unless it is done, with a bounded number of tries."""
         if self.work.record("done", self.name).exists():
             return True
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -108,7 +107,7 @@ class Unit:
             return False
 
     def attempt(self, attempt, lock):
-        """One run of POV-Ray: None, or why there is no picture and whether another try is in vain."""
+        """Runs POV-Ray once: None, or the reason of a failure and whether another try is in vain."""
         running = self.work.record("running", self.name)
         told = {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()}
         write_json(running, {**told, **self.place_in_log()})
@@ -123,7 +122,6 @@ class Unit:
                 running.unlink()
 
     def render(self, attempt, lock):
-        """The work of one try."""
         povray.clear_output(self.folder)
         before = stamps_before(self.description, self.folder)
         with contextlib.suppress(FileNotFoundError):
@@ -156,8 +154,9 @@ class Unit:
         return None, False
 
     def drop_state(self, status, size):
-        """Removes a state file that POV-Ray crashed on or refused; returns whether. One that has grown was read well. Who kills
-        POV-Ray, or has no room left, says nothing about the file."""
+        """Removes a state file that POV-Ray crashed on or refused; returns True if so. A file that has grown was readable. A kill of
+        POV-Ray or a
+        full disk is not the file's fault."""
         path = povray.state_file(self.folder)
         blameless = -status in povray.KILLED or any(little_room(self.folder))
         if path is None or blameless or path.stat().st_size > size:
@@ -194,7 +193,7 @@ class Unit:
 
 
 def end_when_asked(unit):
-    """On SIGTERM or SIGINT POV-Ray is ended first: it keeps its state file."""
+    """On SIGTERM or SIGINT ends POV-Ray first, which keeps its state file."""
 
     def end(number, _):
         if unit.process:
@@ -207,8 +206,7 @@ def end_when_asked(unit):
 
 
 def run(folder, task):
-    """Does a task. The exit code is 0 where every unit has an outcome, good or bad: then no repetition
-    helps."""
+    """Runs a task. The exit code is 0 if every unit has succeeded or failed for good, so that a repetition is useless."""
     work = Work(pathlib.Path(folder))
     description = read_json(work.description)
     if description is None:
@@ -225,6 +223,6 @@ def run(folder, task):
             try:
                 with locked(work.units / f"{picture:05d}.lock"):
                     merge.merge_picture(work, description, picture)
-            except (BatchError, OSError) as error:  # the last step of the batch tries again, and tells
+            except (BatchError, OSError) as error:  # the batch's last step tries again, and reports
                 unit.say(f"merging failed: {error}")
     return 0

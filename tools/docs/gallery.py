@@ -41,7 +41,6 @@ class Scene:
 
     @property
     def path(self):
-        """Its file."""
         return SCENES / f"{self.name}.pov"
 
 
@@ -131,7 +130,6 @@ def write_table(rows):
 
 
 def main():
-    """The command."""
     scenes = all_scenes()
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene", nargs="*", help="names of scenes; all without")

@@ -28,7 +28,7 @@ BEGIN, END = "<!-- portraits: tools/docs/lens_portraits.py -->\n", "<!-- end of 
 
 
 def lenses():
-    """Name of each portrait's lens, in the order of the scene's numbers: {name: title}."""
+    """{name: title} of each portrait's lens, in the order of the scene's numbers."""
     with LENSES.open(encoding="utf-8") as table:
         rows = list(csv.DictReader(table))
     return {"ideal": "An ideal lens of 50 mm at f/1.4", **{pathlib.Path(row["file"]).stem: row["lens"] for row in rows}}
@@ -49,7 +49,6 @@ def make(povray, names):
 
 
 def table():
-    """The portraits in Markdown."""
     rows = ["| lens | wide open | f/8 | wide open, swung |", "| --- | --- | --- | --- |"]
     for name, title in lenses().items():
         cells = [f"![{title}, {word}](pictures/lenses/{name}_{word}.jpg)" for word in SHAPES]
@@ -58,7 +57,6 @@ def table():
 
 
 def page():
-    """The page's text with the table."""
     before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
     return before + BEGIN + table() + END + rest.split(END, 1)[1]
 
