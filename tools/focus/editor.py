@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Puts the page's block into the scene's file, only where the program then finds the page's lens in it."""
+"""Writes the page's block into the scene's file, after checking that the program then finds the page's lens in it."""
 
 import os
 
@@ -15,31 +15,31 @@ class Editor:
 
     def __init__(self, session):
         self.session = session
-        self.added = 0  # cameras that the last change has added before the one that has the lens
-        self.task = None  # the last of them; each begins when the one before it is over
+        self.added = 0  # cameras that the last change added before the one with the lens
+        self.task = None  # the last task; tasks run one after the other
 
     def start(self, request):
-        """Puts the block into the scene's file."""
+        """Writes the block into the scene's file."""
         self.begin(lambda: self.write(request), "refused", self.tell_all)
 
     def start_undo(self):
-        """Takes the last change of the file back."""
+        """Undoes the last change of the file."""
         self.begin(self.undo, "refused", self.tell_all)
 
     def start_trial(self, request, tell):
-        """Finds out whether the block would do in the scene's file; `tell` takes the answer."""
+        """Checks whether the block would do in the scene's file; `tell` receives the answer."""
         self.begin(lambda: self.tried(request), "untried", tell)
 
     async def tell_all(self, told):
-        """Tells all pages what has become of the file."""
+        """Tells all pages the result."""
         await self.session.tell("file", **told)
 
     def begin(self, work, failed, tell):
-        """Begins something when the one before it is over."""
+        """Starts a task after the one before."""
         self.task = started(self.answered(work, failed, tell, self.task))
 
     async def answered(self, work, failed, tell, previous):
-        """Does it, and tells what has become of it."""
+        """Runs a task and tells the result."""
         await ended(previous)
         try:
             told = await work()
@@ -48,8 +48,9 @@ class Editor:
         await tell(told)
 
     async def change(self, request):
-        """The contents of the scene's file as they are, and with the block, in which the program has found the page's lens;
-        and how many cameras were added before the one that has it."""
+        """The file's contents, the contents with the block, which the program has checked, and the number of cameras added before the one
+        with the
+        lens."""
         session = self.session
         await self.renew_record()
         index = self.index_to_change()
@@ -70,37 +71,37 @@ class Editor:
 
     @staticmethod
     def in_camera(camera, text, request):
-        """The scene's text with the block in the camera, in place of the old one."""
+        """The scene's text with the block in the camera, in place of the old block."""
         if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
             raise EditError("the camera's tilt_lens block comes from a macro or another file")
         return scene_text.with_block(text, camera["line"], request["block"], request["items"])
 
     async def write(self, request):
-        """Changes the file; returns the answer to the page."""
+        """Changes the file; returns the answer for the page."""
         before, after, added = await self.change(request)
         kept = self.session.file.replace(before, after)
         self.choose(added)
         return {"state": "written", "kept": kept, "chosen": self.session.chosen}
 
     async def tried(self, request):
-        """Changes nothing; returns the answer to the page."""
+        """Changes nothing; returns the answer for the page."""
         await self.change(request)
         return {"state": "tried"}
 
     async def undo(self):
-        """Puts the file back as it was; returns the answer to the page."""
+        """Restores the file; returns the answer for the page."""
         self.session.file.undo()
         self.choose(-self.added)
         return {"state": "undone", "chosen": self.session.chosen}
 
     def choose(self, added):
-        """Goes on with the same camera where cameras were added before it."""
+        """Keeps the same camera chosen after cameras were added before it."""
         self.added = added
         if self.session.chosen is not None:
             self.session.chosen += added
 
     async def look_at(self, path, name):
-        """What the program tells of the cameras of a file, by one pixel of it."""
+        """The cameras of a file, by a render of one pixel."""
 
         async def nothing(_):
             return
@@ -112,15 +113,15 @@ class Editor:
         return render.camera()
 
     async def renew_record(self):
-        """Sees to it that the lines of the cameras are those of the file as it is."""
+        """Updates the cameras' lines to those of the file."""
         session = self.session
         stamp = scene_file.stamp(session.file.path)
         if session.record_stamp != stamp:
             session.take_record(await self.look_at(session.settings.scene, "renewed"), stamp)
 
     def index_to_change(self):
-        """Index of the camera statement that the page shows.
-        @throws EditError  where there is none that can be changed"""
+        """Index of the camera statement on the page.
+        @throws EditError  it cannot be changed"""
         session = self.session
         cameras, index = session.record["cameras"], session.chosen
         if index is None:
@@ -133,7 +134,7 @@ class Editor:
         return index
 
     async def check(self, data, old, added, expected):
-        """@throws EditError  unless the program finds the wanted lens, and what the page does not write, in the changed scene"""
+        """@throws EditError  unless the program finds the wanted lens, and the items that the page keeps, in the changed scene"""
         session = self.session
         path = session.folder / "changed.pov"
         path.write_bytes(data)

@@ -21,14 +21,12 @@ Press Ctrl-C to end. See docs/focus.md."""
 
 
 def port(text):
-    """A number of a port."""
     if not text.isdigit() or int(text) > 65535:
         raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number from 0 to 65535")
     return int(text)
 
 
 def seconds(text):
-    """A time."""
     try:
         value = float(text)
     except ValueError:
@@ -39,7 +37,6 @@ def seconds(text):
 
 
 def parser():
-    """The command line."""
     top = argparse.ArgumentParser(
         prog="focus", allow_abbrev=False, epilog=HELP, description=__doc__.split("`: ")[1].capitalize()
     )
@@ -75,8 +72,8 @@ def real_lenses():
 
 
 async def serve_until_ended(settings, folder):
-    """Shows the page until a signal, or until it was left. Signals that come before or after this are held back, so that
-    nothing stays behind; returns the exit code."""
+    """Serves the page until a signal arrives or the page was left; returns the exit code. Holds back signals before and after, so that
+    nothing is left behind."""
     ended = asyncio.Event()
     for number in ENDING:
         asyncio.get_running_loop().add_signal_handler(number, ended.set)
@@ -88,8 +85,8 @@ async def serve_until_ended(settings, folder):
 
 
 async def serve(settings, folder, ended):
-    """Shows the page until an event, or until it was left; returns the exit code."""
-    # here, since aiohttp takes its time, and help needs none of it
+    """Serves the page until an event, or until it was left; returns the exit code."""
+    # imported here, because aiohttp loads slowly and help needs none of it
     from tools.focus.server import Server  # pylint: disable=import-outside-toplevel
     from tools.focus.session import Session  # pylint: disable=import-outside-toplevel
 
@@ -119,7 +116,7 @@ async def serve(settings, folder, ended):
 
 
 def main(words):
-    """Reads the command line; every error that a user can mend is one message."""
+    """Runs the command line. A user's mistake is reported in one message."""
     settings, options = parser().parse_known_args(words)
     logging.basicConfig(level=logging.WARNING)
     unknown = [word for word in options if word.startswith("--")]

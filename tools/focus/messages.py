@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the page may ask for, as a schema. Whatever is not exactly of these forms is refused."""
+"""The page's messages, as a schema. All others are refused."""
 
 import json
 
@@ -25,7 +25,6 @@ class BadRequest(Exception):
 
 
 def need(condition):
-    """Refuses a message."""
     if not condition:
         raise BadRequest
 
@@ -42,22 +41,22 @@ NUMBER_OR_NONE = {"anyOf": [NUMBER, {"type": "null"}]}
 
 
 def text(pattern):
-    """A text that is of a form as a whole."""
+    """A text that matches the pattern completely."""
     return {"type": "string", "maxLength": 2000, "pattern": rf"\A(?:{pattern})\Z"}
 
 
 def values(item, count):
-    """So many values."""
+    """A list of `count` items."""
     return {"type": "array", "items": item, "minItems": count, "maxItems": count}
 
 
 def record(**parts):
-    """An object of exactly these parts."""
+    """An object with exactly these members."""
     return {"type": "object", "properties": parts, "required": list(parts), "additionalProperties": False}
 
 
 def some_of(**parts):
-    """An object with any of these parts."""
+    """An object with any of these members."""
     return {"type": "object", "properties": parts, "additionalProperties": False}
 
 
@@ -95,11 +94,10 @@ MESSAGES = {
     "try": CHANGE,
     "undo": {},
 }
-OPTIONAL = {"preview"}  # messages whose parts may be missing
+OPTIONAL = {"preview"}  # messages with optional members
 
 
 def schema_of(name):
-    """The schema of the message that asks for this."""
     schema = (some_of if name in OPTIONAL else record)(do={"const": name}, **MESSAGES[name])
     return {**schema, "required": schema.get("required", ["do"])}
 
@@ -111,12 +109,12 @@ VALIDATORS = {name: jsonschema.Draft7Validator(schema_of(name)) for name in MESS
 
 
 def not_finite(word):
-    """Refuses NaN and Infinity, which Python's JSON takes."""
+    """Refuses NaN and Infinity, which Python's JSON accepts."""
     raise BadRequest(word)
 
 
 def read(sent):
-    """A message of the page, checked, as (what it asks for, the rest).
+    """Parses and checks a message: (its type, its members).
     @throws BadRequest"""
     try:
         message = json.loads(sent, parse_constant=not_finite)
@@ -128,7 +126,7 @@ def read(sent):
 
 
 def picture(message, kept):
-    """The parts of a true picture's scene; `kept` are further items of the block. By `lens` the page knows the picture again."""
+    """The parts of the true picture's scene; `kept` are further items of the block. The page recognises the picture by `lens`."""
     point = message["items"].get("focal_point")
     more = [f"focal_point {point}"] if point else []
     inside = "\n".join([QUALITIES[int(message["quality"])], *more, with_items(message["block"], kept)])

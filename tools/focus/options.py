@@ -1,17 +1,17 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the user's options of POV-Ray say of the picture's size and of the clock, in words or in ini files."""
+"""The picture's size and the clock in the user's options of POV-Ray, on the command line or in ini files."""
 
 import dataclasses
 import re
 
-WIDTH, HEIGHT = 960, 540  # of the preview, where the options name none
+WIDTH, HEIGHT = 960, 540  # of the preview, if the options have none
 SWITCHES = {"W": "width", "H": "height", "K": "clock", "KI": "initial_clock", "KF": "final_clock", "KFF": "final_frame"}
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 
 def settings_in(words, depth=0):
-    """(name, number) of each such option, in the order in which POV-Ray takes them."""
+    """(name, number) of each such option, in POV-Ray's order."""
     for word in words:
         switch = re.fullmatch(rf"[-+](W|H|KFF|KI|KF|K)({NUMBER})", word, re.IGNORECASE)
         named = re.fullmatch(rf"(\w+)\s*=\s*({NUMBER})", word)
@@ -25,12 +25,12 @@ def settings_in(words, depth=0):
 
 
 def lines_of(path, section):
-    """Lines of an ini file without comments: those before its first section, and those of the section that is named."""
+    """Lines of an ini file without comments: those before its first section, and those of the named section."""
     try:
         with open(path, encoding="utf-8", errors="replace") as stream:
             lines = stream.read().splitlines()
     except OSError:
-        return  # POV-Ray says so, or looks for it in another folder
+        return  # POV-Ray reports it, or finds it in another folder
     current = None
     for line in lines:
         line = line.split(";")[0].strip()
@@ -43,8 +43,8 @@ def lines_of(path, section):
 
 @dataclasses.dataclass
 class Options:
-    """`words` go to POV-Ray; `size` is that of the preview, pixels; `size_given` whether it is the user's whole choice;
-    `clock` is where the clock begins, None for POV-Ray's own 0; `clocks` the range that the page offers."""
+    """`words` go to POV-Ray; `size` is the preview's, in pixels; `size_given` is True if the user gave both sides; `clock` is the initial
+    clock, None for POV-Ray's default 0; `clocks` is the page's range."""
 
     words: list
     size: tuple = (WIDTH, HEIGHT)

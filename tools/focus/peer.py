@@ -6,12 +6,13 @@ import asyncio
 
 from tools.focus.tasks import started, stopped
 
-DEADLINE = 30  # seconds from a message to when it must be on its way
+DEADLINE = 30  # seconds within which a message must be sent
 
 
 class Peer:
-    """A page. What it is sent waits in a queue of its own, so that one which does not read holds nobody up; one that is too
-    slow is let go, and asks for everything again when it goes on."""
+    """A page. Messages to it wait in a queue of its own, so that a slow page delays no other. One that is too slow is disconnected, and
+    asks for
+    everything again when it continues."""
 
     def __init__(self, socket, transport):
         self.socket, self.transport = socket, transport
@@ -19,11 +20,11 @@ class Peer:
         self.task = started(self.write())
 
     def put(self, message):
-        """Sends a text or bytes in its turn."""
+        """Queues a text or bytes."""
         self.queue.put_nowait((asyncio.get_running_loop().time() + DEADLINE, message))
 
     async def write(self):
-        """Sends what is in the queue."""
+        """Sends the queue."""
         try:
             while True:
                 deadline, message = await self.queue.get()
@@ -34,7 +35,7 @@ class Peer:
             self.transport.abort()
 
     async def close(self, code, words=b""):
-        """Ends the connection, with a reason."""
+        """Closes the connection with a reason."""
         await stopped(self.task)
         try:
             async with asyncio.timeout(1):

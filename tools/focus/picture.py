@@ -13,7 +13,7 @@ from tools.focus.tasks import ended, started
 
 
 def display(colours, gamma):
-    """Colours as a screen shows them, bytes with alpha."""
+    """Colours for a display, as bytes with alpha."""
     colours = numpy.clip(numpy.nan_to_num(colours), 0, 1)
     if gamma is not None and gamma != "sRGB":
         light = colours ** float(gamma)
@@ -24,21 +24,20 @@ def display(colours, gamma):
 
 
 class TruePicture:
-    """The last true picture that was asked for. `number` counts them; `values` are its pixels as far as it has grown,
-    rows, columns, 4; `file` is the finished file."""
+    """The last requested true picture. `number` counts them; `values` are its pixels so far (rows, columns, 4); `file` is the finished
+    file."""
 
     def __init__(self, session):
         self.session = session
         self.number, self.values, self.file, self.task = 0, None, None, None
 
     def start(self, request):
-        """Begins a picture, in place of the one before."""
+        """Starts a picture in place of the previous one."""
         self.stop()
         self.number += 1
         self.task = started(self.render(self.number, request, self.task))
 
     def stop(self):
-        """Ends the picture as far as it is."""
         if self.task and not self.task.done():
             self.task.cancel()
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One run of POV-Ray in the background: its command line, its tiles as they come, its camera, its messages."""
+"""One run of POV-Ray in the background: command line, tiles, camera, messages."""
 
 import asyncio
 import contextlib
@@ -11,12 +11,12 @@ import signal
 
 from tools.focus import tiles
 
-STEP = 0.05  # seconds between two looks at what a render has done
+STEP = 0.05  # seconds between looks at a render's files
 BACKGROUND = 10  # niceness of a render that nobody waits for
 
 
 class RenderError(Exception):
-    """A scene that POV-Ray does not render: its message, and where known file and line."""
+    """An error of the scene: POV-Ray's message, and file and line if known."""
 
     def __init__(self, message, file=None, line=None):
         super().__init__(message)
@@ -24,7 +24,7 @@ class RenderError(Exception):
 
 
 def error_in(text):
-    """POV-Ray's own words for what is wrong with a scene, from all that it said."""
+    """Extracts POV-Ray's error from its output."""
     text = text.replace("\r", "\n")
     found = re.search(
         r"^(?:File '(?P<file>(?:(?!'\s+line\s+\d)[\s\S])+)'\s+line\s+(?P<line>\d+):\s+)?"
@@ -39,17 +39,17 @@ def error_in(text):
     message = re.sub(r"\s*\n\s*", " ", found["rest"]).strip()
     if not found["file"]:
         return RenderError(message)
-    name = found["file"].replace("\n", "")  # POV-Ray breaks lines in the middle of names, too
+    name = found["file"].replace("\n", "")  # POV-Ray breaks lines even within names
     return RenderError(message, name, int(found["line"]))
 
 
 def quoted(name):
-    """A name as POV-Ray takes it whole, whatever blanks it holds."""
+    """A name quoted for POV-Ray, for names with spaces."""
     return f"'{name}'" if '"' in str(name) else f'"{name}"'
 
 
 def nameable(path, folder, link):
-    """A path that POV-Ray can be told: one that holds both quotation marks has a link in a folder of ours."""
+    """A path that POV-Ray can take; a path with both kinds of quotation marks gets a link in our folder."""
     if not {'"', "'"} <= set(str(path)):
         return path
     made = folder / link
@@ -59,7 +59,7 @@ def nameable(path, folder, link):
 
 
 def with_quotes(option):
-    """An option of the user's whose name the shell has passed on whole stays whole in POV-Ray."""
+    """Quotes the name in a user's option for POV-Ray as the shell quoted it."""
     if not re.search(r"\s", option) or re.search(r"[\"']", option):
         return option
     head = re.match(r"[-+][IiLlOo]|\w+_(?:Name|Path)=", option)
@@ -67,19 +67,19 @@ def with_quotes(option):
 
 
 class Render:
-    """One run. `run` returns when it is over; `stop` ends it. One in the background leaves the processors to the page."""
+    """One run. `run` returns at its end; `stop` ends it. A background run leaves the processors to the page."""
 
     def __init__(self, program, folder, name, background=False):
         self.program, self.folder, self.name = program, folder, name
         self.niceness = BACKGROUND if background else 0
         self.process = None
         self.stopped = False
-        self.file_list = None  # where the program lists the files that it reads
+        self.file_list = None  # file in which the program lists the files that it reads
         self.picture = folder / f"{name}.png"
         self.record = folder / f"{name}.camera.json"
 
     def words(self, scene, options, size):
-        """The command line: the user's options, then what this run needs."""
+        """The command line: the user's options, then those of this run."""
         width, height = size
         return [
             self.program,
@@ -100,7 +100,7 @@ class Render:
         ]
 
     def environment(self, preview):
-        """The user's, with what this run is to tell."""
+        """The user's environment with this run's variables."""
         env = dict(os.environ)
         env.pop("DISPLAY", None)
         env.pop("TILT_LENS_PREVIEW", None)
@@ -113,8 +113,8 @@ class Render:
         return env
 
     async def run(self, words, preview, on_tile, on_camera=None):
-        """Starts POV-Ray and hands on each tile. Returns what it said.
-        @throws RenderError  unless it made the whole picture, or was stopped"""
+        """Starts POV-Ray and passes on each tile. Returns its output.
+        @throws RenderError  unless it finished the picture or was stopped"""
         state = tiles.StateFile(self.folder / f"{self.name}.pov-state")
         log = self.folder / f"{self.name}.log"
         try:
@@ -154,16 +154,16 @@ class Render:
             await self.stop()
 
     def camera(self):
-        """What TILT_LENS_PREVIEW tells of the cameras, or None until it does."""
+        """The camera record of TILT_LENS_PREVIEW, or None until it is written."""
         try:
             return json.loads(self.record.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             return None
 
     async def stop(self):
-        """Ends the run, if it is not over."""
+        """Ends the run, unless it has ended."""
         if self.process and self.process.returncode is None:
             self.stopped = True
             with contextlib.suppress(ProcessLookupError):
-                os.kill(self.process.pid, signal.SIGKILL)  # send_signal would take the exit code away from asyncio
+                os.kill(self.process.pid, signal.SIGKILL)  # send_signal would reap the exit code that asyncio waits for
             await self.process.wait()

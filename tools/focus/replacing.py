@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Gives a file other contents. Its owner, its rights and its links stay, and so does what somebody else has saved in it
-meanwhile."""
+"""Replaces a file's contents. Keeps its owner, permissions and links, and refuses if it was changed meanwhile."""
 
 import contextlib
 import os
@@ -13,7 +12,7 @@ from tools.focus.scene_text import EditError
 
 @contextlib.contextmanager
 def in_words(what):
-    """@throws EditError  in place of an error of the system: what failed, and why"""
+    """@throws EditError  in place of a system error: the failed action and the reason"""
     try:
         yield
     except OSError as error:
@@ -21,7 +20,7 @@ def in_words(what):
 
 
 def require_writable(path):
-    """@throws EditError  where the file is protected against writing; root could write all the same"""
+    """@throws EditError  the file is write-protected, even for root"""
     with in_words("the scene's file cannot be written"):
         protected = not os.stat(path).st_mode & 0o222
     if protected or not os.access(path, os.W_OK):
@@ -29,20 +28,19 @@ def require_writable(path):
 
 
 def require_same(found, expected):
-    """@throws EditError  where a file holds something else than was read before"""
+    """@throws EditError  the contents differ from those read before"""
     if found != expected:
         raise EditError("the scene's file was changed meanwhile by somebody else")
 
 
 def contents(path):
-    """The bytes of a file."""
     with in_words(f"{os.path.basename(path)} cannot be read"), open(path, "rb") as stream:
         return stream.read()
 
 
 def replace(path, before, after):
-    """Writes new contents in place of those that were read before: in one step where the file's owner and its other
-    names stay by that, and otherwise into the file itself.
+    """Replaces the contents that were read before: atomically if that keeps the file's owner and its other names, else by writing into the
+    file.
     @throws EditError"""
     require_writable(path)
     with in_words("the scene's file cannot be written"):
@@ -52,7 +50,7 @@ def replace(path, before, after):
 
 
 def replaced_in_one_step(path, info, before, after):
-    """Puts a new file in the place of the old one; returns whether that can be done without another owner."""
+    """Renames a new file over the old one; returns False if that would change the owner."""
     handle, new = tempfile.mkstemp(prefix=".focus-", dir=os.path.dirname(path))
     try:
         with open(handle, "wb") as stream:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The scene's file: whether it has changed, and its change with a copy that is kept."""
+"""The scene's file: detecting changes, and changing it with a backup."""
 
 import contextlib
 import itertools
@@ -13,9 +13,9 @@ import numpy
 from tools.focus import replacing, scene_text
 from tools.focus.scene_text import EditError
 
-ENCODING = "latin-1"  # every byte is a character, so that what is not changed stays as it was
+ENCODING = "latin-1"  # every byte is a character, so that unchanged bytes survive
 
-# what says where the focus lies, by family
+# items that state the focus, by family
 FOCUS = {
     "lensTurn": ("tilt", "swing", "focalPoint"),
     "plane": ("plane",),
@@ -26,21 +26,21 @@ CAMERA = ("location", "direction", "right", "up")
 
 
 def flat(value):
-    """The numbers of a value."""
+    """The numbers of a nested value."""
     if isinstance(value, (list, tuple)):
         return [number for part in value for number in flat(part)]
     return [] if value is None else [float(value)]
 
 
 def same(a, b):
-    """Whether two values are the same but for the digits that the block's text leaves out."""
+    """True if two values are equal up to the digits that the block's text omits."""
     a, b = flat(a), flat(b)
     size = max([abs(x) for x in a + b], default=0)
     return len(a) == len(b) and all(abs(x - y) <= 1e-6 * size for x, y in zip(a, b))
 
 
 def seen_from(location, block):
-    """A block with its focus as the lens sees it, in which far numbers count no more than near ones; in units of the world."""
+    """A block with its focus relative to the lens, so that distant points count no more than near ones; world units."""
     found = {**block, "sceneUnit": block["sceneUnit"] / block.get("scale", 1)}
     if block["family"] == "plane":
         normal = numpy.array(block["planeNormal"]) / numpy.linalg.norm(block["planeNormal"])
@@ -53,7 +53,7 @@ def seen_from(location, block):
 
 
 def differences(camera, expected):
-    """Names of what a camera, as the program tells it, has otherwise than expected."""
+    """Names of properties in which a camera, as the program reports it, differs from the expected one."""
     block, wanted = camera["block"], expected["block"]
     if block is None:
         return ["camera"]
@@ -61,13 +61,13 @@ def differences(camera, expected):
         return ["focus"]
     wrong = [name for name in CAMERA if not same(camera[name], expected["camera"][name])]
     if block["focalLength"] is not None and "direction" in wrong:
-        wrong.remove("direction")  # its length is left to the lens
+        wrong.remove("direction")  # its length follows from the lens
     block, wanted = (seen_from(numpy.array(part["location"]), each) for part, each in ((camera, block), (expected["camera"], wanted)))
     return wrong + [name for name in (*LENS, *FOCUS[wanted["family"]]) if not same(block[name], wanted[name])]
 
 
 def stamp(path):
-    """What changes where a file does."""
+    """A value that changes with the file."""
     try:
         info = os.stat(path)
     except OSError:
@@ -76,13 +76,13 @@ def stamp(path):
 
 
 class SceneFile:
-    """The file of the scene, and the files that it reads."""
+    """The scene's file, and the files that it reads."""
 
     def __init__(self, scene):
         self.path = os.path.realpath(scene)
         self.stamps = {self.path: stamp(self.path)}
-        self.kept = None  # the copy of the last change
-        self.written = None  # what was written
+        self.kept = None  # backup of the last change
+        self.written = None  # contents of the last change
 
     def bytes(self):
         """The file's contents.
@@ -90,25 +90,23 @@ class SceneFile:
         return replacing.contents(self.path)
 
     def text(self):
-        """The file as text, a character for each byte."""
+        """The file as text, one character per byte."""
         return self.decoded(self.bytes())
 
     @staticmethod
     def decoded(data):
-        """Bytes as such a text."""
         return data.decode(ENCODING)
 
     @staticmethod
     def encoded(text):
-        """The bytes of such a text."""
         return text.encode(ENCODING)
 
     def uses_clock(self):
-        """Whether the scene asks for the clock."""
+        """True if the scene uses the clock."""
         return bool(re.search(r"\bclock\b", scene_text.blanked(self.text())))
 
     def replace(self, before, after):
-        """Writes new contents in place of those that were read before, which are kept; returns the copy's name.
+        """Replaces the contents that were read before and keeps a backup; returns its name.
         @throws EditError"""
         replacing.require_writable(self.path)
         copy = self.keep(before)
@@ -121,7 +119,7 @@ class SceneFile:
         return os.path.basename(copy)
 
     def keep(self, data):
-        """Writes a copy beside the scene; returns its path."""
+        """Writes a backup beside the scene; returns its path."""
         with replacing.in_words("no copy of the scene can be kept in its folder"):
             for number in itertools.count(1):
                 copy = f"{self.path}.before-focus" + (f"-{number}" if number > 1 else "")
@@ -138,7 +136,7 @@ class SceneFile:
         return copy
 
     def undo(self):
-        """Puts the kept copy back.
+        """Restores the backup.
         @throws EditError"""
         if self.kept is None:
             raise EditError("there is no change to take back")
@@ -149,7 +147,7 @@ class SceneFile:
         self.kept = self.written = None
 
     def watch(self, file_list, own):
-        """Takes note of the files that a render has read, which the program lists, but for those in our own folder."""
+        """Watches the files that a render has read, from the program's list, except those in our own folder."""
         names = {self.path}
         try:
             entries = open(file_list, "rb").read().split(b"\0")
@@ -160,7 +158,7 @@ class SceneFile:
         self.stamps = {name: self.stamps.get(name, stamp(name)) for name in names}
 
     def changed(self):
-        """Files that have changed since the last call."""
+        """Files changed since the last call."""
         found = [name for name, old in self.stamps.items() if stamp(name) not in (old, None)]
         for name in found:
             self.stamps[name] = stamp(name)

@@ -1,26 +1,25 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Where a scene's text has its camera and its `tilt_lens` block, and the text with another block."""
+"""Finds the camera and its `tilt_lens` block in a scene's text, and replaces the block."""
 
 import re
 
-# Items of a block that the page writes anew, those that it keeps as they are, and of these the focus aids, which the true
-# picture leaves out.
+# items that the page writes; items that it keeps; and among these the focus aids, which the true picture omits
 WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "tilt", "swing", "focus_tilt",
            "focus_swing", "focal_plane", "focal_points", "focus_on", "focus_at", "film_distance", "focus_scale")
 AIDS = ("focus_peaking", "focus_map", "show_planes")
 KEPT = ("blade_curvature", "squeeze", "edge_light", "natural_vignetting", "optical_vignetting", "distortion",
         "field_curvature", "lateral_colour", "axial_colour", "denoise", "sample_seed", *AIDS)
-# Blocks with one of these are not written: the page knows the ideal lens alone, and would write its focal length beside them.
+# blocks with one of these are not written: the page models the ideal lens alone, and its focal length would conflict
 REFUSED = ("prescription", "dispersion")
 
 
 class EditError(Exception):
-    """A scene's file that is not changed, since that would need a guess; says why."""
+    """A change that would need a guess; the message says why."""
 
 
 def blanked(text):
-    """The text with comments and the insides of strings turned to blanks, so that places stay and only code is left."""
+    """The text with comments and string contents blanked, so that positions stay and only code is left."""
     pattern = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*', re.DOTALL)
     out, at = [], 0
     while True:
@@ -33,7 +32,7 @@ def blanked(text):
 
 
 def comment_end(text, at):
-    """Behind the comment that is open at a place; comments nest."""
+    """Position behind the comment at a position; comments nest."""
     depth = 1
     while depth > 0:
         found = re.compile(r"/\*|\*/").search(text, at)
@@ -45,13 +44,13 @@ def comment_end(text, at):
 
 
 def version_of(text):
-    """The number behind the first #version, as it is written, or None."""
+    """The number of the first #version as written, or None."""
     found = re.search(r"#\s*version\s+([0-9.]+)\s*;", blanked(text))
     return found.group(1) if found else None
 
 
 def closing(code, opening):
-    """Place of the brace that closes the one at `opening`."""
+    """Position of the brace that closes the one at `opening`."""
     depth = 0
     for found in re.compile(r"[{}]").finditer(code, opening):
         depth += 1 if found.group() == "{" else -1
@@ -61,7 +60,7 @@ def closing(code, opening):
 
 
 def statements(code, word, start=0, end=None):
-    """(word's place, opening, closing) of each `word { ... }` in the code."""
+    """(position of the word, opening, closing) of each `word { ... }` in the code."""
     found = []
     for match in re.compile(rf"(?<![\w#])\b{word}\s*\{{").finditer(code, start, len(code) if end is None else end):
         found.append((match.start(), match.end() - 1, closing(code, match.end() - 1)))
@@ -69,7 +68,7 @@ def statements(code, word, start=0, end=None):
 
 
 def camera_at(text, line):
-    """The camera statement whose closing brace stands in a line (from 1): (word's place, opening, closing)."""
+    """The camera statement whose closing brace is in a line (from 1): (position of the word, opening, closing)."""
     code = blanked(text)
     ends = [s for s in statements(code, "camera") if code.count("\n", 0, s[2]) + 1 == line]
     if len(ends) != 1:
@@ -78,24 +77,24 @@ def camera_at(text, line):
 
 
 def newline_of(text):
-    """How the lines of a text end: as its first one does."""
+    """The line ending of a text, by its first line."""
     return "\r\n" if re.match(r"[^\n]*\r\n", text) else "\n"
 
 
 def indented(block, indent, newline):
-    """The lines of a block, moved to the right."""
+    """The lines of a block, indented."""
     return newline.join((indent if line else "") + line for line in block.splitlines())
 
 
 def line_indent(text, at):
-    """The blanks that begin the line of a place."""
+    """Leading blanks of the line at a position."""
     start = text.rfind("\n", 0, at) + 1
     return re.match(r"[ \t]*", text[start:]).group()
 
 
 def with_item(body, item, value):
-    """A camera's text with another value of an item, which is a number or a vector of numbers; None where the item is
-    not there in this simple form."""
+    """A camera's text with a new value of an item, which is a number or a vector of numbers; None if the item is not there in this simple
+    form."""
     number = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
     pattern = re.compile(rf"\b{item}\s*(?:<[^<>{{}}#]*>|{number})(?=[\s}}])")
     found = pattern.search(blanked(body))
@@ -108,8 +107,8 @@ def with_item(body, item, value):
 
 
 def kept_items(inside):
-    """Items between the braces of a block that the page does not write, as text, one each.
-    @throws EditError  where the text holds more than items"""
+    """Items of a block that the page does not write, each as text.
+    @throws EditError  the text holds more than items"""
     code = blanked(inside)
     if "#" in code:
         raise EditError("the block has directives such as #if, which would be lost")
@@ -124,7 +123,7 @@ def kept_items(inside):
 
 
 def block_in(body):
-    """Where a camera's text has its block: (word's place, opening, closing), or None.
+    """Position of a camera's block: (word, opening, closing), or None.
     @throws EditError"""
     blocks = statements(blanked(body), "tilt_lens")
     if len(blocks) > 1:
@@ -133,7 +132,7 @@ def block_in(body):
 
 
 def kept_at(text, line):
-    """kept_items of the camera whose closing brace stands in a line; None where its text has no block."""
+    """kept_items() of the camera whose closing brace is in a line; None without a block."""
     _, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
     block = block_in(body)
@@ -146,10 +145,9 @@ def with_items(block, items):
 
 
 def with_block(text, line, block, items):
-    """The scene's text with this block in the camera whose closing brace stands in a line.
+    """The scene's text with this block in the camera whose closing brace is in a line.
 
-    `items` are items of the camera itself that go with the block: name -> value, or None for one that must go. What the
-    old block has besides what the page writes is kept.
+    `items` are the camera's own items that belong to the block: name -> value, or None to remove. Other items of the old block are kept.
     @throws EditError"""
     word, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
@@ -167,8 +165,8 @@ def with_block(text, line, block, items):
 
 
 def behind_camera(text, line, block):
-    """The scene's text with one more camera behind the one whose closing brace stands in a line: the same, but for this block
-    in place of its own, which may come from a macro or have directives.
+    """The scene's text with one more camera behind the one whose closing brace is in a line: the same camera with this block, for a camera
+    whose block may come from a macro or have directives.
     @throws EditError"""
     word, _, end = camera_at(text, line)
     if re.search(r"[=(,]\s*$", blanked(text)[:word]):
@@ -182,7 +180,7 @@ def behind_camera(text, line, block):
 
 
 def with_block_in(body, block, indent, newline):
-    """A camera's text with another block, or with one more; `indent` is that of the camera's line."""
+    """A camera's text with its block replaced or added; `indent` is that of the camera's line."""
     old = block_in(body)
     if old is None:
         return body.rstrip() + newline + indented(block, indent + "  ", newline) + newline + indent

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The folder for pictures and logs of one call of ./focus. It goes at the end of the call, or, where the call was killed, when
-the next one begins."""
+"""The folder for pictures and logs of one call of ./focus. Removed at its end or, if the call was killed, at the next start."""
 
 import contextlib
 import fcntl
@@ -11,12 +10,11 @@ import shutil
 import tempfile
 
 PREFIX = "focus-"
-LOCK = "in-use"  # locked as long as the call lasts, whatever ends it
+LOCK = "in-use"  # locked during the call, whatever ends it
 
 
 @contextlib.contextmanager
 def folder():
-    """A new folder."""
     remove_left()
     made = pathlib.Path(tempfile.mkdtemp(prefix=PREFIX))
     try:
@@ -29,7 +27,7 @@ def folder():
 
 
 def remove_left():
-    """Removes the folders of this user's calls that are over."""
+    """Removes the folders of this user's ended calls."""
     with os.scandir(tempfile.gettempdir()) as entries:
         found = [entry.path for entry in entries if entry.name.startswith(PREFIX) and is_ours(entry)]
     for path in found:
@@ -39,7 +37,6 @@ def remove_left():
 
 
 def is_ours(entry):
-    """Whether an entry is a folder of this user's."""
     try:
         return entry.is_dir(follow_symlinks=False) and entry.stat(follow_symlinks=False).st_uid == os.geteuid()
     except OSError:

@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's server: the files of the page, and a socket that carries tiles and requests.
+"""The page's server: static files, and a socket for tiles and requests.
 
-It listens on the loopback address only. All addresses begin with a secret; a request without it, or for another
-host's name, learns nothing. What is served was read into memory before: no name in a request ever names a file."""
+It listens on the loopback address only. All addresses begin with a secret; a request without it, or for another host's name, is
+refused without information. All files are read into memory at start: no name in a request ever names a file."""
 
 import asyncio
 import contextlib
@@ -21,7 +21,7 @@ ADDRESS = "127.0.0.1"
 PAGE = pathlib.Path(__file__).resolve().parent / "page"
 TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".svg": "image/svg+xml"}
 LONGEST_MESSAGE = 64 * 1024
-MOST_CONNECTIONS = 100  # of those that are no pages; far below what a process may have open
+MOST_CONNECTIONS = 100  # that are not pages; far below a process's limit of open files
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' {socket}; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -29,7 +29,7 @@ POLICY = (
 
 
 def page_files():
-    """Name -> (contents, type) of all that belongs to the page."""
+    """Name -> (contents, type) of the page's files."""
     return {path.name: (path.read_bytes(), TYPES[path.suffix]) for path in PAGE.iterdir() if path.suffix in TYPES}
 
 
@@ -41,14 +41,14 @@ class Server:
         self.secret = secrets.token_urlsafe(24)
         self.files = page_files()
         self.peers = set()
-        self.last_seen = None  # when the last page left; None before there was one
+        self.last_seen = None  # time when the last page left; None before the first
         session.send = self.send
         self.runner = self.listener = None
 
     # ---- life ----
 
     async def start(self):
-        """Begins to listen; returns the address of the page."""
+        """Starts to listen; returns the page's address."""
         app = web.Application(client_max_size=LONGEST_MESSAGE, middlewares=[self.guard])
         app.router.add_get("/{secret}/", self.index)
         app.router.add_get("/{secret}/page/{name}", self.page)
@@ -61,7 +61,7 @@ class Server:
         return f"http://{ADDRESS}:{self.port}/{self.secret}/"
 
     def connection(self):
-        """The protocol of a new connection. Where there are too many, the oldest that is no page goes."""
+        """The protocol of a new connection. Beyond the limit, closes the oldest that is not a page."""
         pages = [peer.transport for peer in self.peers]
         transports = [handler.transport for handler in self.runner.server.connections]
         others = [each for each in transports if each and each not in pages and not each.is_closing()]
@@ -70,7 +70,7 @@ class Server:
         return self.runner.server()
 
     async def stop(self):
-        """Lets all pages go and stops listening."""
+        """Disconnects all pages and stops listening."""
         self.listener.close()
         await asyncio.gather(*(peer.close(1001) for peer in self.peers))
         for handler in self.runner.server.connections:
@@ -81,7 +81,7 @@ class Server:
                 await self.runner.cleanup()
 
     async def until_left(self, idle):
-        """Returns when no page has been open for so many seconds, after there was one."""
+        """Returns when no page has been open for `idle` seconds after the first."""
         while True:
             await asyncio.sleep(0.2)
             if not self.peers and self.last_seen and time.monotonic() - self.last_seen > idle:
@@ -90,12 +90,12 @@ class Server:
     # ---- who may ask ----
 
     def own_host(self, value):
-        """Whether a request's Host is this server's, under its numeric address or as localhost."""
+        """True for this server's numeric address or localhost."""
         return value in (f"{ADDRESS}:{self.port}", f"localhost:{self.port}")
 
     @web.middleware
     async def guard(self, request, handler):
-        """Refuses what does not come from the page, and dresses the answers."""
+        """Refuses requests from elsewhere, and sets headers of answers."""
         if not self.own_host(request.headers.get("Host", "")):
             return web.Response(status=403, text="Not this host.\n")
         secret = request.match_info.get("secret", "")
@@ -117,18 +117,16 @@ class Server:
     # ---- answers ----
 
     async def index(self, _request):
-        """The page."""
         return web.Response(body=self.files["index.html"][0], content_type="text/html", charset="utf-8")
 
     async def page(self, request):
-        """A file of the page."""
         found = self.files.get(request.match_info["name"])
         if not found:
             raise web.HTTPNotFound(text="Nothing here.\n")
         return web.Response(body=found[0], content_type=found[1], charset="utf-8")
 
     async def picture(self, _request):
-        """The true picture, to be saved."""
+        """The true picture, for saving."""
         path = self.session.picture.file
         if not path or not path.exists():
             raise web.HTTPNotFound(text="There is no finished picture.\n")
@@ -144,13 +142,13 @@ class Server:
         self.put(message, self.peers)
 
     def put(self, message, peers):
-        """Gives a message to the queues of pages."""
+        """Queues a message for pages."""
         sent = message if isinstance(message, bytes) else sessions.as_text(message)
         for peer in peers:
             peer.put(sent)
 
     async def socket(self, request):
-        """Speaks with one page."""
+        """Serves one page."""
         if request.headers.get("Origin") is None:
             return web.Response(status=403, text="Not from there.\n")
         socket = web.WebSocketResponse(max_msg_size=LONGEST_MESSAGE, heartbeat=20, compress=False)
@@ -158,7 +156,7 @@ class Server:
         peer = Peer(socket, request.transport)
         for message in self.session.everything():
             self.put(message, [peer])
-        self.peers.add(peer)  # at once: a tile that comes later is not in what is sent now
+        self.peers.add(peer)  # added at once: tiles from now on are not in the messages sent next
         try:
             async for message in socket:
                 if message.type != WSMsgType.TEXT:
@@ -171,7 +169,7 @@ class Server:
         return socket
 
     async def obey(self, peer, text):
-        """Does what a page asks for, or ends the connection."""
+        """Executes a page's message, or closes the connection."""
         try:
             what, message = messages.read(text)
             getattr(self, f"do_{what}")(message, peer)
@@ -179,7 +177,7 @@ class Server:
             await peer.close(1008, b"bad request")
 
     def do_preview(self, message, _peer):
-        """A preview with this camera, this clock, or the scene's own."""
+        """Previews this camera, this clock, or the scene's own."""
         session = self.session
         chosen = message.get("chosen")
         if "clock" in message:
@@ -190,21 +188,18 @@ class Server:
         session.start_preview(message.get("camera"))
 
     def do_render(self, message, _peer):
-        """The true picture."""
         messages.need(self.session.record)
         self.session.picture.start(messages.picture(message, self.session.kept_in_picture()))
 
     def do_stop(self, _message, _peer):
-        """Stops the true picture."""
         self.session.picture.stop()
 
     def do_write(self, message, _peer):
-        """Writes the block into the scene."""
         messages.need(self.session.record)
         self.session.editor.start(message)
 
     def do_try(self, message, peer):
-        """Finds out for one page whether the block would do in the scene."""
+        """Checks for one page whether the block would do in the scene."""
         messages.need(self.session.record)
 
         async def tell(told):
@@ -213,5 +208,4 @@ class Server:
         self.session.editor.start_trial(message, tell)
 
     def do_undo(self, _message, _peer):
-        """Takes the last change of the scene back."""
         self.session.editor.start_undo()

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What one call of ./focus knows of its scene: the preview, the true picture, the changes to the file."""
+"""The state of one call of ./focus: the preview, the true picture, the changes to the file."""
 
 import asyncio
 import contextlib
@@ -20,21 +20,21 @@ from tools.focus.povray import Render, RenderError
 from tools.focus.scene_text import EditError
 from tools.focus.tasks import started, stopped
 
-PREVIEW, PICTURE = 1, 2  # what a tile belongs to
-LOOK = 0.5  # seconds between two looks at the scene's files
-REFINE = ["+A0.1", "+AM2", "+R2"]  # of the second pass of the preview: smooth edges
-REFINED_BELOW = 30  # seconds; a preview that took longer is not made twice
+PREVIEW, PICTURE = 1, 2  # kind of a tile
+LOOK = 0.5  # seconds between looks at the scene's files
+REFINE = ["+A0.1", "+AM2", "+R2"]  # antialiasing in the second pass of the preview
+REFINED_BELOW = 30  # seconds; a slower preview gets no second pass
 
 
 def packed(kind, number, left, top, values):
-    """A rectangle of values as the page reads it: six whole numbers, then the values."""
+    """A rectangle of values in the page's format: six whole numbers, then the values."""
     rows, columns = values.shape[:2]
     head = struct.pack("<6I", kind, number, left, top, columns, rows)
     return head + numpy.ascontiguousarray(values).tobytes()
 
 
 class Session:
-    """The scene, its renders, and who looks at them."""
+    """The scene, its renders, and their viewers."""
 
     def __init__(self, settings, folder):
         self.settings, self.folder = settings, folder
@@ -43,13 +43,13 @@ class Session:
         self.clock = settings.options.clock
         self.send = None  # set by the server: takes a dict, or bytes
         self.number = 0  # of the preview
-        self.frame = None  # the camera that the preview was asked with, or None: the scene's own
+        self.frame = None  # the preview's requested camera; None: the scene's own
         self.values = None  # rows, columns, 4: red, green, blue, 1/depth
-        self.covered = 0  # pixels of it that are there
-        self.record = None  # what the program told of the cameras
-        self.record_stamp = None  # of the file that it told of
-        self.chosen = None  # index of the camera, or None: the scene's own
-        self.told = {}  # kind of message -> the last one, for a page that comes later
+        self.covered = 0  # number of pixels received
+        self.record = None  # the program's camera record
+        self.record_stamp = None  # of the recorded file
+        self.chosen = None  # index of the camera; None: the scene's own
+        self.told = {}  # kind of message -> the last one, for pages that connect later
         self.preview_task = None
         self.picture = TruePicture(self)
         self.editor = Editor(self)
@@ -57,13 +57,13 @@ class Session:
     # ---- to the page ----
 
     async def tell(self, kind, **what):
-        """Sends a message, and keeps it for pages that come later."""
+        """Sends a message, and keeps it for pages that connect later."""
         message = {"type": kind, **what}
         self.told[kind] = message
         await self.send(message)
 
     def everything(self):
-        """All that a new page has to know, in order."""
+        """All messages for a new page, in order."""
         for kind in ("error", "scene", "preview", "file", "picture"):
             if kind == "preview" and self.values is not None:
                 height, width = self.values.shape[:2]
@@ -81,16 +81,16 @@ class Session:
     # ---- the preview ----
 
     def options(self):
-        """The user's options, with the clock of the page."""
+        """The user's options, with the page's clock."""
         clock = [] if self.clock is None else [f"+K{self.clock!r}"]
         return [*self.settings.options.words, *wrapper.search(self.settings, self.folder), *clock]
 
     def start_preview(self, frame=None):
-        """Begins a preview: of the scene's own camera, or of a frame."""
+        """Starts a preview of the scene's own camera, or of a frame."""
         self.preview_task = started(self.preview(frame, self.preview_task))
 
     async def preview(self, frame, previous):
-        """Makes the preview, after the one before it was stopped."""
+        """Makes the preview, after stopping the previous one."""
         await stopped(previous)
         self.number += 1
         self.frame = frame
@@ -147,16 +147,16 @@ class Session:
             self.file.watch(render.file_list, self.folder)
 
     async def take_preview_tile(self, tile, refining):
-        """Notes a tile of the preview and sends it."""
+        """Stores a tile of the preview and sends it."""
         part = tile.colours if tile.layers is None else tile.layers["depth.Z"]
         rows, columns = part.shape[:2]
         place = self.values[tile.top : tile.top + rows, tile.left : tile.left + columns]
-        if tile.layers is not None:  # comes before the tile's colours
+        if tile.layers is not None:  # precedes the tile's colours
             with numpy.errstate(divide="ignore"):
                 place[:, :, 3] = 1 / part
             return
-        # A lamp's edge keeps its first colours: a mean of lamp and background, taken for background, would be spread
-        # over the blur of the background.
+        # A lamp's edge keeps its first colours: an antialiased mean of lamp and background, taken for background, would spread over the
+        # background's blur.
         smooth = numpy.maximum(part, place[:, :, :3]).max(2) <= 1 if refining else numpy.full((rows, columns), True)
         place[smooth, :3] = part[smooth]
         await self.send(packed(PREVIEW, self.number, tile.left, tile.top, place))
@@ -166,7 +166,7 @@ class Session:
             await self.send({"type": "progress", "what": "preview", "share": share})
 
     def fitting_size(self, view):
-        """The size that suits the camera's own proportions where the user gave none, if it is another."""
+        """The size for the camera's own proportions if the user gave none; None if it is the same."""
         ratio = math.dist(view["right"], [0] * 3) / math.dist(view["up"], [0] * 3)
         width, height = self.size
         if self.settings.options.size_given or not 0.1 < ratio < 10 or abs(ratio / (width / height) - 1) < 0.01:
@@ -176,13 +176,13 @@ class Session:
     # ---- the cameras ----
 
     def take_record(self, record, stamp):
-        """Notes what the program told of the cameras, of the file as it was at that time."""
+        """Stores the camera record of the file with that stamp."""
         self.record, self.record_stamp = record, stamp
         if self.chosen is not None and self.chosen >= len(record["cameras"]):
             self.chosen = None
 
     def is_own(self, camera):
-        """Whether a camera statement stands in the scene's own file."""
+        """True if the camera statement is in the scene's own file."""
         return os.path.realpath(camera["file"]) == self.file.path
 
     def index_in_use(self):
@@ -193,20 +193,20 @@ class Session:
         return same[-1] if same else None
 
     def kept(self, camera):
-        """Items of a camera's block that the page does not write, as text; none where the text cannot be read."""
+        """Items of a camera's block that the page does not write, as text; none if the text cannot be parsed."""
         try:
             return scene_text.kept_at(self.file.text(), camera["line"]) or [] if self.is_own(camera) else []
         except EditError:
             return []
 
     def kept_in_picture(self):
-        """Such items of the camera that the page shows, which the true picture has as well."""
+        """Such items of the shown camera that the true picture has as well."""
         index = self.index_in_use() if self.chosen is None else self.chosen
         found = [self.kept(camera) for camera in self.record["cameras"][index : index + 1]] if index is not None else []
         return [item for items in found for item in items if item.split()[0] not in scene_text.AIDS]
 
     async def tell_scene(self):
-        """Tells the page of the scene and its cameras."""
+        """Sends the scene and its cameras."""
         cameras = [
             {**camera, "own": self.is_own(camera), "kept": self.kept(camera)} for camera in self.record["cameras"]
         ]
@@ -225,7 +225,7 @@ class Session:
         )
 
     def described(self, error):
-        """An error as the page shows it, with the line of the file. A fault of this program is printed, too."""
+        """An error for the page, with its line. Prints a fault of this program as well."""
         if isinstance(error, OSError):  # such as a full disk
             error = RenderError(f"The picture cannot be made: {error.strerror}")
         elif isinstance(error, EditError):
@@ -242,7 +242,7 @@ class Session:
         return told
 
     async def watch(self):
-        """Looks at the scene's files for ever; a change begins a new preview."""
+        """Watches the scene's files; a change starts a new preview."""
         while True:
             await asyncio.sleep(LOOK)
             changed = self.file.changed()
@@ -251,11 +251,11 @@ class Session:
                 self.start_preview()
 
     async def end(self):
-        """Stops all that runs."""
+        """Stops all runs."""
         for task in (self.preview_task, self.picture.task, self.editor.task):
             await stopped(task)
 
 
 def as_text(message):
-    """A message as JSON; what is not finite has no place in it."""
+    """A message as JSON. @throws ValueError  for non-finite numbers"""
     return json.dumps(message, allow_nan=False)

@@ -7,26 +7,25 @@ import traceback
 
 
 def print_fault(task):
-    """Prints the fault that ended a task."""
     if not task.cancelled() and task.exception():
         traceback.print_exception(task.exception())
 
 
 def started(coroutine):
-    """A task that prints the fault that ends it."""
+    """A task that prints the exception that ends it."""
     task = asyncio.create_task(coroutine)
     task.add_done_callback(print_fault)
     return task
 
 
 async def ended(task):
-    """Waits for the end of a task, or of None, and leaves aside how it ended."""
+    """Waits for the end of a task, or of None, and ignores its outcome."""
     if task:
         await asyncio.wait([task])
 
 
 async def stopped(task):
-    """Ends a task, or None, and waits for that."""
+    """Cancels a task, or None, and waits for its end."""
     if task:
         task.cancel()
     await ended(task)

@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Reads the tiles of a picture while POV-Ray makes it, from the state file that it keeps for +C.
+"""Reads the tiles of a picture during the render, from the state file that POV-Ray keeps for +C.
 
-The file is 512 bytes, then messages: "POVRAYMS", a version, the size, "RAWSOBJE", the number of attributes, and
-the attributes: name, type and length of four bytes each, then the value. All numbers have the largest byte first."""
+The file is 512 bytes, then messages: "POVRAYMS", a version, the size, "RAWSOBJE", the number of attributes, and the attributes: name,
+type and length of four bytes each, then the value. All numbers are big-endian."""
 
 import dataclasses
 import struct
@@ -16,7 +16,7 @@ VECTORS = {b"VFL4": ">f4", b"VIN4": ">i4"}
 
 @dataclasses.dataclass
 class Tile:
-    """A rectangle of the picture: colours (rows, columns, 3) in the scene's own light, or named layers."""
+    """A rectangle of the picture: colours (rows, columns, 3) in the scene's light, or named layers."""
 
     left: int
     top: int
@@ -25,7 +25,7 @@ class Tile:
 
 
 def attributes(message):
-    """Name -> bytes, or numbers for vectors, of a message from its first attribute on."""
+    """Name -> bytes, or numbers for vectors, of the attributes of a message."""
     (count,) = struct.unpack(">i", message[24:28])
     found, at = {}, 28
     for _ in range(count):
@@ -42,7 +42,7 @@ def attributes(message):
 
 
 def tile_of(message):
-    """The tile that a message holds, or None."""
+    """A message's tile, or None."""
     found = attributes(message)
     try:
         left, top, right, bottom = (
@@ -62,8 +62,9 @@ def tile_of(message):
 
 
 class StateFile:
-    """The state file of a render that is about to start. It is made here, empty, and held open: POV-Ray writes into
-    the same file and removes its name at the end, when there may be tiles that were not read yet."""
+    """The state file of a render that is about to start. Created here, empty, and held open: POV-Ray writes into the same file and removes
+    its
+    name at the end, when tiles may still be unread."""
 
     def __init__(self, path):
         path.unlink(missing_ok=True)
@@ -73,7 +74,7 @@ class StateFile:
         self.begun = False
 
     def tiles(self):
-        """Tiles that were completed since the last call."""
+        """Tiles completed since the last call."""
         data = self.rest + self.stream.read()
         at = 0
         if not self.begun:
@@ -93,5 +94,4 @@ class StateFile:
         self.rest = data[at:]
 
     def close(self):
-        """Lets go of the file."""
         self.stream.close()

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The scene with another camera: a short file that includes the scene and then states the camera. POV-Ray takes the
-last camera of a scene, so the scene's own file stays as it is."""
+"""The scene with another camera: a short file that includes the scene and states the camera. POV-Ray takes the last camera of a scene, so
+the
+scene's own file stays unchanged."""
 
 import os
 import re
@@ -15,13 +16,12 @@ VECTORS = ("location", "direction", "right", "up")
 
 
 def search(settings, folder):
-    """Where the scene's include files are looked for."""
+    """Search path of the scene's include files."""
     places = {"includes": INCLUDES, "beside": os.path.dirname(settings.scene)}
     return [f"+L{quoted(nameable(place, folder, link))}" for link, place in places.items()]
 
 
 def vector(values):
-    """A vector of POV-Ray."""
     return "<" + ", ".join(repr(float(value)) for value in values) + ">"
 
 
@@ -30,7 +30,7 @@ def write(folder, scene, camera, inside, name="scene"):
     text = open(scene, encoding="latin-1").read()
     version = scene_text.version_of(text)
     included = str(scene)
-    if not re.fullmatch(r"[ !#-\[\]-~]+", included):  # what a string of POV-Ray may not hold as it is
+    if not re.fullmatch(r"[ !#-\[\]-~]+", included):  # characters allowed in a string of POV-Ray without escapes
         link = folder / "included.pov"
         link.unlink(missing_ok=True)
         link.symlink_to(included)

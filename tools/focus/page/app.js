@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The page: joins the model, the live picture, the knobs and the program behind them.
+/// The page: connects the model, the live picture, the knobs and the program.
 
 import { solve } from "./lens.js";
 import { Model } from "./model.js";
@@ -20,14 +20,14 @@ const find = id => document.getElementById(id);
 const model = new Model();
 const ask = message => line.ask(message);
 let blur, live, line, knobs, scene;
-let startedFor = null;   // signature of the camera that the model began with
-let chosen = null;       // index of the camera that was chosen, or null: the scene's own
-let ownChange = false;   // whether the next camera of the scene is one that this page has written
-let changedFiles = "";   // files whose change has led to this preview
+let startedFor = null;   // signature of the camera that the model started with
+let chosen = null;       // index of the chosen camera; null: the scene's own
+let ownChange = false;   // the next camera of the scene is one that this page has written
+let changedFiles = "";   // files whose change led to this preview
 
 // ---- changes ----
 
-/// Called for each change of the model.
+/// Called after each change of the model.
 model.changed = () => {
     if (!model.lens || !blur || !scene)
         return;
@@ -42,12 +42,12 @@ model.changed = () => {
 
 const showSide = () => drawSide(find("side"), model.lens, surfaceSection(model.lens, (x, y) => blur.inverseDepthAt(x, y)));
 
-/// What is going on. While a preview is made for changed files, they are named.
+/// Shows the current activity. While a preview is made for changed files, names them.
 function status(words) {
     find("status").textContent = changedFiles && words ? `${changedFiles} changed: ${words}` : words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/// Words beside the knobs.
+/// Remarks beside the knobs.
 function say() {
     const remarks = { ...model.remarks(), ...(model.error ? { [model.error.knob]: model.error.message } : {}) };
     for (const place of document.querySelectorAll("[data-said]"))
@@ -85,7 +85,7 @@ function takeScene(message) {
     cameras.show(message, index ?? message.used);
     blur.gamma = message.gamma === null || message.gamma === "sRGB" ? 0 : message.gamma;
     knobs ??= buildKnobs(find("knobs"), model, message.lenses, () => model.remember());
-    // the same camera after a change elsewhere in the scene keeps the lens that is being chosen
+    // the same camera after a change elsewhere in the scene keeps the lens being chosen
     takeView(view);
     if (index !== null)
         askForCamera();
@@ -93,7 +93,7 @@ function takeScene(message) {
         complain({ message: "This camera is not perspective. Only the perspective camera has a lens." });
 }
 
-/// Says what the scene's camera has that neither the live nor the true picture shows.
+/// Names items of the scene's camera that neither the live nor the true picture shows.
 function showLeftOut() {
     const { bokeh, normal } = scene.view;
     const items = [bokeh && "bokeh picture", normal && "normal"].filter(Boolean).join(" and ");
@@ -101,7 +101,7 @@ function showLeftOut() {
     find("left-out").textContent = items && words;
 }
 
-/// Begins with a camera of the scene, unless the page shows it already, or has just written it.
+/// Starts with a camera of the scene, unless the page already shows it or has just written it.
 function takeView(view) {
     const { file, line: place, offset, own, kept, ...camera } = view, signature = JSON.stringify(camera);
     const seen = startedFor === signature, written = ownChange;
@@ -116,7 +116,7 @@ function takeView(view) {
     model.remember();
 }
 
-/// A preview of the camera that was chosen.
+/// Requests a preview of the chosen camera.
 function askForCamera() {
     const { view } = scene, lens = view.block ? solve(view, view.block) : view;
     const { location } = view, { direction, right, up } = lens;
@@ -145,7 +145,7 @@ function takeFileState(message) {
     chosen = message.chosen;
 }
 
-/// Without a lens in the scene: focus on what the middle of the picture shows, or near it.
+/// For a scene without a lens: focuses on the surface at the picture's centre, or near it.
 function supposeFocus() {
     for (const [x, y] of [[0, 0], [0, -0.15], [0, -0.3], [0.2, -0.2], [-0.2, -0.2], [0, -0.45], [0, 0.2]]) {
         const point = live.surfaceAt(x, y);
@@ -163,7 +163,7 @@ function complain(error) {
     place.hidden = !error?.message;
     if (place.hidden)
         return;
-    live?.end(); // nothing more comes
+    live?.end(); // no more tiles
     changedFiles = "";
     status("");
     place.replaceChildren();

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens as text for a scene: the `tilt_lens` block in three forms, and the items of the camera that go with it.
+/// The lens as text for a scene: the `tilt_lens` block in three forms, and its camera items.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
 import { planeOf, turnOf } from "./lens.js";
@@ -10,11 +10,11 @@ import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 export const FORMS = { points: "three points", plane: "plane", angles: "angles" };
 const DIGITS = 7;
 
-/// What of the block a program must find in the scene: of each, and by family.
+/// items of the block that the program's answer must match: always, and by family
 const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
 const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"] };
 
-/// A number with few digits, for a length of this size: what is only rounding beside it is 0.
+/// A number with few digits, for a length of this size; rounding errors become 0.
 export function rounded(value, size = Math.abs(value)) {
     if (!(size > 0) || Math.abs(value) < 1e-9 * size)
         return 0;
@@ -31,7 +31,7 @@ function text(value) {
 
 const roundedVector = (v, size = length(v)) => v.map(x => rounded(x, size));
 
-/// Three points of the plane of sharp focus: those that were picked, or ones near what the picture shows.
+/// Three points of the plane of sharp focus: the picked ones, or else points near the picture's content.
 function threePoints(model) {
     if (model.block.family === "points")
         return model.block.points;
@@ -51,7 +51,7 @@ function roundedBlock(model, form, { matrix, inverse, scale }) {
         focalLength: block.focalLength === null ? null : rounded(block.focalLength), shift: block.shift.map(x => rounded(x, block.filmWidth)),
         bladesAngle: rounded(block.bladesAngle), aperture: 0, scale,
     };
-    // so many digits as the distance from the lens asks for
+    // as many digits as the distance from the lens needs
     const point = world => {
         const local = movedPoint(inverse, world);
         return roundedVector(local, length(subtract(local, location)));
@@ -77,7 +77,7 @@ function focusItems(block) {
     return [block.tilt && `tilt ${text(block.tilt)}`, block.swing && `swing ${text(block.swing)}`];
 }
 
-/// What a program must find in the world.
+/// The expected block in world coordinates.
 function expected(block, { matrix, inverse, scale }) {
     const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
     const world = {
@@ -87,12 +87,12 @@ function expected(block, { matrix, inverse, scale }) {
     return Object.fromEntries([...EXPECTED, ...FOCUS[block.family]].map(name => [name, world[name]]));
 }
 
-/// The number behind `angle` that gives a camera's direction its length.
+/// The `angle` that gives a camera's direction its length.
 const angleOf = ({ direction, right }, { inverse }) =>
     2 * Math.atan(0.5 * length(movedDirection(inverse, right)) / length(movedDirection(inverse, direction))) * 180 / Math.PI;
 
-/// @param place  the coordinates that the text is for: those in which the camera's items are written, or WORLD
-/// @returns { block: text, items: camera items (text, or null: must go), expect: what a program must find in the scene }
+/// @param place  coordinates of the text: those of the camera's items, or WORLD
+/// @returns { block: text, items: camera items (text, or null to remove), expect: the block that the program must find }
 export function describe(model, form, place = model.place) {
     const said = roundedBlock(model, form, place), { camera } = model;
     const lines = [
@@ -126,8 +126,9 @@ export function describe(model, form, place = model.place) {
     };
 }
 
-/// What the program is asked to write: the text for the camera, and the block for a camera of this one's name that has no
-/// transformations of its own, for which there are no camera items.
+/// The request to write: text for the camera, and a block for a camera of the same identifier without transformations, which takes no
+/// camera
+/// items.
 export function change(model, form) {
     const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
     return { ...describe(model, form), behind: { block, expect } };

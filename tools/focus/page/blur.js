@@ -1,10 +1,10 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The picture with live blur: keeps the preview on the graphics processor and draws it through a lens.
+/// The live picture: keeps the preview on the graphics processor and draws it through a lens.
 ///
-/// A change draws one pass at once, at a size that the machine manages in time; while nothing changes, further passes
-/// at full size are averaged, until the picture is smooth.
+/// A change draws one pass at once, at a size that the machine can draw in time. While nothing changes, further passes at full size are
+/// averaged until the picture is smooth.
 
 import { along, cross, dot, length, times, unit } from "./vector.js";
 import { axisFocusOf, blurPerVergence, frameMap, inFrame, planeOfBlur } from "./lens.js";
@@ -12,20 +12,19 @@ import { newProgram, newTarget, newTexture, setSize } from "./gl.js";
 import { Reach, TILE } from "./reach.js";
 import { DISPLAY, GATHER, LIST } from "./shaders.js";
 
-const WANTED = 24;         // milliseconds that a picture may take while something moves: with the rest of the page 30 in a second
-const SMALLEST = 0.125;    // of the full size, while something moves
-const SIZES = 16;          // steps of that size: a change of it takes time
+const WANTED = 24;         // milliseconds for a picture during motion: with the rest of the page, 30 per second
+const SMALLEST = 0.125;    // of the full size, during motion
+const SIZES = 16;          // steps of that size, because changing it takes time
 const MOVING_TAPS = 16, RESTING_TAPS = 32;
-const PASSES = 24;         // until the picture is smooth
-const STRIP = 20;          // milliseconds for a part of a pass at full size, after which a click is seen
-const LEAST_STRIPS = 16;   // a pass has at most so many parts
-const PATIENCE = 15000;    // milliseconds of work after which a picture is smooth enough, whatever the passes
+const PASSES = 24;         // passes until the picture is smooth
+const STRIP = 20;          // milliseconds for a part of a pass at full size; a click waits no longer
+const LEAST_STRIPS = 16;   // most parts of a pass
+const PATIENCE = 15000;    // milliseconds of work after which the picture counts as smooth
 const PEAKING = [1, 0.05, 0.35];
-/// Of the near limit, the plane of sharp focus and the far limit, as displayed: those of show_planes.
+/// Near limit, plane of sharp focus and far limit, as displayed: the colours of show_planes.
 const TINTS = [[0.95, 0.50, 0.05], [1, 1, 1], [0.05, 0.30, 0.95]];
 
-/// Points of the diaphragm, then of the disc around it: two uniform numbers of a sequence that fills the square evenly
-/// (Roberts's R2), taken to the shape.
+/// Points of the diaphragm, and of the disc around it: the pairs of a low-discrepancy sequence (Roberts's R2), mapped to the shape.
 function lensPointList(corners, turn) {
     const list = new Float32Array(4 * LIST), corner = k => turn + 2 * Math.PI * k / corners;
     for (let i = 0; i < LIST; i++) {
@@ -41,8 +40,8 @@ function lensPointList(corners, turn) {
     return list;
 }
 
-/// 1/distance of the surface at x, y of the film of a lens, from a preview { values, width, height, frame }; 0 where there
-/// is none or the preview has not arrived, NaN outside the preview.
+/// 1/distance of the surface at x, y of a lens's film, from a preview { values, width, height, frame }; 0 if there is none or it has not
+/// arrived, NaN outside the preview.
 export function inverseDepthOf({ values, width, height, frame }, lens, x, y) {
     const [ox, oy, fx, fy] = frameMap(lens, frame);
     const column = Math.floor((ox + fx * x + 0.5) * width), row = Math.floor((0.5 - oy - fy * y) * height);
@@ -50,7 +49,7 @@ export function inverseDepthOf({ values, width, height, frame }, lens, x, y) {
     return inside ? values[(row * width + column) * 4 + 3] : NaN;
 }
 
-/// Opens the canvas. @throws Error where there is no WebGL2 with pictures of floating point numbers
+/// Opens the canvas. @throws Error  without WebGL2 and float textures
 export function openBlur(canvas) {
     const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
     if (!gl || !gl.getExtension("EXT_color_buffer_float"))
@@ -67,8 +66,8 @@ class Blur {
         this.preview = newTexture(gl);
         this.reachTexture = newTexture(gl);
         this.lensPoints = newTexture(gl);
-        this.small = newTarget(gl);                  // while something moves
-        this.means = [newTarget(gl), newTarget(gl)]; // the mean of the passes so far, and the next
+        this.small = newTarget(gl);                  // during motion
+        this.means = [newTarget(gl), newTarget(gl)]; // mean of the passes so far, and the next
         this.shown = this.small;
         this.scale = 0.25;
         this.restart();
@@ -84,15 +83,15 @@ class Blur {
         this.setBlades(0, 0);
     }
 
-    /// Forgets the passes so far.
+    /// Discards the passes so far.
     restart() {
         this.pass = this.row = this.spent = 0;
-        this.undisplayed = false; // whether a pass is complete that is not shown yet
+        this.undisplayed = false; // a pass is complete but not yet shown
     }
 
     // ---- what is drawn ----
 
-    /// A new, empty preview of that size, taken with this frame (a solved lens, or direction, right and up).
+    /// Starts an empty preview of that size, taken with this frame (a solved lens, or direction, right and up).
     begin(width, height) {
         this.width = width;
         this.height = height;
@@ -117,19 +116,19 @@ class Blur {
         this.restart();
     }
 
-    /// 1/distance of the surface at x, y of this picture's film; see inverseDepthOf.
+    /// See inverseDepthOf().
     inverseDepthAt(x, y) {
         return inverseDepthOf(this, this.lens, x, y);
     }
 
-    /// Tells the shader how far blur reaches.
+    /// Uploads the reach of blur.
     updateReach() {
         const gl = this.gl, { columns, rows } = this.reach;
         gl.bindTexture(gl.TEXTURE_2D, this.reachTexture);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, columns, rows, 0, gl.RED, gl.FLOAT, this.reach.of(this.lens, this.frame));
     }
 
-    /// The lens to draw with, and the frame that the preview was taken with.
+    /// Sets the lens to draw with, and the preview's frame.
     setLens(lens, frame) {
         this.lens = lens;
         this.frame = frame;
@@ -139,19 +138,18 @@ class Blur {
 
     // ---- drawing ----
 
-    /// Whether the picture shows blur.
     get blurs() {
         return this.show.blur && this.lens.diameter > 0;
     }
 
-    /// Whether another call would change the picture.
+    /// True if another call would change the picture.
     get unfinished() {
         if (!this.values || !this.lens)
             return false;
         return this.undisplayed || this.pass === 0 || (this.blurs && this.pass < PASSES && this.spent < PATIENCE);
     }
 
-    /// Draws: all at once and small while something moves, else a part of one more pass at full size.
+    /// Draws: the whole picture at reduced size during motion, else a part of another pass at full size.
     draw(moving) {
         if (!this.values || !this.lens || !this.frame)
             return;
@@ -179,7 +177,7 @@ class Blur {
         this.undisplayed = false;
     }
 
-    /// Lets the next picture or part take the time that it may.
+    /// Adapts the size of the next picture or part to the time it may take.
     adapt(moving, part, time) {
         // the first picture after a rest also pays for the change of size
         const usual = this.wasMoving || time > 2 * WANTED;
@@ -193,7 +191,7 @@ class Blur {
         this.spent += part ? time : 0;
     }
 
-    /// Returns when the graphics processor is done: with a part of a pass (`inside`), or with the picture.
+    /// Resolves when the graphics processor is done with a part of a pass (`inside`) or with the picture.
     wait(inside) {
         const gl = this.gl;
         gl.readPixels(0, 0, 1, 1, gl.RGBA, inside ? gl.FLOAT : gl.UNSIGNED_BYTE, inside ? new Float32Array(4) : new Uint8Array(4));
@@ -219,7 +217,7 @@ class Blur {
         }
     }
 
-    /// Some rows, from below, of a pass; `before` is the mean of the passes before.
+    /// Draws rows of a pass, counted from below; `before` is the mean of the passes before.
     gather(target, before, size, taps, from, to) {
         const gl = this.gl;
         setSize(gl, target, size);
@@ -252,7 +250,7 @@ class Blur {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, LIST, 1, 0, gl.RGBA, gl.FLOAT, lensPointList(corners, turn));
     }
 
-    /// Shows what was drawn last, at its size, and what is laid over it.
+    /// Shows the last drawing, at its size, with the overlays.
     display() {
         const gl = this.gl, { lens, show, canvas } = this, size = this.blurs ? this.shown.size : [this.width, this.height];
         if (canvas.width !== size[0] || canvas.height !== size[1])
@@ -278,7 +276,7 @@ class Blur {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
 
-    /// A value as displayed -> the scene's value that is displayed so.
+    /// The scene's value for a displayed value.
     sceneValue(shown) {
         if (this.gamma === 0)
             return shown;
@@ -286,7 +284,7 @@ class Blur {
         return light ** (1 / this.gamma);
     }
 
-    /// Directions in the plane of sharp focus, of the length of one cell's inverse: 1, 2 or 5 times a power of ten.
+    /// Vectors in the plane of sharp focus whose length is the inverse of a grid cell: 1, 2 or 5 times a power of ten.
     grid() {
         const { lens } = this, normal = unit(lens.focus);
         const level = along(lens.axisRight, -dot(lens.axisRight, normal), normal);
@@ -298,7 +296,7 @@ class Blur {
         return { x: times(1 / this.gridSpacing, x), y: times(1 / this.gridSpacing, cross(normal, x)) };
     }
 
-    /// Takes a shader with these parts, with all that both shaders know set; returns what sets textures and finds uniforms.
+    /// Activates a shader variant and sets the common uniforms; returns setters for textures and uniforms.
     use(shader, parts, size) {
         const gl = this.gl, name = [shader === GATHER ? "gather" : "display", ...parts].join(" "), { lens } = this;
         const { program, places } = (this.programs[name] ??= newProgram(gl, shader, parts));

@@ -1,13 +1,13 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The head of the page: the scene's name, which of its cameras is shown, and the clock.
+/// The page's head: the scene's name, the shown camera, and the clock.
 
 const CLOCK_STEPS = 100;
 
 const nameOf = ({ line, own, file }) => `line ${line}${own ? "" : ` of ${file.split("/").at(-1)}`}`;
 
-/// @param on  { camera(index) another camera was chosen, clock(value) }
+/// @param on  { camera(index): another camera was chosen, clock(value) }
 export function buildCameras(find, on) {
     const choice = find("camera"), clock = find("clock"), clockValue = find("clock-value");
     let cameras = [];
@@ -17,7 +17,7 @@ export function buildCameras(find, on) {
     clock.onchange = () => on.clock(Number(clock.value));
 
     return {
-        /// Shows a scene. @param index  of the camera that is shown, or null
+        /// Shows a scene. @param index  of the shown camera, or null
         show({ name, cameras: all, animated, clock: now, clocks: [least, most] }, index) {
             cameras = all;
             find("name").textContent = name;

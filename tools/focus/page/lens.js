@@ -1,23 +1,25 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens: from a camera and a `tilt_lens` block to the lens, its film and its plane of sharp focus. The formulas
-/// are those of docs/optics.md and of povray-src/tilt_lens/camera/optics.cpp, in doubles; tests/focus compares the
-/// two. Lengths in scene units unless a name says mm, angles in degrees, world coordinates.
+/// Solves a camera and a `tilt_lens` block for the lens, its film and its plane of sharp focus. The formulas are those of docs/optics.md
+/// and
+/// povray-src/tilt_lens/camera/optics.cpp, in doubles; tests/focus compares the two. Lengths are in scene units unless a name says mm,
+/// angles
+/// in degrees, vectors in world coordinates.
 ///
 ///     camera   { location, direction, right, up }
 ///     block    { family: "lensTurn" | "focusTurn" | "plane" | "points", filmWidth, focalLength (mm, or null: the
 ///                angle of view counts), sceneUnit, tilt, swing, focusTilt, focusSwing, planeNormal, planeDistance,
 ///                points: [A, B, C], shift: [right, up], fStop (or null), blades, bladesAngle, focalPoint,
-///                aperture (twice the diameter, where fStop is null), scale }
+///                aperture (twice the diameter, if fStop is null), scale }
 
 import { add, along, cross, dot, length, subtract, times, unit } from "./vector.js";
 
 const DEGREE = Math.PI / 180;
-/// What rounding may leave, relative to the numbers it comes from, where nothing ought to be left.
+/// Largest rounding error, relative to the operands, of a difference that ought to be 0.
 const ROUNDING = 1e-14;
 
-/// A block that no lens can follow. `knob` names what it is said beside.
+/// A block that no lens fulfils. `knob` names the knob beside which the message appears.
 export class LensError extends Error {
     constructor(knob, message) {
         super(message);
@@ -25,7 +27,7 @@ export class LensError extends Error {
     }
 }
 
-/// The camera's own axes: right, up, and the film's normal into the scene; orthonormal.
+/// The camera's axes: right, up, and the film's normal into the scene; orthonormal.
 export function axesOf(camera) {
     const right = unit(camera.right);
     const upAcross = along(camera.up, -dot(camera.up, right), right);
@@ -51,7 +53,7 @@ function turnedNormal(tilt, swing, knob, what) {
     return unit([-Math.sin(s) * Math.cos(t), -Math.sin(t) * Math.cos(s), Math.cos(t) * Math.cos(s)]);
 }
 
-/// The plane n.X = d, n a unit vector, about the lens centre, as k = n/d.
+/// k = n/d of the plane n.X = d about the lens centre; n is a unit vector.
 function focusOfPlane(normal, distance, reach, knob) {
     if (!(Math.abs(distance) > ROUNDING * reach))
         throw new LensError(knob, "This plane passes through the lens. Move it, or one of its points.");
@@ -65,7 +67,7 @@ function focalPointInCamera(axes, camera, block) {
     return point;
 }
 
-/// k of the families that give the plane of sharp focus itself.
+/// k for the families that state the plane of sharp focus.
 function givenFocus(axes, camera, block) {
     if (block.family === "points") {
         const [a, b, c] = block.points;
@@ -87,7 +89,7 @@ function givenFocus(axes, camera, block) {
     return focusOfPlane(normal, dot(normal, point), length(point) + length(camera.location), "focusTurn");
 }
 
-/// Lens turned as given, in focus at a point P of camera axes.
+/// Lens turned as stated and focused on a point P, in camera axes.
 function solveLensTurn(t, P, focalLength, angleFilmDistance) {
     const distance = dot(P, t), aside = t[0] * P[0] + t[1] * P[1];
     if (!(distance > 0))
@@ -102,7 +104,7 @@ function solveLensTurn(t, P, focalLength, angleFilmDistance) {
     return { t, f, s: f * P[2] / (distance - f), k: [t[0] / f, t[1] / f, 1 / P[2] - aside / (f * P[2])] };
 }
 
-/// Plane of sharp focus as given, the lens follows.
+/// Plane of sharp focus as stated; the lens follows.
 function solvePlane(k, focalLength, angleFilmDistance, knob) {
     if (focalLength === null) {
         const q = [k[0], k[1], k[2] + 1 / angleFilmDistance], size = length(q);
@@ -120,7 +122,7 @@ function solvePlane(k, focalLength, angleFilmDistance, knob) {
     return { t, f, s: 1 / vergence, k };
 }
 
-/// The film's distance that the angle of view asks for, scene units.
+/// Film distance for the angle of view, scene units.
 export function filmDistanceOfView(camera, block) {
     const { axis } = axesOf(camera);
     return block.filmWidth * (block.scale ?? 1) / block.sceneUnit * dot(axis, camera.direction) / length(camera.right);
@@ -136,7 +138,7 @@ function solveFor(axes, camera, block, millimetre) {
     return solveLensTurn(t, focalPointInCamera(axes, camera, block), focalLength, angleFilmDistance);
 }
 
-/// The lens plane's own right and up, by the smallest turn that takes the axis to t, times the radius.
+/// The lens plane's right and up times the radius, by the smallest rotation that takes the axis to t.
 function spanOfLens(axes, t, radius) {
     const bend = 1 / (1 + t[2]);
     return [[1 - t[0] * t[0] * bend, -t[0] * t[1] * bend, -t[0]], [-t[0] * t[1] * bend, 1 - t[1] * t[1] * bend, -t[1]]]
@@ -144,7 +146,7 @@ function spanOfLens(axes, t, radius) {
 }
 
 /// Solves a block for a camera.
-/// @throws LensError  where no lens can follow
+/// @throws LensError  no lens fulfils it
 export function solve(camera, block) {
     const axes = axesOf(camera), millimetre = (block.scale ?? 1) / block.sceneUnit;
     const solved = solveFor(axes, camera, block, millimetre);
@@ -167,7 +169,7 @@ export function solve(camera, block) {
     return lens;
 }
 
-/// A vector of the lens in camera axes, without what is only rounding.
+/// A vector in camera axes, with rounding errors set to 0.
 function inCamera(lens, v) {
     const least = ROUNDING * length(v);
     return [lens.axisRight, lens.axisUp, lens.axis].map(a => dot(v, a)).map(x => (Math.abs(x) > least ? x : 0));
@@ -181,38 +183,34 @@ export function turnOf(lens) {
     return { tilt: angle(-t[1], t[2]), swing: angle(-t[0], t[2]) };
 }
 
-/// focus_tilt and focus_swing that turn the plane of sharp focus as it is; beyond 90 degrees where the plane lies
-/// so that no such item can say it.
+/// focus_tilt and focus_swing of the plane of sharp focus; beyond 90 degrees if these items cannot state it.
 export function focusTurnOf(lens) {
     const k = inCamera(lens, lens.focus), side = k[2] < 0 ? -1 : 1;
     return { tilt: angle(-k[1] * side, k[2] * side), swing: angle(-k[0] * side, k[2] * side) };
 }
 
-/// The angle of the whole turn of the lens, degrees: what a real lens limits.
+/// Angle between lens and film, degrees, which real lenses limit.
 export function wholeTurnOf(lens) {
     const t = inCamera(lens, lens.normal);
     return angle(Math.hypot(t[0], t[1]), t[2]);
 }
 
-/// Distance of the hinge line from the lens, in the plane through the lens parallel to the film; Infinity for a
-/// lens parallel to the film.
+/// Distance of the hinge line from the lens, in the plane through the lens parallel to the film; Infinity for a parallel lens.
 export function hingeDistanceOf(lens) {
     const k = inCamera(lens, lens.focus);
     return 1 / Math.hypot(k[0], k[1]);
 }
 
-/// Where the plane of sharp focus crosses the axis: distance from the lens centre; negative or infinite where it does
-/// not cross in front.
+/// Distance from the lens centre at which the plane of sharp focus crosses the axis; negative or infinite if it does not cross in front.
 export const axisFocusOf = lens => 1 / inCamera(lens, lens.focus)[2];
 
 /// Chief ray through x, y in [-0.5, 0.5]: right, up.
 export const chiefRay = (lens, x, y) => along(along(lens.direction, x, lens.right), y, lens.up);
 
-/// Pixels of blur per unit of vergence, in a picture so many pixels wide.
+/// Pixels of blur per unit of vergence, in a picture `width` pixels wide.
 export const blurPerVergence = (lens, width) => lens.diameter * width / length(lens.right);
 
-/// Signed diameter of the circle of confusion, in pixels, of the point T * chief: positive before the plane of sharp
-/// focus, negative behind it.
+/// Signed diameter of the circle of confusion, in pixels, of the point T * chief: positive before the plane of sharp focus.
 export const blurDiameter = (lens, chief, T, width) => (1 / T - dot(lens.focus, chief)) * blurPerVergence(lens, width);
 
 /// Signed blur of a world point, in pixels.
@@ -225,27 +223,27 @@ export function blurOfPoint(lens, point, width) {
 export const planeOfBlur = (lens, pixels, width) =>
     along(lens.focus, pixels / (blurPerVergence(lens, width) * dot(lens.direction, lens.axis)), lens.axis);
 
-/// The plane of sharp focus as POV-Ray writes a plane, world coordinates.
+/// The plane of sharp focus in POV-Ray's form, world coordinates.
 export function planeOf(lens) {
     const size = length(lens.focus), normal = times(1 / size, lens.focus);
     return { normal, distance: 1 / size + dot(normal, lens.location) };
 }
 
-/// Where a world point lies in the picture: x, y in [-0.5, 0.5], right and up, and its distance along the axis.
+/// Projects a world point: x, y in [-0.5, 0.5], right and up, and its distance along the axis.
 export function project(lens, point) {
     const X = subtract(point, lens.location), depth = dot(X, lens.axis);
     const [x, y] = inFrame(lens, along(times(dot(lens.direction, lens.axis) / depth, X), -1, lens.direction));
     return { x, y, depth };
 }
 
-/// Coordinates of a vector across the axis in the frame's right and up, which need not be at right angles.
+/// Coordinates of a vector across the axis in the frame's right and up, which need not be orthogonal.
 export function inFrame(lens, v) {
     const rr = dot(lens.right, lens.right), ru = dot(lens.right, lens.up), uu = dot(lens.up, lens.up);
     const r = dot(v, lens.right), u = dot(v, lens.up), det = rr * uu - ru * ru;
     return [(r * uu - u * ru) / det, (u * rr - r * ru) / det];
 }
 
-/// From the film of one frame to that of another of the same camera: [offset x, y, factor x, y].
+/// Maps film points between two frames of the same camera: [offset x, y, factor x, y].
 export function frameMap(lens, frame) {
     const far = v => dot(v, lens.axis), ratio = far(frame.direction) / far(lens.direction);
     const offset = inFrame({ right: frame.right, up: frame.up }, subtract(times(ratio, lens.direction), frame.direction));
@@ -256,6 +254,6 @@ export function frameMap(lens, frame) {
 export const pointAt = (lens, x, y, depth) =>
     along(lens.location, depth / dot(lens.direction, lens.axis), chiefRay(lens, x, y));
 
-/// Width of the picture's angle of view, degrees, without regard to a shift.
+/// Horizontal angle of view, degrees, ignoring a shift.
 export const angleOfView = lens =>
     2 * Math.atan(0.5 * length(lens.right) / dot(lens.direction, lens.axis)) / DEGREE;

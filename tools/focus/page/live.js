@@ -1,26 +1,27 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The live picture: takes the preview as it arrives, decides when the picture is drawn and when it is refined, and asks
-/// for a new preview when the frame has moved away from that of the present one.
+/// The live picture: receives the preview, schedules drawing and refinement, and requests a new preview when the frame has moved away from
+/// the
+/// current one.
 
 import { dot, length, subtract } from "./vector.js";
 import { pointAt, solve } from "./lens.js";
 import { inverseDepthOf } from "./blur.js";
 
-const REST = 150;          // milliseconds without a change, until the picture is refined
-const ARRIVING = 150;      // between two pictures while the preview arrives: the processors have enough to do
-const PREVIEW_REST = 600;  // and until the preview is made for a changed frame
-const FAR = 0.02;          // of the frame: a smaller change of it needs no new preview
+const REST = 150;          // milliseconds without a change before the picture is refined
+const ARRIVING = 150;      // milliseconds between pictures while the preview arrives and the processors are busy
+const PREVIEW_REST = 600;  // milliseconds without a change before a preview for a changed frame
+const FAR = 0.02;          // of the frame: a smaller change needs no new preview
 
 export class Live {
     /// @param ask    sends a message to the program
     /// @param begun  called when the first part of a new preview is there
     constructor(blur, model, ask, begun) {
         Object.assign(this, { blur, model, ask, begun });
-        this.complete = false;     // whether nothing more of the preview comes
-        this.former = null;        // the preview before of the same scene, while the present one arrives
-        this.readAnew = false;     // whether the scene was read anew for the preview that is on its way
+        this.complete = false;     // no more tiles of the preview are to come
+        this.former = null;        // the previous preview of the same scene, while the current one arrives
+        this.readAnew = false;     // the scene was parsed again for the arriving preview
         this.ownView = null;       // the scene's own camera
         this.number = 0;           // of the preview
         this.lastChange = this.lastDrawing = this.timer = 0;
@@ -29,7 +30,7 @@ export class Live {
 
     // ---- the preview ----
 
-    /// A new preview is on its way. With a frame it is of the scene as it was read before.
+    /// Announces a new preview. With a frame, it is of the scene as parsed before.
     expect({ number, frame, size }) {
         this.complete = false;
         this.readAnew ||= !frame;
@@ -54,22 +55,21 @@ export class Live {
         this.draw();
     }
 
-    /// Nothing more of the preview comes.
+    /// The preview is complete.
     end() {
         this.complete = true;
         this.former = null;
         this.draw();
     }
 
-    /// Keeps the preview so that places are found on it while the next one arrives, unless it is itself no more than begun, or
-    /// the scene may have changed since.
+    /// Keeps the preview for clicks while the next one arrives, unless it has only just begun or the scene may have changed since.
     keepFormer() {
         const { values, width, height, frame } = this.blur;
         this.former = this.readAnew ? null : this.former ?? { values, width, height, frame };
         this.readAnew = false;
     }
 
-    /// The frame that a preview was taken with: what was asked for, or the scene's own camera with its own lens.
+    /// A preview's frame: the requested one, or the scene's own camera with its lens.
     frameOf(asked) {
         if (asked)
             return { ...asked };
@@ -80,7 +80,7 @@ export class Live {
         return { location: view.location, direction: lens.direction, right: lens.right, up: lens.up };
     }
 
-    /// Whether the preview was taken from where the camera stands; after another camera was chosen it is not, for a while.
+    /// True if the preview was taken from the camera's location; false for a while after another camera was chosen.
     get fits() {
         return this.isFromHere(this.blur);
     }
@@ -89,7 +89,7 @@ export class Live {
         return Boolean(preview?.values) && String(preview.frame?.location) === String(this.model.camera.location);
     }
 
-    /// World point of the surface that the picture shows at x, y of the film, or null.
+    /// World point of the surface at x, y of the film, or null.
     surfaceAt(x, y) {
         const { lens } = this.model;
         for (const preview of [this.blur, this.former]) {
@@ -102,7 +102,7 @@ export class Live {
 
     // ---- changes ----
 
-    /// The model has another lens. @returns whether the preview can show it
+    /// The model has another lens. @returns true if the preview can show it
     show() {
         const { blur, model } = this;
         this.lastChange = performance.now();
@@ -115,7 +115,7 @@ export class Live {
         return true;
     }
 
-    /// A new preview once the frame has moved away from that of the present one.
+    /// Requests a new preview if the frame has moved away from the current one.
     askForFrame() {
         clearTimeout(this.timer);
         const now = this.model.lens, then = this.blur.frame;
@@ -134,7 +134,7 @@ export class Live {
 
     // ---- drawing ----
 
-    /// Draws soon, and goes on until the picture is smooth.
+    /// Schedules drawing until the picture is smooth.
     draw() {
         if (this.scheduled || !this.model.lens)
             return;

@@ -1,8 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// What the user has chosen: camera, block, points. Knobs and points change one and the same block, so that they
-/// always show the same lens. A change that no lens can follow leaves the last lens in place and is kept as `error`.
+/// The user's choices: camera, block, points. Knobs and points change the same block, so that they always agree. A change that no lens
+/// fulfils
+/// keeps the last lens and sets `error`.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
 import {
@@ -11,7 +12,7 @@ import {
 } from "./lens.js";
 
 const START_STOP = 2.8;
-/// Millimetres from the lens to the subject that a scene without a lens is taken for: a model on a table.
+/// Millimetres from the lens to the subject of a scene without a lens, as if it were a model on a table.
 const MODEL_DISTANCE = 1200;
 
 const PLAIN = {
@@ -32,23 +33,23 @@ export class Model {
         this.block = null;
         this.lens = null;
         this.error = null;
-        this.refused = {};      // knob -> why its last number was not taken
+        this.refused = {};      // knob -> reason why its last number was refused
         this.mode = "one";      // or "three"
         this.third = "picked";  // or "level", "upright", "film"
         this.picks = [];
         this.real = null;       // a lens of tilt_lens.inc
         this.changed = () => {};
         this.past = [];
-        this.open = false;      // whether the focus waits for what the preview shows, since neither scene nor user says it
+        this.open = false;      // the focus waits for the preview, because neither scene nor user states it
     }
 
-    /// Takes note of what the scene's camera has by itself.
+    /// Stores properties of the scene's camera.
     note({ aperture, direction, right, bokeh, matrix, inverse, scale }) {
         this.given = { aperture: aperture > 0, direction, right, bokeh };
         this.place = { matrix, inverse, scale };
     }
 
-    /// Takes a camera as the program tells it.
+    /// Takes a camera from the program.
     take(view) {
         const { location, direction, right, up, sky } = view;
         this.camera = { location, direction, right, up, sky };
@@ -80,7 +81,7 @@ export class Model {
         this.resolve();
     }
 
-    /// The f-number of a lens that the camera's `aperture` gives, or null.
+    /// The f-number of the camera's `aperture`, or null.
     stopOfAperture() {
         if (!(this.block.aperture > 0))
             return null;
@@ -92,7 +93,7 @@ export class Model {
         }
     }
 
-    /// First focus and scale of a scene without a lens: on what its middle shows, as if it were a model on a table.
+    /// Initial focus and scale of a scene without a lens: on the surface at its centre, as if it were a model on a table.
     suppose(point) {
         this.close(point);
         this.block.focalPoint = point;
@@ -100,14 +101,14 @@ export class Model {
         this.resolve();
     }
 
-    /// The focus does not wait any more; a scale that nobody has chosen is that of such a model.
+    /// The focus no longer waits; a scale that nobody has chosen becomes that of such a model.
     close(point) {
         if (this.open && this.block.sceneUnit === PLAIN.sceneUnit)
             this.block.sceneUnit = roundly(MODEL_DISTANCE / length(subtract(point, this.camera.location)));
         this.open = false;
     }
 
-    /// Solves the block; keeps the last lens where there is none.
+    /// Solves the block; keeps the last lens on failure.
     resolve() {
         try {
             this.lens = solve(this.camera, this.block);
@@ -120,13 +121,13 @@ export class Model {
         this.changed();
     }
 
-    /// Says beside a knob why what was asked for is not done.
+    /// Shows beside a knob why its number was refused.
     refuse(knob, words) {
         this.refused = { [knob]: words };
         this.changed();
     }
 
-    /// Makes a change; a state that cannot be is shown as an error and left at the next change.
+    /// Applies a change; an impossible state is shown as an error and discarded at the next change.
     change(what) {
         this.refused = {};
         if (!this.error)
@@ -135,7 +136,7 @@ export class Model {
         this.resolve();
     }
 
-    /// What a state can be gone back to.
+    /// Pushes the state for back().
     remember() {
         if (this.error)
             return;
@@ -145,7 +146,7 @@ export class Model {
         this.past.splice(0, this.past.length - 100);
     }
 
-    /// Goes back one step. @returns whether there was one
+    /// Goes back one step. @returns true if there was one
     back() {
         const now = this.past.length > 1 ? (this.past.pop(), this.past.at(-1)) : null;
         if (!now)
@@ -157,7 +158,7 @@ export class Model {
 
     // ---- points ----
 
-    /// A point that the plane of sharp focus holds, for turns about it.
+    /// A point of the plane of sharp focus about which it turns.
     anchor() {
         if (this.picks.length && this.lens && Math.abs(this.offPlane(this.picks[0])) < 1e-6)
             return this.picks[0];
@@ -172,7 +173,7 @@ export class Model {
         return 1 - dot(this.lens.focus, subtract(point, this.camera.location));
     }
 
-    /// A click into the scene. With three points a fourth click moves the one that is nearest in the picture.
+    /// A click into the scene. With three points, a fourth click moves the point nearest in the picture.
     pick(point) {
         if (this.mode === "one") {
             this.picks = [point];
@@ -186,7 +187,7 @@ export class Model {
         this.remember();
     }
 
-    /// How many points determine the plane.
+    /// Number of points that determine the plane.
     get wantedPicks() {
         return this.mode === "one" || this.third === "film" ? 1 : this.third === "picked" ? 3 : 2;
     }
@@ -200,13 +201,12 @@ export class Model {
         return far.indexOf(Math.min(...far));
     }
 
-    /// Moves one of the points.
     move(index, point) {
         this.picks[index] = point;
         this.usePicks();
     }
 
-    /// Points that the plane is to hold: picked, and made by the choice of the third.
+    /// The points of the plane: picked, and derived from the choice for the third.
     planePoints() {
         const { picks } = this;
         if (this.wantedPicks === 1 || picks.length < 2)
@@ -277,12 +277,12 @@ export class Model {
         });
     }
 
-    /// Sets items of the block that say nothing of the focus.
+    /// Sets items of the block that do not concern the focus.
     set(items) {
         this.change(block => Object.assign(block, items));
     }
 
-    /// The angle of view, degrees: the focal length follows.
+    /// Sets the angle of view, degrees; the focal length follows.
     setAngle(degrees) {
         const { axis } = axesOf(this.camera), wanted = 0.5 * length(this.camera.right) / Math.tan(degrees * Math.PI / 360);
         this.real = null;
@@ -292,12 +292,12 @@ export class Model {
         });
     }
 
-    /// The focal length, mm: the angle of view follows.
+    /// Sets the focal length, mm; the angle of view follows.
     setFocalLength(mm) {
         this.set({ focalLength: mm });
     }
 
-    /// Back from a focal length to the angle of view that it has now.
+    /// Replaces the focal length by its current angle of view.
     useAngle() {
         if (this.block.focalLength === null)
             return;
@@ -309,13 +309,13 @@ export class Model {
         });
     }
 
-    /// Film width for a format: as much of it as the picture's proportions use.
+    /// Film width for a format: the part that the picture's proportions use.
     filmWidth([longer, shorter]) {
         const aspect = length(this.camera.right) / length(this.camera.up);
         return aspect >= 1 ? Math.min(longer, shorter * aspect) : Math.min(shorter, longer * aspect);
     }
 
-    /// A real lens on full frame, or null for none.
+    /// A real lens on full frame, or null.
     setReal(real) {
         this.real = real;
         if (real)
@@ -327,7 +327,7 @@ export class Model {
 
     // ---- what is shown ----
 
-    /// What the chosen real lens cannot do, and what is unusual: knob -> words.
+    /// Limits of the chosen real lens, and unusual values: knob -> words.
     remarks() {
         const { real, block, lens } = this, said = { ...this.refused };
         if (!lens)
@@ -344,7 +344,7 @@ export class Model {
         return said;
     }
 
-    /// Numbers that a photographer reads.
+    /// Numbers for a photographer.
     numbers() {
         const { lens, block } = this, perMm = 1 / lens.millimetre;
         return {
@@ -353,7 +353,7 @@ export class Model {
         };
     }
 
-    /// Points of the plane of sharp focus that the picture shows, spread over it, nearest the middle first.
+    /// Visible points of the plane of sharp focus, spread over the picture, nearest to its centre first.
     visiblePoints() {
         const found = [];
         for (const [x, y] of [[0, 0], [-0.25, -0.25], [0.25, -0.25], [0, 0.3], [0, -0.45], [-0.3, 0.2], [0.3, 0.2]]) {

@@ -1,12 +1,12 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// What tests may ask of the page. The page itself uses none of it.
+/// Access for tests; the page itself uses none of it.
 
 import { describe } from "./block.js";
 
 /// @param blur      the live picture
-/// @param complete  () -> whether the whole preview is there
+/// @param complete  () -> true if the whole preview is there
 export function buildProbe(model, blur, complete) {
     const read = (canvas, [width, height]) => {
         const context = new OffscreenCanvas(width, height).getContext("2d");
@@ -18,15 +18,15 @@ export function buildProbe(model, blur, complete) {
         model,
         describe: form => describe(model, form),
 
-        /// The live picture, or null before there is one: its size, the place that its preview was taken from, whether the
-        /// whole preview is there, passes averaged so far, whether further ones would be, and the milliseconds that the last
-        /// drawing took.
+        /// The live picture, or null before the first: size, preview's location, completeness of the preview, averaged passes, pending
+        /// passes, and
+        /// milliseconds of the last drawing.
         get live() {
             const { frame, pass, unfinished, work } = blur;
             return blur.values && frame ? { size: size(), location: frame.location, complete: complete(), passes: pass, smooth: !unfinished, work } : null;
         },
 
-        /// How often it was drawn.
+        /// Number of drawings.
         get drawings() {
             return blur.drawings;
         },
@@ -34,7 +34,7 @@ export function buildProbe(model, blur, complete) {
         /// Sum of the preview's values: colours and 1/distance.
         previewSum: () => blur.values.reduce((a, b) => a + b),
 
-        /// Red, green, blue, alpha of the live picture, upper row first; `show` changes what is shown for this once.
+        /// Red, green, blue, alpha of the live picture, upper row first; `show` overrides the settings for this call.
         livePixels(show = {}) {
             const shown = blur.show;
             blur.show = { ...shown, ...show };
@@ -45,10 +45,10 @@ export function buildProbe(model, blur, complete) {
             return pixels;
         },
 
-        /// The same of the true picture, at the live picture's size.
+        /// The true picture's pixels, at the live picture's size.
         truePixels: () => read(document.getElementById("truth"), size()),
 
-        /// Resolves after the next time that the live picture is drawn.
+        /// Resolves after the next drawing of the live picture.
         nextDrawing() {
             const before = blur.drawings;
             return new Promise(done => {

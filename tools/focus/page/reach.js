@@ -1,8 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// How far blur reaches over the picture: for each tile of the preview the largest blur of a surface whose blur may
-/// reach it, so that the shader looks for blurred surfaces only where some are near, and no farther than needed.
+/// Reach of blur: for each tile of the preview, the largest blur of a surface that may reach it, so that the shader searches for blurred
+/// surfaces
+/// only near them.
 
 import { dot } from "./vector.js";
 import { blurPerVergence, frameMap } from "./lens.js";
@@ -18,7 +19,7 @@ export class Reach {
         this.ranges = new Float32Array(this.columns * this.rows * 2); // smallest and largest 1/distance of each tile
     }
 
-    /// Takes note of new values in a rectangle.
+    /// Updates the tiles of a rectangle.
     note(left, top, width, height) {
         for (let ty = Math.floor(top / TILE); ty * TILE < top + height; ty++)
             for (let tx = Math.floor(left / TILE); tx * TILE < left + width; tx++)
@@ -37,7 +38,7 @@ export class Reach {
     }
 
     /// The largest vergence difference whose blur may reach each tile.
-    /// @param frame  that the preview was taken with
+    /// @param frame  of the preview
     of(lens, frame) {
         const { columns, rows } = this, own = new Float32Array(columns * rows), [ox, oy, fx, fy] = frameMap(lens, frame);
         const far = dot(lens.direction, lens.axis);
@@ -56,7 +57,7 @@ export class Reach {
         return this.dilated(own, 0.5 * blurPerVergence(lens, this.width) * fx / TILE);
     }
 
-    /// Each tile gets the largest of those values that reach it; `tiles` is the reach of a value of 1.
+    /// Spreads each value to the tiles that it reaches; a value of 1 reaches `tiles` tiles.
     dilated(own, tiles) {
         const { columns, rows } = this;
         let values = own;

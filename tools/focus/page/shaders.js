@@ -1,10 +1,10 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The programs of the graphics processor. Pixels of the picture count from its upper left corner; "film" is the
-/// place in the frame, x and y in [-0.5, 0.5], right and up. docs/focus.md describes the method.
+/// Shaders. Pixels count from the picture's upper left corner; "film" is a point of the frame, x and y in [-0.5, 0.5], right and up. See
+/// docs/focus.md for the method.
 ///
-/// What is not always needed is compiled in by #ifdef: a processor that does graphics computes both sides of a branch.
+/// Optional parts are compiled in by #ifdef, because graphics processors compute both sides of a branch.
 
 export const EVERYWHERE = `#version 300 es
 void main() {
@@ -12,18 +12,18 @@ void main() {
     gl_Position = vec4(corner, 0.0, 1.0);
 }`;
 
-/// What both programs know: the preview (red, green, blue, 1/distance along the axis), the frame, the lens.
+/// Common to both shaders: the preview (red, green, blue, 1/distance along the axis), the frame, the lens.
 const SCENE = `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform sampler2D preview;
-uniform vec2 size;          // of the picture that is made here, pixels
+uniform vec2 size;          // of the picture being made, pixels
 uniform vec4 toPreview;     // film of the picture -> film of the preview: xy + zw * film
 uniform float axisLength;   // of the chief ray along the axis: vergence = axisLength / distance
 uniform vec3 focus;         // w of the plane of sharp focus: x + y film.x + z film.y
-uniform vec4 lensSpan;      // picture of the lens per unit of vergence, in film: columns for its right and up
-uniform vec2 lensLean;      // how its parts along the axis move with the place in the frame
+uniform vec4 lensSpan;      // image of the lens per unit of vergence, in film: columns for its right and up
+uniform vec2 lensLean;      // variation of its axial components over the frame
 
 vec2 filmOf(vec2 pixel) { return vec2(pixel.x / size.x - 0.5, 0.5 - pixel.y / size.y); }
 
@@ -36,14 +36,14 @@ bool isInside(ivec2 p) { ivec2 s = textureSize(preview, 0); return p.x >= 0 && p
 
 float focusAt(vec2 film) { return focus.x + focus.y * film.x + focus.z * film.y; }
 
-// pixels, down counted positive, that the lens's rim at right and at up spans per unit of vergence
+// pixels, down positive, that the lens's right and up rim span per unit of vergence
 mat2 spanAt(vec2 film) {
     vec2 a = lensSpan.xy - lensLean.x * film, b = lensSpan.zw - lensLean.y * film;
     return mat2(a.x * size.x, -a.y * size.y, b.x * size.x, -b.y * size.y);
 }
 `;
 
-/// Number of lens points in the list that the blur takes its own from: a power of two.
+/// Number of lens points, from which the blur samples: a power of two.
 export const LIST = 4096;
 
 export const GATHER = SCENE + `
@@ -61,7 +61,7 @@ out vec4 result;
 const float PI = 3.14159265358979;
 const int LIST = ${LIST};
 
-// where in the list of lens points a pixel begins; any stretch of the list is evenly spread
+// a pixel's first index in the list of lens points; every interval of the list is evenly spread
 int startAt(vec2 p) {
     float noise = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
     return int(noise * float(LIST)) + pass * taps;
@@ -99,8 +99,7 @@ void main() {
     int start = startAt(pixel);
     float ownRadius = abs(own) * pixelsPerVergence;
 
-    // Rays through the lens that meet this surface, or what shows beside it farther away. What is nearer stands in
-    // the way of nothing here: its share comes below.
+    // rays through the lens that meet this surface, or a farther one beside it; nearer surfaces do not block them here, but are added below
     vec3 sum = self.rgb;
     float count = 1.0;
     if (ownRadius > 0.5) {
@@ -121,8 +120,7 @@ void main() {
     }
     vec3 colour = sum / count;
 
-    // Blurred things that stand nearer and whose blur reaches over this pixel: each spreads over the picture of the
-    // diaphragm that belongs to it.
+    // nearer blurred surfaces whose blur reaches this pixel: each spreads over its image of the diaphragm
     float widest = texelFetch(reach, clamp(here / int(tile), ivec2(0), textureSize(reach, 0) - 1), 0).r;
     if (widest * pixelsPerVergence > 1.0) {
         vec4 front = vec4(0.0);
@@ -152,13 +150,13 @@ void main() {
 }`;
 
 export const DISPLAY = SCENE + `
-uniform sampler2D mean;     // the blurred picture, of another size perhaps
+uniform sampler2D mean;     // the blurred picture, perhaps of another size
 uniform float gamma;        // of the scene's colours
 uniform float pixelsOfBlur; // diameter per unit of vergence
-uniform vec3 peakingColour; // among the scene's colours
+uniform vec3 peakingColour; // in the scene's colour space
 uniform vec3 limits[3];     // w of the near limit, the plane of sharp focus, the far limit
-uniform vec3 tints[3];      // of these, among the scene's colours
-uniform vec3 gridX[3], gridY[3]; // chief ray (middle, right, up) along the plane's own directions
+uniform vec3 tints[3];      // their colours, in the scene's colour space
+uniform vec3 gridX[3], gridY[3]; // chief ray (centre, right, up) along the plane's own directions
 uniform vec3 empty;         // colour where there is no picture yet
 out vec4 result;
 

@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The camera from the side, true to scale: film, lens, plane of sharp focus, the limits of sharpness, the hinge line,
-/// and the line where film, lens and plane meet. What is seen is the section through the lens along the axis and
-/// across the hinge line; for a lens that is not turned, the upright section.
+/// The side view, true to scale: film, lens, plane of sharp focus, depth of field, the hinge line, and the line where film, lens and plane
+/// meet.
+/// It is the section through the lens along the axis and across the hinge line; for a lens that is not turned, the vertical section.
 
 import { along, dot, length, unit } from "./vector.js";
 import { axisFocusOf, planeOfBlur } from "./lens.js";
@@ -19,7 +19,7 @@ function shape(name, attributes, text) {
     return made;
 }
 
-/// Unit vector across the axis in which the plane of sharp focus leans; up where it does not.
+/// Unit vector across the axis in which the plane of sharp focus leans; up if it does not.
 function leaning(lens) {
     const across = along(lens.focus, -dot(lens.focus, lens.axis), lens.axis);
     if (length(across) < 1e-9 * length(lens.focus))
@@ -28,8 +28,7 @@ function leaning(lens) {
     return dot(up, lens.axisUp) < -1e-9 ? [-up[0], -up[1], -up[2]] : up;
 }
 
-/// The window that shows what matters: from behind the film to beyond the focus, with the meeting lines where they
-/// are not too far.
+/// The visible range: from behind the film to beyond the focus, with the lines of intersection unless too far.
 function windowOf(lens, up, meeting, hinge, surfaces) {
     const focus = axisFocusOf(lens), reach = focus > 0 && Number.isFinite(focus) ? focus : 1 / length(lens.focus);
     const far = Math.max(1.5 * reach, ...surfaces.map(p => Math.min(p[0], 3 * reach)));
@@ -43,8 +42,7 @@ function windowOf(lens, up, meeting, hinge, surfaces) {
 }
 
 /// Draws into an svg element.
-/// @param surfaces  points of the scene near this section: [distance along the axis, distance along `up`], from
-///                  surfaceSection
+/// @param surfaces  points of the scene near this section: [distance along the axis, distance along `up`], from surfaceSection
 export function drawSide(svg, lens, surfaces) {
     const up = leaning(lens), k = [dot(lens.focus, lens.axis), dot(lens.focus, up)];
     const t = [dot(lens.normal, lens.axis), dot(lens.normal, up)], s = lens.filmDistance;
@@ -63,7 +61,7 @@ export function drawSide(svg, lens, surfaces) {
         const [[x1, y1], [x2, y2]] = [at(a), at(b)];
         svg.append(shape("line", { class: kind, x1, y1, x2, y2 }));
     };
-    // a line a x + b y = c of the section, as far as it lies before the film
+    // the part before the film of a line a x + b y = c in the section
     const endless = (kind, [a, b], c) => {
         const n = Math.hypot(a, b), p = [a * c / (n * n), b * c / (n * n)], d = [-b / n, a / n];
         line(kind, [p[0] - size * d[0], p[1] - size * d[1]], [p[0] + size * d[0], p[1] + size * d[1]]);
@@ -109,7 +107,7 @@ export function drawSide(svg, lens, surfaces) {
 /// @param depthAt  (x, y) of the film -> 1/distance, or NaN
 export function surfaceSection(lens, depthAt) {
     const up = leaning(lens), found = [], far = dot(lens.direction, lens.axis);
-    // the section's line in the picture: chief rays without a part across it
+    // the section's line in the picture: chief rays without a component across it
     const aside = unit([lens.axis[1] * up[2] - lens.axis[2] * up[1], lens.axis[2] * up[0] - lens.axis[0] * up[2], lens.axis[0] * up[1] - lens.axis[1] * up[0]]);
     const r = dot(lens.right, aside), u = dot(lens.up, aside), d = dot(lens.direction, aside);
     for (let i = 0; i < 400; i++) {

@@ -1,8 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The picture as something to click: points that can be picked and dragged, by mouse, finger or keys, and the wipe
-/// between the live picture and the true one.
+/// The clickable picture: points that can be picked and dragged by mouse, finger or keys, and the wipe between the live picture and the
+/// true
+/// one.
 
 import { project } from "./lens.js";
 
@@ -11,13 +12,13 @@ const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
 
 const clamp = x => Math.min(0.5, Math.max(-0.5, x));
 
-/// @param on  { pointAt(x, y) -> world point or null, done(), nothing() there is no surface,
-///              entered() the keyboard has come to the picture or has left it }
+/// @param on  { pointAt(x, y) -> world point or null, done(), nothing(): there is no surface, entered(): the picture has gained or lost
+///             the keyboard focus }
 export function buildStage(model, on) {
     const picture = document.getElementById("picture"), points = document.getElementById("points");
     const cross = document.getElementById("cross"), truth = document.getElementById("truth"), wipe = document.getElementById("wipe");
     const wipeLine = document.getElementById("wipe-line");
-    const at = [0, 0]; // of the cross
+    const at = [0, 0]; // of the crosshair
 
     const filmOf = event => {
         const box = picture.getBoundingClientRect();
@@ -106,10 +107,10 @@ export function buildStage(model, on) {
     wipe.oninput = showWipe;
 
     return {
-        /// Whether keys move the cross.
+        /// True if keys move the crosshair.
         byKeys: () => !cross.hidden,
 
-        /// Puts the points where the lens sees them.
+        /// Moves the points to their projections.
         show() {
             while (points.children.length > model.picks.length)
                 points.lastChild.remove();
@@ -123,7 +124,7 @@ export function buildStage(model, on) {
                 place(made, [x, y]);
             });
         },
-        /// Shows the true picture beside the live one, or hides it.
+        /// Shows or hides the true picture beside the live one.
         showTruth(shown) {
             truth.hidden = wipe.hidden = wipeLine.hidden = !shown;
             showWipe();

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens as text for the scene: its form, copying it, writing it into the scene's file.
+/// The lens as text for the scene: choosing its form, copying it, writing it into the scene's file.
 
 import { FORMS, change, copyText, describe } from "./block.js";
 
@@ -53,7 +53,7 @@ export function buildText(find, model, kept, ask) {
 
     return {
         show,
-        /// What has become of the scene's file. @returns whether it was changed from here
+        /// Takes the result of a change of the scene's file. @returns true if this page changed it
         take(message) {
             said.textContent = (message.state.endsWith("tried") ? `${copied} ` : "") + WORDS[message.state](message);
             const changed = message.state === "written" || message.state === "undone";

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The true picture: asks the program for it, shows it as it grows, over the live one.
+/// The true picture: requests it and shows it as it grows, over the live one.
 
 import { describe } from "./block.js";
 import { WORLD } from "./place.js";
@@ -25,14 +25,14 @@ export function buildTruth(find, stage, model, previewSize, ask) {
     const canvas = find("truth"), said = find("true-said");
     let number = 0, waiting = [], last = null, other = false;
 
-    /// The present lens as the program is asked for it.
+    /// The current lens as a request to the program.
     const wanted = () => {
         const { location, right, up, unshifted } = model.lens, { block, items } = describe(model, "plane", WORLD);
         return { camera: { location, direction: unshifted, right, up }, block, items };
     };
     const keyOf = ({ camera: { location, direction, right, up }, block }) => JSON.stringify([location, direction, right, up, block]);
 
-    /// What is known of the picture; one of another lens is dimmed.
+    /// Shows the picture; dims one of another lens.
     const show = () => {
         if (!last)
             return;
@@ -51,7 +51,7 @@ export function buildTruth(find, stage, model, previewSize, ask) {
     find("render").onclick = () => {
         const width = Number(find("width").value), size = previewSize();
         last = null;
-        said.textContent = READING;  // at once: what was said of the picture before holds no more
+        said.textContent = READING;  // at once: messages about the previous picture no longer hold
         ask({
             do: "render", size: [width, Math.max(2, Math.round(width * size[1] / size[0]))], quality: Number(find("quality").value),
             ...wanted(),
