@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One point of an area light for each ray gives the soft shadows of all its points, for fewer shadow rays."""
+"""One point of an area light per ray gives the soft shadows of the whole grid with fewer shadow rays."""
 
 import re
 
@@ -35,7 +35,7 @@ class AreaLight(rendering.RenderTest):
         for name, area in LIGHTS.items():
             with self.subTest(name):
                 world = light(area) + FLOOR + THINGS
-                # a lens too small to blur: only the light's points differ from a pinhole's picture
+                # the lens is too small to blur, so that only the light's points differ from a pinhole's picture
                 lens = rendering.render(scenes.camera("", 1e-6, samples) + world, **SIZE)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world, "+A0.0", "+AM1", "+R7", "-J", **SIZE)
                 hard = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + light("x*3, z*3, 1, 1") + FLOOR + THINGS,

@@ -12,12 +12,12 @@ from tests.render import rendering, scenes
 SIZE = {"width": 6000, "height": 3000}
 BAND = ("+SR1000", "+ER1003", "+WT1")
 CHANNELS = 7  # depth, position, blur, samples, standard error
-WHOLE = CHANNELS * 4 * SIZE["width"] * SIZE["height"]  # bytes that the layers of the whole picture would take
+WHOLE = CHANNELS * 4 * SIZE["width"] * SIZE["height"]  # bytes of the whole picture's layers
 SCENE = scenes.camera("tilt 3", samples="blur_samples 1, 1 variance 0 ") + scenes.WORLD
 
 
 def memory(*options):
-    """The largest memory of POV-Ray, in bytes."""
+    """Peak memory of POV-Ray, in bytes."""
     job = rendering.Job(SCENE, (*BAND, *options), **SIZE)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         process = job.start(pathlib.Path(name))
@@ -32,7 +32,7 @@ def memory(*options):
 
 class BandMemory(unittest.TestCase):
     def test_layers_of_a_band(self):
-        """What the layers add is far below what those of the whole picture take; buffers of the file's writer are some rows."""
+        """The layers' memory is far below that of the whole picture's; the file writer's buffers hold some rows."""
         added = memory("+N") - memory()
         self.assertLess(added, WHOLE / 8, f"{added / 1e6:.0f} MB more with +N")
 

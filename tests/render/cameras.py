@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Declared and transformed cameras, and scenes that are moved, turned and scaled as a whole."""
+"""Declared and transformed cameras, and scenes that are transformed as a whole."""
 
 from tests.render import rendering, scenes
 
@@ -20,7 +20,7 @@ TURN = "rotate <10, 30, -5> translate <1, -2, 3> "
 
 
 def camera_of(name, tail="", samples=SAMPLES):
-    """A camera with one of LENSES, which may be followed by transformations."""
+    """A camera with one of LENSES, optionally followed by transformations."""
     physical = "focal_length" in LENSES[name]
     view = NO_ANGLE if physical else scenes.VIEW
     aperture = "" if physical else "aperture 0.3 "
@@ -33,8 +33,9 @@ def declared(camera, tail=""):
 
 
 def moved_world(tail):
-    """Objects, transformed together. They glow: POV-Ray's shadows and reflections have tolerances in
-    scene units, which would show in a world of another scale."""
+    """Objects, transformed together. They glow, because POV-Ray's shadows and reflections have absolute tolerances, which would show at
+    another
+    scale."""
     return ("#default { finish { ambient 1 diffuse 0 } }\nunion {\n"
             "  plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"
             "  sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } }\n"
@@ -50,7 +51,7 @@ class Declared(rendering.RenderTest):
                 self.assert_same(rendering.render(declared(camera_of(name)) + scenes.WORLD, **SIZE), plain, name)
 
     def test_block_behind_the_identifier(self):
-        """It takes the place of the declared one, whose camera does not change."""
+        """It replaces the declared camera's block, and leaves the declared camera unchanged."""
         view = camera_of("plane").split("tilt_lens")[0]
         for name in ("lens turned", "focus turned", "points"):
             for before in ("", "tilt_lens { tilt -7 blades 3 }"):
@@ -71,14 +72,14 @@ class Declared(rendering.RenderTest):
                     self.assert_same(behind, inside, f"{name}, {kind}")
 
     def test_identifier_is_not_changed(self):
-        """A transformation behind an identifier does not change the declared camera."""
+        """A transformation behind an identifier leaves the declared camera unchanged."""
         both = (f"#declare Cam = {camera_of('points')}#declare Other = camera {{ Cam translate 5*x scale 3 }}\n"
                 f"camera {{ Cam }}\n")
         self.assert_same(rendering.render(both + scenes.WORLD), rendering.render(camera_of("points") + scenes.WORLD))
 
 
 class Together(rendering.RenderTest):
-    """Camera and world transformed alike: the same picture, but for rounding on the edges of objects."""
+    """Camera and world transformed alike: the same picture up to rounding at edges."""
 
     stills = {}
 
@@ -108,11 +109,11 @@ class Together(rendering.RenderTest):
         self.check("translate <30000, 0, -20000>", names=("lens turned", "points"))
 
     def test_mirrored(self):
-        """The picture of the mirrored world in the mirrored camera."""
+        """The mirrored world in the mirrored camera."""
         self.check("scale <-1, 1, 1>", names=("lens turned", "focus turned", "plane", "points"))
 
     def test_camera_written_out(self):
-        """The moved camera with its numbers written out, without a transformation."""
+        """The moved camera written out without a transformation."""
         tail = "translate <1, 2, 3>"
         out = ("camera { location <1.4, 3.5, -1> look_at <1, 2.5, 3.5> angle 45 aperture 0.3 " + SAMPLES +
                "tilt_lens { focal_points <1, 2, 3>, <2, 2.2, 3>, <1, 2.5, 6> } }\n")
@@ -122,7 +123,7 @@ class Together(rendering.RenderTest):
 
 class Alpha(rendering.RenderTest):
     def test_coverage(self):
-        """A bright disc out of focus over nothing: opaque inside, clear outside, between on the rim."""
+        """A bright disc out of focus before an empty background: opaque inside, clear outside, partial at the rim."""
         scene = scenes.camera("tilt 3", samples="blur_samples 256 variance 0 ",
                               view="location -4*z focal_point 0 angle 45 ") + """
             sphere { <0, 0, 2>, 1.2 pigment { rgb <1, 0.5, 0.25> } finish { ambient 1 diffuse 0 } } background { rgbt <9, 9, 9, 1> }"""
@@ -133,7 +134,7 @@ class Alpha(rendering.RenderTest):
         self.assertEqual((alpha[0], alpha[24 * 64 + 32]), (0.0, 1.0), told)
         self.assertTrue(all(0.0 <= a <= 1.0 for a in alpha), told)
         self.assertGreater(sum(0.05 < a < 0.95 for a in alpha), 30, told)
-        # a halo would be light of the background where coverage is partial
+        # background light in partly covered pixels would make a halo
         for a, r, b in zip(alpha, red, blue):
             self.assertLess(abs(r - a), 0.01, f"red {r}, coverage {a}\n{told}")
             self.assertLess(abs(b - 0.25 * a), 0.01, f"blue {b}, coverage {a}\n{told}")

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What a lens does otherwise than an ideal one, as the program renders it: vignetting, distortion, field curvature, colour
-fringes. The numbers of a picture are compared with the laws in docs/manual.md."""
+"""Aberrations of a lens as rendered: vignetting, distortion, field curvature, colour fringes, against the laws in docs/manual.md."""
 
 import math
 import pathlib
@@ -26,7 +25,7 @@ def camera(items, aperture=0.5, samples=SAMPLES):
 
 
 def place(x, y):
-    """A pixel's middle in half widths of the film, from the middle: right, up."""
+    """A pixel's centre in half widths of the film, from the picture's centre: right, up."""
     return 2 * (x + 0.5) / WIDTH - 1, (HEIGHT - 2 * (y + 0.5)) / WIDTH
 
 
@@ -41,7 +40,7 @@ def layers_of(scene):
 
 
 def middle_of(picture, channel):
-    """Where the light of a channel has its middle, as place()."""
+    """Centroid of a channel's light, as place()."""
     weights = [(place(x, y), picture.pixel(x, y)[channel]) for y in range(HEIGHT) for x in range(WIDTH)]
     light = sum(weight for _, weight in weights)
     return [sum(at[axis] * weight for at, weight in weights) / light for axis in (0, 1)]
@@ -63,17 +62,17 @@ class Vignetting(rendering.RenderTest):
         picture = rendering.render(camera("optical_vignetting 0.5") + EVEN, **SIZE)
         corner = math.hypot(1, 0.75)
         for x, y in ((0, 0), (63, 47), (63, 20), (31, 23)):
-            half = 0.5 * math.hypot(*place(x, y)) / corner  # of the distance of two unit circles
+            half = 0.5 * math.hypot(*place(x, y)) / corner  # half the distance of two unit circles
             shared = 2 / math.pi * (math.acos(half) - half * math.sqrt(1 - half * half))
-            # focused at 10 units the rim's shadow is a little larger than the aperture
+            # focused at 10 units, the rim's shadow is a little larger than the aperture
             self.assertAlmostEqual(picture.pixel(x, y)[0] / 0.5, shared, delta=0.04)
-        # even light has no noise: opposite pixels are the same
+        # uniform light has no noise: opposite pixels are equal
         for x, y in ((0, 0), (5, 40)):
             self.assertAlmostEqual(picture.pixel(x, y)[0], picture.pixel(WIDTH - 1 - x, HEIGHT - 1 - y)[0], delta=0.002)
 
 
 class Distortion(rendering.RenderTest):
-    def test_layers_have_what_the_picture_shows(self):
+    def test_layers_match_the_picture(self):
         at = layers_of(camera("distortion 0.1, -0.02 shift <3, 2>") + "plane { z, 20 pigment { rgb 1 } }\n")
         for x, y in ((0, 0), (63, 20), (40, 47)):
             shown = place(x, y)
@@ -86,7 +85,7 @@ class Distortion(rendering.RenderTest):
             self.assertAlmostEqual(values["depth.Z"], 20, places=4)
 
     def test_near(self):
-        """What is focused on at the distance D in units of 100 mm takes K1 + NEAR f/D."""
+        """At the focus distance D in units of 100 mm the coefficient is K1 + NEAR f/D."""
         film = 18 / HALF  # mm from the lens
         for distance in (10, 1.5):
             view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
@@ -101,7 +100,7 @@ class Distortion(rendering.RenderTest):
                 self.assertAlmostEqual(values["position.Y"], 20 * HALF * own[1] * factor, places=4)
 
     def test_a_light_is_where_its_layers_say(self):
-        """A small light in focus, which samples are sent at."""
+        """A small light in focus, found by emitter sampling."""
         for k1, shift in ((0.1, (0, 0)), (-0.05, (3 / 18, 2 / 18))):
             picture = rendering.render(camera(f"distortion {k1} shift <{18 * shift[0]}, {18 * shift[1]}>") + "sphere { <2.2, -1.4, 10>, 0.1 pigment { rgb 1 } finish { emission 20 } }\n", **SIZE)
             own = [at + by for at, by in zip(middle_of(picture, 0), shift)]
@@ -118,13 +117,13 @@ class Distortion(rendering.RenderTest):
 
 class FieldCurvature(rendering.RenderTest):
     def test_layers_have_the_blur(self):
-        # the plane of sharp focus is at 10; at half a film's width the film sees 1/Z that is greater by sag/s^2
+        # the plane of sharp focus is at 10; at half a film's width 1/Z is greater by sag/s^2
         at = layers_of(camera("field_curvature 0.3") + "plane { z, 10 pigment { rgb 1 } }\n")
         s = 18 / HALF  # mm
         for x, y in ((0, 23), (63, 24), (31, 23), (31, 0)):
             square = sum(value**2 for value in place(x, y))
-            vergence = -0.3 * square / s**2 * 100  # of the surface, less that in focus; 1/units
-            blur = 0.25 * vergence * WIDTH / (2 * HALF)  # the lens is half as wide as `aperture`
+            vergence = -0.3 * square / s**2 * 100  # vergence of the surface minus that in focus; 1/units
+            blur = 0.25 * vergence * WIDTH / (2 * HALF)  # the lens diameter is half of `aperture`
             self.assertAlmostEqual(at(x, y)["blur"], blur, delta=1e-3 * abs(blur) + 1e-5)
 
 
@@ -138,7 +137,7 @@ class Colours(rendering.RenderTest):
         picture = rendering.render(
             camera("lateral_colour 1.8", samples="blur_samples 256, 256 variance 0 ") + "sphere { <3.2, 0, 10>, 0.15 pigment { rgb 1 } finish { emission 10 } }\n", **SIZE)
         red, green, blue = (middle_of(picture, channel)[0] for channel in range(3))
-        # the middles of the outer thirds are 2/3 of the way to the spectrum's ends
+        # the centres of the outer thirds are 2/3 of the way to the spectrum's ends
         self.assertAlmostEqual(red / green - 1, 2 / 3 * 0.05, delta=0.008)
         self.assertAlmostEqual(1 - blue / green, 2 / 3 * 0.05, delta=0.008)
 
@@ -148,13 +147,13 @@ class Sampling(rendering.RenderTest):
         scene = scenes.camera("scene_unit 100 " + BENT) + scenes.WORLD
         self.assert_same_in_parts(scene, first=9, last=40, **SIZE)
 
-    def test_off_is_as_without(self):
+    def test_zero_equals_absence(self):
         without = rendering.render(scenes.camera("tilt 4") + scenes.WORLD, **SIZE)
         off = "edge_light 0 natural_vignetting 0 optical_vignetting 0 distortion 0 field_curvature 0 lateral_colour 0 axial_colour 0"
         self.assert_same(rendering.render(scenes.camera("tilt 4 " + off) + scenes.WORLD, **SIZE), without, "off")
 
     def test_focus_aids(self):
-        """One ray a pixel through the same points as the layers have."""
+        """One ray per pixel through the layers' points."""
         world = "plane { z, 10 pigment { rgb 1 } finish { emission 1 diffuse 0 } }\n"
         flat = rendering.render(camera("focus_peaking rgb <1, 0, 0>") + world, **SIZE)
         bent = rendering.render(camera("focus_peaking rgb <1, 0, 0> field_curvature 2") + world, **SIZE)

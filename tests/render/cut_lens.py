@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A lens that a surface cuts in two: half of it sees the scene through water or glass. The first samples of nearly all pixels fill both
-halves evenly; those of a pixel that do not must not stay as they are."""
+"""A lens cut in two by a surface: half of it sees the scene through water or glass. The first samples of nearly all pixels fill both halves
+evenly; the remaining pixels must be sampled further."""
 
 from tests.render import rendering
 
@@ -23,7 +23,7 @@ SURFACES = {
 
 
 def stand_out(picture, width, height):
-    """Pixels inside the picture whose green is below 0.7 of the least of the eight around, or above 1.4 of the greatest."""
+    """Inner pixels whose green is below 0.7 of the minimum of their eight neighbours, or above 1.4 of the maximum."""
     green = picture.channel("G")
     found = []
     for y in range(2, height - 2):

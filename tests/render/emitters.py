@@ -1,17 +1,17 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small lamps far brighter than white are found, and keep the requested variance, sharp or far out of focus."""
+"""Small lamps far brighter than white are found, and reach the requested variance, both sharp and far out of focus."""
 
 from tests.render import rendering, scenes
 
 GLOW = "pigment { rgb <1, 0.8, 0.5> } finish { ambient 0 diffuse 0 emission 30 }"
-# a map is not looked into, so that nothing is known of these lamps beforehand
+# texture maps are ignored, so that these lamps are not known as emitters
 UNKNOWN = f"texture {{ gradient x texture_map {{ [0 {GLOW}] [1 {GLOW}] }} }}"
 SIZE = {"width": 40, "height": 30}
 
 
 def lamps(glow):
-    """Rows of lamps from in front of the plane of focus to far behind it, each kind of object, one of them hidden."""
+    """Rows of lamps from before the plane of focus to far behind it, each kind of object, one of them hidden."""
     return f"""
 #for (I, 0, 5)
   #for (J, -3, 3)
@@ -33,7 +33,7 @@ def scene(samples, glow=GLOW, lens="focus_tilt 20 scene_unit 100"):
 
 
 def clipped_error(picture, truth):
-    """Mean square error per channel as shown, and the share of pixels off by more than 2 sqrt(1e-4)."""
+    """Mean square error per channel as displayed, and the share of pixels off by more than 2 sqrt(1e-4)."""
     channels = len(picture.names)
     errors = [(min(1.0, a) - min(1.0, b)) ** 2 for a, b in zip(picture.values, truth.values)]
     pixels = [max(errors[i:i + channels]) for i in range(0, len(errors), channels)]
@@ -49,7 +49,7 @@ class Emitters(rendering.RenderTest):
                 error, beyond = clipped_error(rendering.render(scene(asked, lens=lens), **SIZE), truth)
                 self.assertLess(error, 1.2e-4, f"{lens}: MSE {error:g}")
                 self.assertLess(beyond, 0.05, f"{lens}: {beyond:.1%}")
-                # shows that the scene is one where it can fail: lamps that are not known of are missed
+                # shows that the test can fail: lamps not known as emitters are missed
                 error, _ = clipped_error(rendering.render(scene(asked, UNKNOWN, lens), **SIZE), truth)
                 self.assertGreater(error, 1.2e-4, f"{lens}: the lamps are too easy to find")
 

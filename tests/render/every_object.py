@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The hierarchies of scenes with tilt_lens (scene_hierarchy.h) against POV-Ray's way without any (-MB): every type of object,
-random scenes, sizes from 1e-9 to 1e12, rays along axes and on the faces of boxes, surfaces at equal depth.
+"""The hierarchies of scenes with tilt_lens (scene_hierarchy.h) against POV-Ray without bounding (-MB): every type of object, random scenes,
+sizes from 1e-9 to 1e12, rays along axes and on faces of boxes, surfaces at equal depth.
 
-A pinhole camera with an empty tilt_lens block has the rays of the same camera without it, which render as with the official
-program (label stock). Its own hierarchy (+MB) is no measure: it misses some rays that run along the faces of boxes."""
+A pinhole camera with an empty tilt_lens block has the rays of the same camera without it, which renders as the official program (label
+stock). Stock's own hierarchy (+MB) is no reference, because it misses some rays along faces of boxes."""
 
 import random
 
@@ -74,7 +74,7 @@ OBJECTS = {
     "light_group": "light_group { light_source { <3, 3, -3>, 0.7 } sphere { 0, 0.8 } global_lights on }",
 }
 
-# placements that turn, squeeze and move
+# placements that rotate, squeeze and move
 PLACES = ["rotate <20, 35, 10> translate <-1.6, 0, 0.4>", "rotate <0, 80, -30> scale <0.8, 1.2, 0.7> translate <0.3, -0.1, 2.1>",
           "rotate -50*x scale 0.5 translate <1.7, 0.2, -0.7>", "scale 0.3 rotate 77 translate <0.4, -0.8, -1.3>"]
 
@@ -131,7 +131,7 @@ class EveryObject(rendering.RenderTest):
                                              f"union {{ {world} scale {size} translate <0.2, 0.1, {2.1*size:.17g}> }}\n", f"{size:g}")
 
     def test_along_axes(self):
-        """Rays along one axis or in a plane of two, some exactly on the faces of boxes, on edges and through corners."""
+        """Rays along one axis or in a plane of two, some exactly on faces, edges and corners of boxes."""
         def axes(block, direction, up):
             return (f"camera {{ location -4*{direction} direction {direction} right 4*vcross({up}, {direction}) up 3*{up} "
                     f"{'tilt_lens { }' if block else ''} }}\n")
@@ -143,7 +143,7 @@ class EveryObject(rendering.RenderTest):
                                              lambda block, d=direction, u=up: axes(block, d, u))
 
     def test_camera_inside(self):
-        """Rays that begin in, on and at the edge of boxes."""
+        """Rays that start in, on and at the edge of boxes."""
         for place in ("<0, 0, 0>", "<-0.5, 0.2, 0>", "<0.5, 0.5, 0.5>", "<0.5, 0.5, 0>", "<0.25, 0, -0.5>"):
             def inside(block, place=place):
                 return (f"camera {{ location {place} look_at {place} + <0.4, 0.1, 1> angle 90 "
@@ -154,7 +154,7 @@ class EveryObject(rendering.RenderTest):
                                              placed(OBJECTS["mesh2"]), place, inside)
 
     def test_degenerate(self):
-        """Boxes without thickness, without size, all in one place, and more than a node can tell apart."""
+        """Boxes without thickness, without size, coincident, and more than one node can separate."""
         world = ("".join(f"disc {{ <{0.3*i - 1.5}, 0, {i}>, {'xyz'[i % 3]}, 0.7 pigment {{ rgb <0.{i}, 0.5, 0.7> }} }}\n" for i in range(9)) +
                  "".join(f"sphere {{ 0, {0.5 + 0.001*i} pigment {{ rgbt <1, {i/40:g}, 0.3, 0.9> }} }}\n" for i in range(40)) +
                  "triangle { <-1, -1, 3>, <1, -1, 3>, <0, 1, 3> pigment { rgb <0.9, 0.9, 0.2> } }\n"
@@ -162,7 +162,7 @@ class EveryObject(rendering.RenderTest):
         self.assert_as_without_boxes(LIGHTS + FLOOR + world, "degenerate")
 
     def test_equal_depth(self):
-        """Of surfaces in one place that of the object is shown which the scene names first."""
+        """Among coincident surfaces, that of the object named first in the scene is visible."""
         for count in (3, 40):
             boxes = [f"box {{ -1, 1 pigment {{ rgb <{i % 3/2}, {i/count:.3f}, {1 - i/count:.3f}> }} finish {{ ambient 1 diffuse 0 }} }}\n"
                      for i in range(count)]

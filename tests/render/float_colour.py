@@ -9,7 +9,7 @@ import tempfile
 
 from tests.render import rendering, scenes
 
-# four squares: a value beyond half's range, one below it, one with more digits than half has, and white
+# four squares: values above and below half's range, one with more digits than half has, and white
 CAMERA = "camera { orthographic location -z look_at 0 right 4*x up y }\n"
 VALUES = (123456.75, 1e-9, 0.7071067690849304, 1.0)
 SQUARES = CAMERA + "".join(f"box {{ <{i - 2}, -1, 0>, <{i - 1}, 1, 1> pigment {{ rgb {v} }} finish {{ ambient 0 emission 1 diffuse 0 }} }}\n"
@@ -18,7 +18,7 @@ SIZE = {"width": 8, "height": 2}
 
 
 def picture(scene, *options, **how):
-    """The picture of an EXR of that kind, and its channels' kinds by exrheader."""
+    """The EXR picture, and its channels' types by exrheader."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         job = rendering.Job(scene, options, extension="exr", **how)
         job.run(pathlib.Path(name))
@@ -42,7 +42,7 @@ class FloatColour(rendering.RenderTest):
             self.assertNotAlmostEqual(seen.pixel(0, 0)[0], VALUES[0], delta=1.0)
 
     def test_same_picture_as_half(self):
-        """The same colours, alpha and gamma as with 16 bits, except for the precision."""
+        """The colours, alpha and gamma of 16 bits, up to precision."""
         for options in ((), ("+UA",), ("File_Gamma=2.2",)):
             scene = scenes.TILTED.replace("background { rgb <0.3, 0.5, 0.8> }", "")
             many, few = picture(scene, "+FE32", *options)[0], picture(scene, *options)[0]

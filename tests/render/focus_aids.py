@@ -24,13 +24,13 @@ def picture(aid, *options, lens=LENS, world=scenes.WORLD, **how):
 
 
 def pinhole(world=scenes.WORLD, lens=LENS, **how):
-    """The same frame through a pinhole, by the program itself."""
+    """The same frame through a pinhole."""
     return rendering.render(f"camera {{ {scenes.VIEW} tilt_lens {{ {lens} }} }}\n" + world, **{**SIZE, **how})
 
 
 def wall(distance, aid, width=64, height=48):
-    """A black wall parallel to the film, at a distance of 10 in focus; its blur by hand: |1/Z - 1/10| times
-    diameter times film distance in pixels, which is 0.5 * 1 * 64 here."""
+    """A black wall parallel to the film, focus at 10. Its blur is |1/Z - 1/10| times diameter times film distance in pixels, here 0.5 * 1 *
+    64."""
     scene = (f"camera {{ location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z tilt_lens {{ {aid} }} }}\n"
              f"plane {{ z, {distance} pigment {{ rgb 0 }} }}\n")
     return rendering.render(scene, width=width, height=height), 32 * (1 / distance - 1 / 10)
@@ -66,7 +66,7 @@ class Repeatable(rendering.RenderTest):
 
 class Peaking(rendering.RenderTest):
     def count_tinted(self, drawn, plain):
-        """Pixels that are tinted; all others must be those of the plain picture."""
+        """Counts tinted pixels; all others must equal the plain picture's."""
         tinted = 0
         for i in range(plain.width * plain.height):
             x, y = i % plain.width, i // plain.width
@@ -78,7 +78,7 @@ class Peaking(rendering.RenderTest):
             tinted += 1
         return tinted
 
-    def test_tints_what_is_sharp_and_nothing_else(self):
+    def test_tints_exactly_the_sharp_pixels(self):
         sharp = picture(PEAKING)
         tinted = self.count_tinted(sharp, pinhole())
         self.assertTrue(300 < tinted < 9000, f"{tinted} pixels are tinted\n{sharp.told}")
@@ -89,7 +89,7 @@ class Peaking(rendering.RenderTest):
         self.assertGreater(tinted, 300)
 
     def test_the_pixels_of_blur(self):
-        """A wall blurred over 1.05 pixels: with a limit of 1 and of 1.1; from both sides."""
+        """A wall with a blur of 1.05 pixels, with a limit of 1 and of 1.1, from both sides."""
         for distance in (7.53, 14.9):
             for limit, tint in (("", 0.0), (", 1", 0.0), (", 1.1", 0.5), (", 0.9", 0.0)):
                 with self.subTest(distance=distance, limit=limit):
@@ -129,7 +129,7 @@ class Map(rendering.RenderTest):
         self.assertGreater(min(seen.pixel(5, 5)), 0.9, seen.told)
 
     def test_colour_is_that_of_its_scale(self):
-        """The colour of a wall stands in the scale's bar at the place that its number has there."""
+        """The colour of a wall is in the scale's bar at the position of its blur."""
         for distance, name in ((7.0, "before"), (16.0, "behind")):
             with self.subTest(distance=distance):
                 seen, blur = wall(distance, "focus_map", 640, 480)
@@ -142,7 +142,7 @@ class Map(rendering.RenderTest):
                 bar, shown = seen.pixel(column, row), seen.pixel(30, 30)
                 self.assertLess(max(abs(a - b) for a, b in zip(bar, shown)), 0.02, f"{name}: {blur} pixels\n{seen.told}")
 
-    def test_nothing_met_is_blurred_as_at_infinity(self):
+    def test_background_is_blurred_as_at_infinity(self):
         empty = rendering.render("camera { location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z "
                                  "tilt_lens { focus_map } }\nsphere { -9*z, 1 }\n")
         far, _ = wall(1e6, "focus_map")
@@ -159,7 +159,7 @@ class Map(rendering.RenderTest):
 
 class Planes(rendering.RenderTest):
     def test_hidden_behind_what_is_nearer(self):
-        """Where the scene is nearer than all three surfaces, the picture is that of a pinhole; elsewhere it differs."""
+        """Where the scene is nearer than all three surfaces, the picture is a pinhole's; elsewhere it differs."""
         lens = "tilt 0 "
         near = "sphere { <0.4, 1.5, -4> + 0.6*(<0, 0.5, 0.5> - <0.4, 1.5, -4>), 0.3 pigment { rgb 0.6 } }\n"
         seen, plain = (picture("show_planes", lens=lens, world=scenes.WORLD + near), pinhole(scenes.WORLD + near, lens))
@@ -169,7 +169,7 @@ class Planes(rendering.RenderTest):
         self.assertNotEqual(seen.pixel(*behind), plain.pixel(*behind), seen.told)
 
     def test_each_surface_at_its_depth(self):
-        """A black wall moved through the three surfaces: each covers it when it has passed."""
+        """A black wall moved through the three surfaces: each covers it once passed."""
         tints = []
         for distance in (6.0, 9.0, 10.9, 12.0, 50.0):  # limits of one pixel: 7.62 and 14.5
             seen, blur = wall(distance, "show_planes")
@@ -182,7 +182,7 @@ class Planes(rendering.RenderTest):
         self.assertGreater(fourth[2] - fourth[0], third[2] - third[0] + 0.02, "then the far limit: blue")
 
     def test_wedge_meets_in_the_hinge(self):
-        """Seen from a tilted lens, no surface shows above the hinge's horizon and all three below it."""
+        """From a tilted lens, no surface is visible above the hinge's horizon, and all three below it."""
         scene = ("camera { location 0 direction z right x up 0.75*y aperture 1 focal_point <0, 0, 10> "
                  "tilt_lens { focus_tilt 80 show_planes } }\n"
                  "sphere { -9*z, 1 }\nbackground { rgb 0 }\n")

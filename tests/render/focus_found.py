@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What focus_on and focus_at find is what the picture shows sharp; sample_seed changes the noise and nothing else."""
+"""Points found by focus_on and focus_at are sharp in the picture; sample_seed changes only the noise."""
 
 from tests.render import rendering, scenes
 from tests.render.layers import Rendered
@@ -18,7 +18,7 @@ def camera(items, before="", samples=SAMPLES):
 
 class Found(rendering.RenderTest):
     def blur_at(self, text, x, y):
-        """Blur of what the picture shows at a place from 0 to 1, pixels."""
+        """Blur in pixels at a place from 0 to 1."""
         return Rendered(text + scenes.WORLD, width=160, height=120).at("blur", int(160 * x), int(120 * (1 - y)))
 
     def test_a_place_is_sharp(self):
@@ -28,7 +28,7 @@ class Found(rendering.RenderTest):
                     self.assertLess(abs(self.blur_at(camera(f"{items}focus_at <{x}, {y}>"), x, y)), 0.5)
 
     def test_an_object_is_focused_as_by_its_point(self):
-        """The ball's point on the way from the lens to its middle."""
+        """The ball's point on the line from the lens to its centre."""
         way = [0.4 - 0.3, 1.5 - 0.6, -4.0]
         length = sum(w * w for w in way) ** 0.5
         point = [m + 0.6 * w / length for m, w in zip((0.3, 0.6, 0.0), way)]

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lenses of glass, as the program renders them: even light, vignetting, sharpness with tilt and shift, layers, and the lenses of
-scenes/include/lenses. The picture against a tracer of its own is in tests/paper/glass_picture.py."""
+"""Lenses of glass as rendered: uniform light, vignetting, sharpness with tilt and shift, layers, and the lenses of scenes/include/lenses.
+tests/paper/glass_picture.py compares the picture with an independent tracer."""
 
 import csv
 import math
@@ -40,13 +40,13 @@ def said(scene):
 
 
 class EvenLight(rendering.RenderTest):
-    def test_without_vignetting_it_stays_even(self):
-        """Stopped down no rim cuts: every pixel has the background's colour, without noise."""
+    def test_uniform_without_vignetting(self):
+        """Stopped down no rim vignettes: every pixel has the background's colour, without noise."""
         for items in ("f_stop 11", "f_stop 8 tilt 1", "f_stop 16 blades 5, 20 blade_curvature 0.5", "f_stop 16 squeeze 2 tilt 2 swing 1"):
             picture = render(camera(GAUSS + items) + EVEN)
             self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
 
-    def test_wide_open_the_rims_darken_it_without_noise(self):
+    def test_rims_vignette_without_noise(self):
         picture = render(camera(GAUSS) + EVEN)
         level = lambda x, y: picture.pixel(x, y)[0] / 0.5
         self.assertAlmostEqual(level(WIDTH // 2, HEIGHT // 2), 1, delta=0.01)
@@ -55,7 +55,7 @@ class EvenLight(rendering.RenderTest):
             for y in range(HEIGHT // 2):
                 for other in ((WIDTH - 1 - x, y), (x, HEIGHT - 1 - y)):
                     self.assertAlmostEqual(level(x, y), level(*other), delta=0.003, msg=picture.told)
-                # from the corner to the middle it only grows, in steps that are small
+                # monotonous from the corner to the centre, in small steps
                 self.assertGreater(level(x + 1, y), level(x, y) - 0.002)
                 self.assertLess(level(x + 1, y) - level(x, y), 0.06)
 
@@ -73,7 +73,7 @@ class EvenLight(rendering.RenderTest):
 
 class Focus(rendering.RenderTest):
     def test_as_the_ideal_lens_of_its_numbers(self):
-        """Tilted, swung and shifted, a lens whose pupils lie near its principal points looks as an ideal one of its numbers."""
+        """Tilted, swung and shifted, a lens whose pupils lie near its principal points looks like an ideal lens of its numbers."""
         turned = "tilt 3 swing -2 shift <2, 1> f_stop 4 "
         samples = "blur_samples 64, 256 variance 1e-5 "
         world = WORLD + "plane { y, -0.7 pigment { checker rgb <1, 0.5, 0.2> rgb 0.1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
@@ -84,7 +84,7 @@ class Focus(rendering.RenderTest):
         self.assert_different(glass, moved, 0.2)
 
     def test_its_stop_blurs(self):
-        """Wide open what is out of focus is blurred, stopped down it is not."""
+        """Objects out of focus are blurred wide open, but not stopped down."""
         near = "plane { z, 3 pigment { checker rgb 0.2 rgb 1 scale 0.12 } finish { emission 1 diffuse 0 } }\n"
         spread = lambda items: (lambda row: max(row) - min(row))(render(camera(GAUSS + items) + near).channel("R")[WIDTH * 16 + 16:WIDTH * 16 + 32])
         self.assertGreater(spread("f_stop 64"), 0.7)
@@ -92,8 +92,8 @@ class Focus(rendering.RenderTest):
 
 
 class Layers(rendering.RenderTest):
-    def test_they_are_where_the_picture_shows_things(self):
-        """A small light at the place that the layers of a pixel have is seen in that pixel."""
+    def test_positions_match_the_picture(self):
+        """A small light at a pixel's position in the layers appears in that pixel."""
         items = GAUSS + "f_stop 11 tilt 2 shift <1, -1>"
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
@@ -145,8 +145,8 @@ class Dispersion(rendering.RenderTest):
     PLANAR = 'prescription "lenses/zeiss_planar_50.dat" dispersion on '
     SINGLET = "100 4 1.5168 30 64.17\n-100 30 1 30\n0 0 0 4\n"
 
-    def test_an_even_surface_stays_even(self):
-        """White stays white: no noise, and no colour where the rims cut, either."""
+    def test_uniform_surface_stays_uniform(self):
+        """White stays white: no noise and no colour, even where the rims vignette."""
         picture = render(camera(self.PLANAR + "f_stop 11") + EVEN)
         self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
         wide = render(camera(self.PLANAR) + EVEN)
@@ -162,7 +162,7 @@ class Dispersion(rendering.RenderTest):
             self.assertAlmostEqual(a, b, delta=0.01)
 
     def test_colours_focus_where_their_closed_form_says(self):
-        """The disc that a point makes is as wide as the film is off its image, for each colour."""
+        """For each colour, the disc of a point is as wide as the film's distance from the image implies."""
         film, radius = 0.5, 0.001  # mm, width of the film; units, of the point at 10
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "singlet.dat").write_text(self.SINGLET)
@@ -181,7 +181,7 @@ class Dispersion(rendering.RenderTest):
 
     @staticmethod
     def disc(wavelength):
-        """Radius in mm: of a thick lens whose index has the dispersion of Abbe's number, with the stop 30 mm behind it."""
+        """Radius in mm: of a thick lens with dispersion by the Abbe number, with the stop 30 mm behind it."""
         index = 1.5168 + 0.5168 / 64.17 * (wavelength ** -2 - 587.6 ** -2) / (486.1 ** -2 - 656.3 ** -2)
         focal = lambda n: 1 / ((n - 1) * (2 / 100 - (n - 1) * 4 / (n * 100 * 100)))
         image = lambda n: 1 / (1 / focal(n) - 1 / 10000)
@@ -202,12 +202,12 @@ class Files(rendering.RenderTest):
                 scene = camera(f'prescription "lenses/{row["file"]}", 60 f_stop 4.2 tilt 1') + WORLD
                 picture, text = rendering.render_and_listen(scene, f"+L{INCLUDE}", **SIZE)
                 self.assert_finite(picture)
-                # 60 mm are for infinity; where groups of the glass have moved, it is another one
+                # 60 mm hold for infinity; moved groups change it
                 moves = '"object-distance"' in (LENSES / row["file"]).read_text(encoding="utf-8")
                 focal = float(re.search(r"Focal length\.+(\S+) mm", text)[1])
                 self.assertAlmostEqual(focal, 60, delta=6 if moves else 0.001)
                 self.assertEqual("Inner focus" in text, moves)
-                # the checks of the wall are sharp in the middle
+                # the wall's checks are sharp in the centre
                 self.assertGreater(max(picture.channel("R")) - min(picture.channel("R")), 0.7)
                 if row["file"] != "tronnier_gauss_50.dat":  # whose source has no Abbe numbers
                     scene = scene.replace("tilt 1", "tilt 1 dispersion on")

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pixels do not depend on what was traced before them: random scenes in which whatever a thread keeps from one ray
-for the next makes a difference, by threads, tiles and bands."""
+"""Pixels do not depend on rays traced before: random scenes in which every per-thread cache would show, by threads, tiles and bands."""
 
 import random
 
@@ -9,7 +8,7 @@ from tests.render import rendering, scenes
 
 SIZE = {"width": 40, "height": 30}
 CAMERA = scenes.camera("tilt 3 swing -2", samples="blur_samples 4, 16 variance 1/2000 ")
-# the second and third begin tiles elsewhere, and shoot photons on several threads
+# the second and third start tiles elsewhere and shoot photons on several threads
 OTHER_WAYS = (("+WT2",), ("+WT4", "+BS8"), ("+WT1", "+BS5", "+RP3"))
 
 
@@ -33,7 +32,7 @@ def texture(chance):
 
 
 def thing(chance):
-    """An object that touches or overlaps others: centres lie on a coarse grid, sizes are multiples of its step."""
+    """An object that touches or overlaps others: centres on a coarse grid, sizes multiples of its step."""
     at = [chance.randrange(-4, 5) * 0.4, chance.randrange(0, 4) * 0.4, chance.randrange(-2, 6) * 0.4]
     place = "<{:.1f}, {:.1f}, {:.1f}>".format(*at)
     surface, clear = texture(chance)
@@ -49,7 +48,7 @@ def thing(chance):
 
 
 def light(chance):
-    """A light, of an area or not, for all or for a group of its own."""
+    """A point or area light, for all objects or for a group."""
     kind = chance.choice(["", "area_light 2*x, 2*y, 4, 4 adaptive 1", "area_light 2*x, 2*z, 3, 5 jitter", "shadowless",
                           "spotlight point_at 0 radius 20 falloff 35"])
     return f"light_source {{ <{chance.randrange(-6, 7)}, {chance.randrange(4, 9)}, {chance.randrange(-8, 0)}>, rgb 0.5 {kind} }}\n"
@@ -85,7 +84,7 @@ class History(rendering.RenderTest):
                 self.check_band(scene(seed), whole, 11, 20)
 
     def test_photons(self):
-        """Two lights, three targets: threads take the pairs as they are free."""
+        """Two lights, three targets: free threads take the pairs in any order."""
         targets = "".join(f"sphere {{ <{x}, 0.3, {x}>, 0.35 pigment {{ rgbf <1, 0.9, 0.8, 0.9> }} interior {{ ior 1.5 }} "
                           "photons { target refraction on reflection on collect off } }\n" for x in (-0.9, 0, 0.9))
         lights = "".join(f"light_source {{ <{x}, 6, -2>, rgb 0.7 photons {{ refraction on reflection on }} }}\n" for x in (-3, 3))

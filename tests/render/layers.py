@@ -24,7 +24,7 @@ TURNED = scenes.camera("tilt 4 swing 2 shift <3, -2> scene_unit 100", tail="rota
 
 
 class Rendered:
-    """A picture with its layers, and what was said."""
+    """A picture with its layers and the messages."""
 
     def __init__(self, scene, *options, **how):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -37,15 +37,13 @@ class Rendered:
             self.files = sorted(path.name for path in folder.iterdir())
 
     def at(self, name, x, y):
-        """One number."""
         return self.layers.pixel(x, y)[self.layers.names.index(name)]
 
     def pixels(self):
-        """Columns and rows."""
         return [(x, y) for y in range(self.layers.height) for x in range(self.layers.width)]
 
     def position(self, x, y):
-        """The point that was met."""
+        """The point hit."""
         return [self.at(f"position.{axis}", x, y) for axis in "XYZ"]
 
     def attribute(self, name):
@@ -99,8 +97,7 @@ class Numbers(rendering.RenderTest):
         self.assert_same(self.turned.picture, rendering.render(TURNED, **SIZE), "with and without layers")
 
     def test_positions_project_to_their_pixels(self):
-        """The matrix worldToNDC takes each position to the middle of its pixel: checks positions, matrix,
-        shift and transformations at once."""
+        """The matrix worldToNDC maps each position to its pixel's centre: checks positions, matrix, shift and transformations at once."""
         m = self.turned.attribute("worldToNDC")
         hits = 0
         for x, y in self.turned.pixels():
@@ -134,8 +131,7 @@ class Numbers(rendering.RenderTest):
                 self.assertAlmostEqual(seen.at("blur", x, y), blur, delta=1e-5 + 1e-5 * abs(blur))
 
     def test_blur_of_a_tilted_lens_by_its_plane(self):
-        """Blur is proportional to the distance from the plane of sharp focus over the depth: 0 on the plane,
-        positive before it."""
+        """Blur is proportional to the distance from the plane of sharp focus over the depth: 0 on the plane, positive before it."""
         normal, d = self.turned.attribute("tiltLens:focusNormal"), self.turned.attribute("tiltLens:focusDistance")[0]
         m = self.turned.attribute("worldToCamera")
         location = [-sum(m[12 + j] * m[4 * i + j] for j in range(3)) for i in range(3)]
@@ -216,7 +212,7 @@ class Cameras(rendering.RenderTest):
         self.assertEqual(sorted(seen.layers.names), sorted(LENS))
         self.assertGreater(len(set(seen.layers.channel("blur"))), 100)
 
-    def test_stock_cameras_have_what_is_known(self):
+    def test_stock_cameras_have_their_layers(self):
         for name, camera, options in (("pinhole", scenes.VIEW, ()), ("focal blur", scenes.VIEW + "aperture 0.3 blur_samples 9", ()),
                                       ("anti-aliasing 1", scenes.VIEW, ("+A0.1",)), ("anti-aliasing 2", scenes.VIEW, ("+A0.1", "+AM2")),
                                       ("preview", scenes.VIEW, ("+SP8",)), ("sheared", scenes.VIEW + SHEARED, ())):
@@ -267,7 +263,7 @@ class Files(rendering.RenderTest):
         self.assertEqual([float(t) for t in tilts], [0.0, 2.0, 4.0])
 
     def refused(self, *options, prepare=None):
-        """The program's messages when it refuses; there are no layers and no picture."""
+        """The program's messages when it refuses; neither layers nor picture exist."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "out").mkdir()
@@ -297,7 +293,7 @@ class Files(rendering.RenderTest):
         self.assertIn("Cannot write the layers 'out/picture.layers.exr' (Is a directory)", said)
 
     def test_continued_where_it_could_not_be_written(self):
-        """The state file is kept, and what is in it need not be rendered again."""
+        """The state file is kept, and its tiles need not be rendered again."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "picture.layers.exr").mkdir()
@@ -312,7 +308,7 @@ class Files(rendering.RenderTest):
             self.assert_same(job.result(folder), whole.picture, "picture")
             self.assertEqual(list(folder.glob("*.pov-state")), [])
 
-    def test_links_lead_nowhere(self):
+    def test_symbolic_links_are_replaced(self):
         """A symbolic link of the file's name is replaced, not followed, as for the picture."""
         for exists in (True, False):
             with self.subTest(exists=exists), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -335,7 +331,7 @@ class Interrupted(rendering.RenderTest):
     HOW = {"width": 96, "height": 72}
 
     def stop(self, folder, signal_, *options):
-        """Stops a render when part of it is on the disk."""
+        """Stops a render after a part of it is on the disk."""
         if "+N" in options:
             (folder / "picture.layers.exr").write_text("of an older render")
         rendering.Job(self.SLOW, ("+WT1", "+BS8", *options), **self.HOW).stop(folder, signal_, 30000)

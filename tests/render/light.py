@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Constant surroundings stay constant; radiosity, photons and media render; nothing is NaN."""
+"""Constant surroundings stay constant; radiosity, photons and media render; no pixel is NaN."""
 
 from tests.render import rendering, scenes
 
@@ -29,7 +29,7 @@ class Furnace(rendering.RenderTest):
                 self.check(scenes.camera("tilt 5", 0.5, tail=f"bokeh {{ pigment {{ {pigment} }} }}"))
 
     def test_inside_a_glowing_ball(self):
-        """As the background, but with a surface all around."""
+        """Like the background, but with a surface all around."""
         scene = scenes.camera("tilt 10 swing 5") + (
             "sphere { 0, 100 hollow pigment { rgb 1 } finish { ambient 0.5 diffuse 0 } }\n")
         picture = rendering.render(scene, **SIZE)
@@ -37,7 +37,7 @@ class Furnace(rendering.RenderTest):
 
 
 class Renders(rendering.RenderTest):
-    """With a small lens, pictures are close to those of a pinhole: no light is lost."""
+    """With a small lens, pictures are close to a pinhole's: no light is lost."""
 
     WORLDS = {
         "radiosity": "global_settings { radiosity { count 30 pretrace_start 0.1 pretrace_end 0.05 } }\n",
@@ -59,7 +59,7 @@ class Renders(rendering.RenderTest):
                 self.assert_finite(lens)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world + scenes.WORLD, "+WT1", "+A0.0", "+R4",
                                            **SIZE)
-                # on either side of an edge the two programs' anti-aliasing differs
+                # the two programs' anti-aliasing differs at edges
                 limit = 0.4 if name == "lens half in glass" else 0.05
                 self.assert_near(lens, pinhole, limit, name)
 
@@ -73,7 +73,7 @@ class Renders(rendering.RenderTest):
         self.assert_near(lens, stock, 0.06, "normal")
 
     def test_samples_of_a_camera_with_a_normal_stay_in_their_pixel(self):
-        """Filters take a sample for the pixels of its circle of confusion, which a normal moves elsewhere."""
+        """Filters use a sample in the pixels of its circle of confusion, which a normal would displace."""
         def render(denoise, tail):
             camera = scenes.camera(f"denoise {denoise}", 0.6, "blur_samples 1 ", tail=tail)
             return rendering.render(camera + scenes.WORLD, **SIZE)

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps seen in flat mirrors and through flat panes are blurred as at the end of the whole path of their light. With one sample a
-pixel the picture is made of the circles of confusion alone."""
+"""Lamps seen in flat mirrors and through flat panes are blurred as at the end of their light's path. With one sample per pixel the picture
+consists of circles of confusion alone."""
 
 from tests.render import rendering
 
@@ -15,7 +15,7 @@ BALL = "sphere { <0, 0, 18>, 10 pigment { rgbt 1 } }\n"
 
 
 GLOW = "pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 }"
-LAMP = f"texture {{ gradient y texture_map {{ [0 {GLOW}] [1 {GLOW}] }} }}"     # no finish of the object announces it
+LAMP = f"texture {{ gradient y texture_map {{ [0 {GLOW}] [1 {GLOW}] }} }}"     # in a texture map, so that it is not known as an emitter
 
 
 def lamps(z):
@@ -27,13 +27,13 @@ def picture(scene):
 
 
 class LightPath(rendering.RenderTest):
-    def test_a_flat_mirror_keeps_the_blur_of_what_is_seen_in_it(self):
+    def test_flat_mirror_keeps_the_blur_of_reflected_objects(self):
         self.assert_near(picture(MIRROR + lamps(-14)), picture(lamps(30)), 1e-5)
 
-    def test_a_flat_pane_keeps_the_blur_of_what_is_behind_it(self):
+    def test_flat_pane_keeps_the_blur_of_objects_behind_it(self):
         self.assert_near(picture(PANE + lamps(30)), picture(lamps(30)), 1e-5)
 
-    def test_behind_a_curved_surface_the_circle_is_that_of_the_surface(self):
+    def test_curved_surface_has_its_own_circle_of_confusion(self):
         self.assert_different(picture(BALL + lamps(30)), picture(lamps(30)), 1e-3)
 
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file message_order_test.cpp
-/// The console prints messages in the order in which they were sent, however fast they follow one another.
+/// The console prints messages in the order in which they were sent, even within one millisecond.
 
 #include <string>
 #include <vector>
@@ -37,7 +37,7 @@ class StandingClock : public vfePlatform::vfeUnixSession
 
 using Texts = std::vector<std::string>;
 
-TEST(MessageOrder, AWarningFollowsItsPlaceAndTheProgressFollowsBoth)
+TEST(MessageOrder, WarningFollowsItsPlaceAndProgressFollowsBoth)
 {
     StandingClock session;
     session.Text("File: scene.pov  Line: 2");

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The numbers of the lens in the message streams: their order, and how to switch them off."""
+"""The lens report in the message streams: its order, and options to switch it off."""
 
 import pathlib
 import re
@@ -53,7 +53,7 @@ class Report(rendering.RenderTest):
             self.assertIn(word, statistics)
 
     def test_film(self):
-        """Size, shift and angle of view: those of the camera."""
+        """Size, shift and angle of view are the camera's."""
         said = rendering.render_and_listen(FILM + scenes.WORLD)[1]
         self.assertRegex(said, r"Film\.+24 by 18.045 mm, shift <3, -2> mm\n +angle of view\.+45 by 34.6 degrees\n")
 
@@ -70,7 +70,7 @@ class Report(rendering.RenderTest):
         said = rendering.render_and_listen(scenes.camera("") + scenes.WORLD)[1]
         self.assertNotRegex(said, r"(?<![\w.])-0(?![\d.])")
 
-    def test_stock_scenes_hear_nothing(self):
+    def test_stock_scenes_have_no_report(self):
         said = rendering.render_and_listen(STOCK)[1]
         self.assertNotRegex(said, re.compile("tilt[ _]lens", re.IGNORECASE))
 

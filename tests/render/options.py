@@ -13,7 +13,7 @@ STOCK = "camera { location -4*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } fini
 
 
 def run(scene, *options):
-    """Exit code and what POV-Ray said, in a folder of its own; a second run of it would find nothing left behind."""
+    """Exit code and POV-Ray's messages, in a folder of its own, so that runs do not affect each other."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         code, said = rendering.Job(scene, options).attempt(pathlib.Path(name))
         return code, said, sorted(path.name for path in pathlib.Path(name).iterdir())
@@ -58,7 +58,7 @@ class Refused(rendering.RenderTest):
         self.check(("+KFI5", "+KFF2"), "Initial_Frame=5 (+KFI) and Final_Frame=2 (+KFF): the last frame lies before the first.")
 
     def test_words(self):
-        """The word, and what is allowed in its place."""
+        """The message has the word and the allowed values."""
         for word, said in (
                 ("Width=abc", "'Width=abc': Width takes a whole number."),
                 ("Antialias_Threshold=x", "'Antialias_Threshold=x': Antialias_Threshold takes a number."),
@@ -87,7 +87,7 @@ class Refused(rendering.RenderTest):
 
 
 class Allowed(rendering.RenderTest):
-    """Their neighbours are rendered."""
+    """The nearest allowed values are rendered."""
 
     def test_limits(self):
         for options in (("+SC64", "+EC64"), ("+SC0.99", "+EC1"), ("+SR48", "+ER48"), ("+SC0", "+EC0.02"), ("+WT1",)):
@@ -97,11 +97,11 @@ class Allowed(rendering.RenderTest):
 
 
 class Quiet(rendering.RenderTest):
-    """What is as it should be is neither told nor waited for."""
+    """Correct settings cause neither messages nor waiting."""
 
     def test_no_settings_of_the_user(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name, unittest.mock.patch.dict(os.environ, {"HOME": name}):
-            for home in (name, f"{name}/none.ini"):  # a folder without settings; what is no folder
+            for home in (name, f"{name}/none.ini"):  # a folder without settings, and a name that is no folder
                 with unittest.mock.patch.dict(os.environ, {"HOME": home}):
                     code, said, _ = run(STOCK)
                     self.assertEqual(code, 0, said)

@@ -17,13 +17,13 @@ HEADER = 512
 
 
 def run(folder, scene, *options, **size):
-    """Exit code, and what POV-Ray said as one line."""
+    """Exit code, and POV-Ray's messages as one line."""
     code, said = rendering.Job(scene, ("+WT1", "+BS8", *options), **{**SIZE, **size}).attempt(folder)
     return code, " ".join(said.split())
 
 
 def messages(data):
-    """Where each message of a state file begins, and where the last one ends."""
+    """Offsets of the messages of a state file, and its end."""
     at = [HEADER]
     while at[-1] < len(data):
         at.append(at[-1] + 20 + struct.unpack(">i", data[at[-1] + 12:at[-1] + 16])[0])
@@ -41,7 +41,7 @@ class OtherState(rendering.RenderTest):
 
     def begin(self, scene, *options, **size):
         """A state file with some tiles of a picture, as an interrupted render leaves it."""
-        # the picture cannot be written where its name is that of a folder in use, and the state file is kept
+        # the picture cannot be written over a folder, so the state file is kept
         self.picture.mkdir()
         (self.picture / "used").touch()
         code, said = run(self.folder, scene, *options, **size)
@@ -52,7 +52,7 @@ class OtherState(rendering.RenderTest):
         self.state.write_bytes(data[:ends[len(ends) // 2]])
 
     def refused(self, scene, *options, reason, **size):
-        """An error with the reason and the way out; the state file stays as it was."""
+        """An error with reason and remedy; the state file is unchanged."""
         before = self.state.read_bytes()
         code, said = run(self.folder, scene, "+C", *options, **size)
         self.assertEqual(code, 1, said)
@@ -63,7 +63,7 @@ class OtherState(rendering.RenderTest):
         self.assertFalse(self.picture.exists(), said)
 
     def continued(self, scene, *options, **size):
-        """Renders on; the pixels are those of a whole render."""
+        """Continues; the pixels are those of an uninterrupted render."""
         code, said = run(self.folder, scene, "+C", *options, **size)
         self.assertEqual(code, 0, said)
         found = rendering.read_picture(self.picture, "continued\n")

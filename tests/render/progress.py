@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Progress while a picture with adaptive samples is rendered, and the summary at its end."""
+"""Progress during a picture with adaptive samples, and the summary at its end."""
 
 import pathlib
 import re
@@ -9,7 +9,7 @@ import tempfile
 
 from tests.render import rendering, scenes
 
-# An even sky above, which takes the fewest samples, and a floor below that takes hundreds.
+# a uniform sky above, with the fewest samples, and a floor below with hundreds
 HALVES = ("camera { location y look_at <0, 1, 1> right 4/3*x angle 60 aperture 0.5 focal_point <0, 1, 9> "
           "blur_samples 8, 256 variance 1/20000 tilt_lens {} }\n"
           "plane { y, 0 pigment { checker rgb 0 rgb 1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
@@ -19,13 +19,13 @@ MESSAGE = re.compile(r"Rendered (\d+) of (\d+) pixels \((\d+)% of the work\)")
 
 
 def shown(said):
-    """(pixels, percentage) of each message of progress, in order."""
+    """(pixels, percentage) of each progress message, in order."""
     return [(int(done), int(percent)) for done, _, percent in MESSAGE.findall(said)]
 
 
 class Progress(rendering.RenderTest):
     def test_counts_the_work(self):
-        """Sky first: half of the pixels are a small part of the work, and the percentage is accordingly small."""
+        """Sky first: half of the pixels are a small part of the work, and so is the percentage."""
         said = rendering.render_and_listen(HALVES, "+WT1", "+BS16", "+V", **SIZE)[1]
         messages = shown(said)
         self.assertGreater(len(messages), 20, said)
@@ -43,7 +43,7 @@ class Progress(rendering.RenderTest):
                 self.assertEqual(percentages[-1], 100, said)
 
     def test_other_way_round(self):
-        """The floor first: most of the work is done at half of the pixels."""
+        """Floor first: at half of the pixels most of the work is done."""
         said = rendering.render_and_listen(HALVES.replace("right 4/3*x", "right 4/3*x sky -y"), "+WT1", "+BS16", "+V", **SIZE)[1]
         half = [percent for pixels, percent in shown(said) if pixels == 128 * 96 // 2]
         self.assertGreater(half[0], 88, said)

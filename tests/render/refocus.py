@@ -39,7 +39,7 @@ class Refocus(unittest.TestCase):
 
     @classmethod
     def render(cls, name, *words):
-        """Renders with layers; returns what povray said."""
+        """Renders with layers; returns POV-Ray's messages."""
         command = [SETTINGS.povray, "s.pov", "+W160", "+H120", "+FE", "+N", "-D", f"+O{name}.exr", *words]
         return subprocess.run(command, cwd=cls.folder, capture_output=True, text=True, check=True, errors="replace").stderr
 
@@ -71,10 +71,10 @@ class Refocus(unittest.TestCase):
         said = self.refocus("--at", "107", "98", "--f-stop", "1.4")
         found = re.search(r"plane \{ <(\S+), (\S+), (\S+)>, (\S+) \}, f/1.4", said)
         x, y, z, distance = map(float, found.groups())
-        # the orange sphere's centre is a radius away at most
+        # the orange sphere's centre is at most a radius away
         self.assertLess(abs(distance - (0.5 * x + 0.6 * y - 2 * z)), 0.6, said)
 
-    def test_what_was_blurred_is_told(self):
+    def test_blurred_input_causes_a_warning(self):
         command = [SETTINGS.refocus, "near.exr", "near.layers.exr", "out.exr", "--f-stop", "16"]
         done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=True)
         self.assertRegex(done.stderr, r"refocus: [0-9.]+% of the pixels should be sharper")

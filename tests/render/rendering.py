@@ -56,8 +56,8 @@ class Picture:
 
 
 class Reader:
-    """A process of the comparison tool that reads all pictures of a test: its start takes longer than many a picture. Threads
-    share it: a question and its answer belong together."""
+    """A process of the comparison tool that reads all pictures of a test, because its start takes longer than many a picture. A lock keeps
+    each thread's question and answer together."""
 
     def __init__(self):
         self.lock = threading.Lock()
@@ -81,14 +81,14 @@ READER = Reader()
 
 
 def read_pixels(path):
-    """Width, height, kind of values and names of the channels, and the values as stored, through the witnesses' comparison tool."""
+    """Width, height, type of values and names of the channels, and the values as stored."""
     head, data = READER.ask(path)
     width, height, _, form, *names = head.decode().split()
     return int(width), int(height), form, names, data
 
 
 def read_picture(path, told):
-    """Decodes a picture whose channels are all of one kind."""
+    """Decodes a picture whose channels are all of one type."""
     width, height, form, names, data = read_pixels(path)
     code, scale = {"uint8": ("B", 255.0), "uint16": ("H", 65535.0), "half": ("e", 1.0), "float": ("f", 1.0)}[form]
     if code == "e":
@@ -100,7 +100,7 @@ def read_picture(path, told):
 
 @dataclasses.dataclass
 class Job:
-    """A scene and how to render it."""
+    """A scene and its options."""
 
     scene: str
     options: tuple = ()
@@ -127,7 +127,7 @@ class Job:
                                 stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(folder / "none.ini")})
 
     def attempt(self, folder):
-        """Exit code and messages of POV-Ray in the folder, also where it refuses. Fails a test if it does not end."""
+        """Exit code and messages of POV-Ray in the folder, even if it refuses. Fails a test if it does not end."""
         process = self.start(folder)
         try:
             said = process.communicate(timeout=PATIENCE)[0].decode(errors="replace")
@@ -138,7 +138,7 @@ class Job:
         return process.returncode, said
 
     def stop(self, folder, number, kept):
-        """Starts POV-Ray in the folder, and ends it by a signal when its state file holds more than so many bytes."""
+        """Starts POV-Ray in the folder, and ends it by a signal when its state file holds more than `kept` bytes."""
         end = time.monotonic() + PATIENCE
         with self.start(folder) as process:
             while process.poll() is None and time.monotonic() < end:
@@ -159,12 +159,10 @@ class Job:
         return said
 
     def result(self, folder):
-        """The picture in the folder."""
         return read_picture(folder / f"picture.{self.extension}", self.told())
 
 
 def render(scene, *options, **how):
-    """The picture of a scene."""
     return render_and_listen(scene, *options, **how)[0]
 
 
@@ -202,7 +200,7 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
     def assert_same_in_parts(self, scene, *options, first, last, **size):
-        """The same pixels by one thread and by several, in other tiles, and where only some rows are rendered.
+        """The same pixels by one thread and by several, in other tiles, and in a render of some rows only.
         @param first, last  of these rows, from 1
         @return the whole picture"""
         whole = render(scene, "+WT1", *options, **size)

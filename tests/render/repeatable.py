@@ -58,10 +58,10 @@ class SubImages(rendering.RenderTest):
         cls.whole = rendering.render(scenes.TILTED, "+WT2", **SIZE)
 
     def check(self, left, top, right, bottom, *options):
-        """Columns left to right, rows top to bottom, counted from 1 as POV-Ray does."""
+        """Columns left to right, rows top to bottom, from 1 as in POV-Ray."""
         part = rendering.render(scenes.TILTED, f"+SC{left}", f"+EC{right}", f"+SR{top}", f"+ER{bottom}", *options,
                                 **SIZE)
-        # POV-Ray writes a file of the whole picture's size; what was not asked for is black in it
+        # POV-Ray writes a file of the whole picture's size, black outside the rendered part
         place = (left - 1, top - 1, right, bottom)
         self.assert_same(part.crop(*place), self.whole.crop(*place), "sub-image")
 
@@ -83,7 +83,7 @@ class SubImages(rendering.RenderTest):
 
 
 class OneSample(rendering.RenderTest):
-    """With one ray a pixel, which is shown over all pixels of its circle of confusion."""
+    """With one ray per pixel, spread over its circle of confusion."""
 
     SCENE = scenes.camera(samples="blur_samples 1 ") + scenes.WORLD
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Work that a scene does not need is skipped, and the summary counts it."""
+"""Unnecessary work is skipped, and the summary counts it."""
 
 import re
 
@@ -16,7 +16,7 @@ GLASS = "sphere { SPHERE pigment { rgbt 1 } interior { ior 1.3 } }\n"
 
 
 def numbers(line, said):
-    """The numbers of a line of the summary; None if it is not there."""
+    """The numbers of a line of the summary; None without the line."""
     found = re.search(rf"^  {line}\.+(.*)$", said, re.M)
     return [int(number) for number in re.findall(r"\d+", found.group(1))] if found else None
 
@@ -33,14 +33,14 @@ class Skipped(rendering.RenderTest):
         self.assertLess(ended[0], 64 * 24)          # no more than the sky
 
     def test_first_round_is_longer_where_many_pixels_of_a_block_need_more(self):
-        """The horizon is in the first row of blocks, whose pixels of sky then take more than the minimum, too."""
+        """The horizon is in the first row of blocks, so that its pixels of sky exceed the minimum, too."""
         self.assertEqual(numbers("Ended at the minimum", said_of(FLOOR + EVEN))[0], 0)
 
     def test_minimum_is_a_power_of_two(self):
         self.assertEqual(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 256 variance 1/2000 "))[2], 16)
         self.assertIsNone(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 16 variance 0 ")))
 
-    def test_first_round_is_of_four_where_eight_bring_nothing(self):
+    def test_first_round_has_four_samples_if_eight_bring_nothing(self):
         for samples, lens, least in (("", "", 4), ("blur_samples 64 ", "", 4), ("blur_samples 2 ", "", 2), ("", "denoise off", 8),
                                      ("normal { bumps 1e-5 } ", "", 8), ("variance 0 blur_samples 8 ", "", None),
                                      ("blur_samples 16, 64 ", "", 16)):
@@ -49,7 +49,7 @@ class Skipped(rendering.RenderTest):
                 self.assertEqual(ended, least and [64 * 48, 64 * 48, least])
 
     def test_sharp_picture_takes_the_minimum_but_at_edges(self):
-        """A lens that blurs nothing: pixels within a field of the board need no more."""
+        """A lens without blur: pixels within a field of the board need no more than the minimum."""
         board = "plane { y, 0 pigment { checker rgb 1 rgb 0.2 scale 20 } finish { ambient 1 diffuse 0 } }\n"
         ended = numbers("Ended at the minimum", said_of(board + EVEN, aperture=1e-6))
         self.assertLess(ended[0], 64 * 48)
@@ -62,7 +62,7 @@ class Skipped(rendering.RenderTest):
         rebuilt = numbers("Reconstruction", said_of(ball + wall))
         self.assertGreater(rebuilt[0], 100)
         self.assertGreater(rebuilt[1], 1000)
-        # an outline before nothing is rebuilt, also that of a small thing; what lies around it has no noise and is not
+        # outlines before the empty background are rebuilt, even of a small object; the background has no noise and is not
         self.assertGreater(numbers("Reconstruction", said_of(ball + EVEN, "blur_samples 8, 16 variance 1/2000 "))[0], 100)
         small = ball.replace("0.3", "0.15")
         for samples in ("blur_samples 8, 16 variance 1/2000 ", "blur_samples 8, 4096 variance 1/200000 "):
@@ -72,7 +72,7 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, lens="denoise off")))
         self.assertIsNone(numbers("Reconstruction", said_of(FLOOR, "blur_samples 8, 16 variance 0 ")))
 
-    def test_area_light_is_asked_for_one_point(self):
+    def test_area_light_is_sampled_at_one_point(self):
         said = said_of(GRID, "blur_samples 8, 8 variance 0 ")
         asked, left_out = numbers("Area lights", said)
         self.assertEqual(left_out, asked * (7 * 5 - 1))
@@ -89,8 +89,8 @@ class Skipped(rendering.RenderTest):
         large = LAMP.replace("0.01 pigment", "1 pigment")
         self.assertIsNone(numbers("Emitter samples", said_of(large)))
 
-    def test_what_is_no_brighter_than_lit_things_is_no_emitter(self):
-        """A lamp below white is one in the light of a moon, but not in that of the sun, nor where lights are unknown."""
+    def test_emitters_are_brighter_than_lit_objects(self):
+        """A lamp below white is an emitter in moonlight, but neither in sunlight nor under unknown lights."""
         lamp = LAMP.replace("emission 50", "emission 0.9").replace("0.01 pigment", "0.04 pigment")
         moon = "light_source { <4, 6, -4>, rgb 0.02 }\n"
         self.assertEqual(numbers("Emitter samples", said_of(lamp + moon))[1], 1)
@@ -99,13 +99,13 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Emitter samples", said_of(lamp)))
         self.assertIsNone(numbers("Emitter samples", said_of("global_settings { radiosity { count 2 } }\n" + lamp + moon)))
 
-    def test_objects_away_from_the_lens_are_not_asked(self):
+    def test_objects_away_from_the_lens_are_not_tested(self):
         away = GLASS.replace("SPHERE", "<0, 0.5, 1>, 0.3") + GLASS.replace("SPHERE", "<1, 0.5, 1>, 0.3")
         self.assertEqual(numbers("Around the lens", said_of(EVEN + away)), [0, 2, 0])
         self.assertIsNone(numbers("Around the lens", said_of(EVEN)))
 
-    def test_only_objects_that_the_lens_touches_are_asked(self):
-        """Their numbers: asked, with an interior, holding the whole lens. The lens is at <0.4, 1.5, -4>, 0.075 wide."""
+    def test_only_objects_touching_the_lens_are_tested(self):
+        """Counts of objects: tested, with an interior, containing the whole lens. The lens is at <0.4, 1.5, -4>, 0.075 wide."""
         rest = "pigment { rgbt 1 } interior { ior 1.3 } "
         for solid, found in (
                 ("sphere { <0.4, 1.5, -4>, 0.5", [0, 1, 1]), ("sphere { <0.4, 1.5, -4>, 0.05", [1, 1, 0]),
@@ -118,8 +118,8 @@ class Skipped(rendering.RenderTest):
             with self.subTest(solid):
                 self.assertEqual(numbers("Around the lens", said_of(EVEN + solid + " " + rest + "}\n")), found)
 
-    def test_inside_is_inside_whether_asked_or_not(self):
-        """Fog in a solid that holds the lens: the same whether it is known to hold it or each ray asks."""
+    def test_known_and_tested_interiors_render_alike(self):
+        """Fog in a solid that contains the lens: the same whether that is known or each ray tests it."""
         fog = "hollow pigment { rgbt 1 } interior { media { absorption 0.3 } } "
         lens = scenes.camera("scene_unit 100", 0.3, "blur_samples 8, 8 ")
         known, asked, without = (

@@ -1,11 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Scenes in small and large units: whatever the unit, shadows of a picture with tilt_lens are those of the same camera without it in
-moderate units, or without it in the same unit where that is too small or too large for it."""
+"""Scenes in small and large units: shadows of a picture with tilt_lens equal those of the same camera without it in moderate units, or, in
+units too small or too large for stock, those without it in the same unit."""
 
 from tests.render import rendering
 
-# powers of two, which round nothing; stock misses near shadows at the first ones until it has found a far one of the same object
+# powers of two, which round nothing; at the first ones stock misses near shadows until it has found a far one of the same object
 SCALES = ("1/256", "1/64", "1", "1024")
 EXTREME = ("1e-4", "3e-4", "1e6")
 POST = {
@@ -44,7 +44,7 @@ class Shadows(rendering.RenderTest):
         self.check("csg", SCALES)
 
     def test_transparent(self):
-        """Its near shadows are left out, as in stock."""
+        """Its near shadows are omitted, as in stock."""
         self.check("glass", (), (*SCALES, *EXTREME))
 
 

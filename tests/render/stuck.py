@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A scene whose reading never ends, here because it waits for a pipe that nobody writes: signals end the program nevertheless."""
+"""Signals end the program while it parses a scene that never ends, here because it waits for a pipe that nobody writes."""
 
 import os
 import pathlib
@@ -18,7 +18,7 @@ PATIENCE = 100  # seconds; it takes about three
 
 class Stuck(rendering.RenderTest):
     def end(self, scene, number):
-        """Exit code and messages after the signal, sent while the scene is read."""
+        """Exit code and messages after the signal, sent during parsing."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             os.mkfifo(pathlib.Path(name) / "pipe.inc")
             process = rendering.Job(scene).start(pathlib.Path(name))

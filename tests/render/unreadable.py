@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Folders where a scene wants files: refused at once, with the name and the line. Pictures that the tests themselves cannot read."""
+"""Folders in place of a scene's files: refused at once, with the name and the line. Pictures that the tests themselves cannot read."""
 
 import concurrent.futures
 import pathlib
@@ -20,7 +20,7 @@ UNREADABLE = {
 
 class Folders(rendering.RenderTest):
     def refused(self, scene, *options):
-        """What POV-Ray says, in a folder that holds a folder; no picture may be there."""
+        """POV-Ray's messages, in a folder with a subfolder; no picture may exist."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "folder").mkdir()
@@ -46,7 +46,7 @@ class Folders(rendering.RenderTest):
 
 class Pictures(unittest.TestCase):
     def test_one_that_is_torn(self):
-        """It is told from the others, which are read before and after it."""
+        """It is distinguished from pictures read before and after it."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             job = rendering.Job(scenes.TILTED)

@@ -22,7 +22,7 @@ class Unwritable(unittest.TestCase):
         self.folder = pathlib.Path(scratch.name)
 
     def refused(self, *options, **settings):
-        """What POV-Ray says, as one line."""
+        """POV-Ray's messages, as one line."""
         job = rendering.Job(scenes.TILTED, options, width=16, height=12)
         (self.folder / "scene.pov").write_text(rendering.HEAD + job.scene)
         (self.folder / "none.ini").write_text("")

@@ -25,7 +25,6 @@ std::vector<double> Numbers(const OIIO::ImageSpec& spec, const std::string& name
     return {values, values + count};
 }
 
-/// Reads all channels of an OpenEXR file.
 Picture Read(const std::string& path, OIIO::ImageSpec& spec)
 {
     const auto file = OIIO::ImageInput::open(path);
@@ -75,7 +74,7 @@ void ReadCamera(Layers& layers, const OIIO::ImageSpec& spec, const std::string& 
         }
 }
 
-/// K of the header's plane: the median of what the pixels say.
+/// K for the header's plane: the median over the pixels.
 double BlurFactor(const Layers& layers)
 {
     std::vector<double> found;
@@ -128,7 +127,7 @@ Layers ReadLayers(const std::string& path)
     ReadCamera(layers, spec, path);
     const std::vector<double> normal = Numbers(spec, "tiltLens:focusNormal", 3, path);
     layers.focus = {{normal[0], normal[1], normal[2]}, Numbers(spec, "tiltLens:focusDistance", 1, path)[0]};
-    // OpenImageIO calls OpenEXR's attribute "aperture" so
+    // OpenImageIO's name for OpenEXR's attribute "aperture"
     layers.fStop = Numbers(spec, "FNumber", 1, path)[0];
     layers.blurFactor = 1.0;
     layers.blurFactor = BlurFactor(layers);

@@ -47,7 +47,7 @@ Plane NewPlane(const Arguments& arguments, const Layers& layers)
     return {layers.focus.normal, Dot(layers.focus.normal, layers.positions[pixel])};
 }
 
-/// Diameters of the discs that are missing to the new blur; says what cannot be done.
+/// Diameters of the discs that turn the existing blur into the new one; warns of pixels for which that is impossible.
 std::vector<float> Missing(const Layers& layers, const Plane& plane, double scale)
 {
     std::vector<float> diameters;

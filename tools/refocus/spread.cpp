@@ -25,7 +25,7 @@ Picture Spread(const Picture& picture, const std::vector<float>& diameters, cons
                     const std::size_t to = std::size_t(y) * width + x;
                     const double own = std::max(0.5, 0.5 * diameters[to]);
                     const double edge = depth[from] > depth[to] ? std::min(radius, own) : radius;
-                    // the last pixel of the disc counts in part
+                    // the disc's last pixel is partly covered
                     const double covered = std::clamp(edge + 0.5 - std::hypot(x - column, y - row), 0.0, 1.0);
                     if (covered == 0.0)
                         continue;

@@ -14,10 +14,11 @@
 namespace refocus
 {
 
-/// Each pixel's value is spread evenly over a disc. What lies behind a pixel covers it only as far as that pixel is blurred
-/// itself, so that a sharp object keeps its edge before a blurred background.
-/// @param diameters  of the discs, pixels; up to 1 a pixel stays as it is
-/// @param depth      which of two pixels lies behind; any unit, may be infinite
+/// Spreads each pixel's value evenly over a disc. A farther pixel covers a nearer one only as far as that is blurred itself, so that a
+/// sharp
+/// object keeps its edge before a blurred background.
+/// @param diameters  of the discs, pixels; up to 1 the pixel stays unchanged
+/// @param depth      decides which of two pixels is nearer; any unit, may be infinite
 Picture Spread(const Picture& picture, const std::vector<float>& diameters, const std::vector<float>& depth);
 
 } // namespace refocus
