@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs tests one after the other and prints the processor time of each: python3 -m tests.processor_times [OPTION OF CTEST...].
 
-Tests that take more than 15 s belong to the slow ones (slow_tests() in tests/CMakeLists.txt). Nothing fails here: processor
-time depends on the machine, and somewhat on what else runs.
+Tests of more than 15 s belong to the slow ones (slow_tests() in tests/CMakeLists.txt). Never fails, because processor time depends on the
+machine and on its load.
 """
 
 import json
@@ -27,7 +27,6 @@ def tests(options):
 
 
 def main():
-    """The command."""
     for name, command, environment, folder, labels in tests(sys.argv[1:]):
         before, begin = os.times(), time.monotonic()
         done = subprocess.run(command, cwd=folder, env={**os.environ, **environment}, stdin=subprocess.DEVNULL, capture_output=True,

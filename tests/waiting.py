@@ -5,19 +5,19 @@
 import time
 import unittest
 
-# Seconds until what must happen counts as not happening. Far more than anything takes: how long it takes depends on what else runs.
+# Seconds until an expected event counts as missing: far more than any takes, because the time depends on the machine's load.
 PATIENCE = 600
 
 
 class WaitingTest(unittest.TestCase):
-    """A test that can wait for something to become so."""
+    """A test that waits for conditions."""
 
     def evidence(self):
-        """What helps to see why something did not happen."""
+        """Text that helps to diagnose a missing event."""
         return ""
 
     def until(self, what, condition, seconds=PATIENCE):
-        """Waits for something to become so; returns what it became."""
+        """Waits for a condition; returns its value."""
         end = time.monotonic() + seconds
         while True:
             value = condition()

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What must not go on for ever or go by unseen: units that hang, state files that POV-Ray dies of, pictures that were
-changed later, two batches that write the same pictures; and that what failed is shown with its own log."""
+"""Limits of a batch: units that hang, state files that crash POV-Ray, pictures changed later, two batches with the same pictures; and
+failures
+shown with their own logs."""
 
 import shlex
 
@@ -10,7 +11,7 @@ from tests.batch.harness import LENS, SETTINGS, BatchTest
 from tests.waiting import PATIENCE
 
 SIZE = ("+W48", "+H40", "+WT1")
-LIMIT = 30  # seconds for what sleeps: a hundred times what a picture takes, for a busy machine
+LIMIT = 30  # seconds for a sleeping program: a hundred times a picture's time, for a busy machine
 
 
 class Limits(BatchTest):
@@ -30,8 +31,8 @@ class Limits(BatchTest):
 
 
 class StateFiles(BatchTest):
-    def test_one_that_povray_dies_of_is_dropped(self):
-        # The first try leaves a state file and is killed; whoever continues from that crashes.
+    def test_state_file_that_crashes_povray_is_dropped(self):
+        # the first try leaves a state file and is killed; a continuation of it crashes
         povray = shlex.quote(SETTINGS.povray)
         header = "POV-Ray Render State File".ljust(512, "x")
         self.stand_in(f"""case $PWD in */units/*)

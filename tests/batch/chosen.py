@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Some frames of a film, again or for the first time; where a batch stands, as JSON; a command afterwards; texts in a sweep."""
+"""Some frames of a film, again or for the first time; the status as JSON; a command afterwards; texts in a sweep."""
 
 import json
 import os
@@ -17,7 +17,7 @@ SIZE = ("+W48", "+H40", "+WT1")
 
 class Chosen(BatchTest):
     def frames(self):
-        """The frames that are there, with the times of their files."""
+        """Existing frames, with their files' times."""
         film = self.folder / "scene_film"
         return {int(path.name[5:9]): path.stat().st_mtime_ns for path in film.glob("scene*.png")}
 
@@ -47,7 +47,7 @@ class Longer(BatchTest):
     FILM = ("film", "scene.pov", *SIZE)
 
     def stays(self, *longer):
-        """Makes a film of two frames, then more; tells whether the first two stayed as they are."""
+        """Makes a film of two frames, then more; True if the first two were kept."""
         pictures = [self.folder / "scene_film" / f"scene000{n}.png" for n in (1, 2)]
         times = [path.stat().st_mtime_ns for path in pictures]
         self.assertIn("4 of 4 pictures", self.batch(*self.FILM, *longer))
@@ -63,7 +63,7 @@ class Longer(BatchTest):
         self.whole(scene, self.folder / "f.png", "+FN", *SIZE, "+KFI1", "+KFF4")
         for n in range(1, 5):
             self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
-        # the longer film is now the one that is taken up
+        # the longer film is now the stored one
         self.assertIn("4 of 4 pictures", self.batch(*self.FILM, "--frames", 4))
         self.assertIn("pictures (frames", self.refused("--frames", 3))
 

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faults on one machine: POV-Ray, a worker, GNU parallel or the whole batch is killed in mid-render;
-Ctrl-C; no room to write; a scene that fails. Afterwards the picture is that of one render."""
+"""Faults on one machine: POV-Ray, a worker, GNU parallel or the whole batch is killed in mid-render; Ctrl-C; a full disk; a failing scene.
+Afterwards the picture equals that of one render."""
 
 import os
 import resource
@@ -16,7 +16,7 @@ from tests.waiting import PATIENCE
 
 
 class Killed(BatchTest):
-    """Each test lets a slow picture of four bands begin, breaks something, and compares at the end."""
+    """Each test starts a slow picture of four bands, breaks something, and compares at the end."""
 
     def begin(self, *more):
         self.scene(LENS)
@@ -35,7 +35,7 @@ class Killed(BatchTest):
         )
 
     def logs(self):
-        """What the workers have said."""
+        """The workers' logs."""
         return "".join(path.read_text(errors="replace") for path in (self.work / "log").glob("task-*"))
 
     def test_povray_then_worker_killed(self):
@@ -71,7 +71,7 @@ class Killed(BatchTest):
         self.compare()
 
     def beside(self):
-        """What a second call says while one is at work; then the first is ended."""
+        """Messages of a second call during the first; then the first is ended."""
         process, _ = self.begin()
         said = self.batch("still", "scene.pov", "--bands", 4, *SLOW, code=1)
         process.send_signal(signal.SIGINT)
@@ -127,7 +127,7 @@ class Failing(BatchTest):
         self.assertEqual(sorted(os.listdir(self.folder / "scene_film")), ["scene0001.png", "scene0003.png"])
 
     def test_tries_are_bounded(self):
-        # A stand-in that renders, but is killed in the batch proper.
+        # a stand-in that renders, but is killed in the batch proper
         self.stand_in(
             f"case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(harness.SETTINGS.povray)} \"$@\""
         )
@@ -141,7 +141,7 @@ class Failing(BatchTest):
         words = self.words("still", scene, "--bands", 2, "--retries", 1, "+FN16", "+W160", "+H120")
 
         def little_room():
-            # 40 KB a file: the records fit, the state file of a band does not
+            # 40 KB per file: the records fit, the state file of a band does not
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000))
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Films and sweeps: each picture equals the one of a single call; the contact sheet; what the command
-line refuses."""
+"""Films and sweeps: each picture equals that of a single call; the contact sheet; refused command lines."""
 
 from tests.batch import harness
 from tests.batch.harness import LENS, BatchTest, picture

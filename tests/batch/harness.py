@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the tests of ./batch share: scenes, calls of the command, whole pictures to compare with."""
+"""Common to the tests of ./batch: scenes, calls of the command, reference pictures."""
 
 import argparse
 import contextlib
@@ -20,7 +20,7 @@ from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None)
 
-# A tilt_lens scene; Samples sets what it costs, clock moves the ball.
+# A tilt_lens scene; Samples sets its cost, clock moves the ball.
 LENS = """#version 3.7;
 global_settings { assumed_gamma 1 }
 #ifndef (Tilt) #declare Tilt = 4; #end
@@ -33,7 +33,7 @@ plane { y, -1 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
 sphere { <2*clock - 1, 0, 0>, 1 pigment { rgb <0.9, 0.4, 0.1> } finish { phong 0.6 } }
 """
 
-# Stock camera, stock anti-aliasing: exact where bands are cut between POV-Ray's blocks.
+# Stock camera, stock anti-aliasing: exact if bands are cut between POV-Ray's blocks.
 STOCK = """#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 3, -6> look_at <0, 0, 1> angle 50 right x*image_width/image_height }
@@ -42,12 +42,12 @@ plane { y, -1 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
 sphere { 0, 1 pigment { rgbt <0.9, 0.4, 0.1, 0.3> } }
 """
 
-# About two seconds of one core for each of four bands.
+# about two seconds of one core for each of four bands
 SLOW = ("+W192", "+H128", "Declare=Samples=400")
 
 
 def environment():
-    """The tests' own: no ini file, no POVINI, of whoever runs them."""
+    """The tests' own environment, without the user's ini files and POVINI."""
     env = {
         name: value
         for name, value in os.environ.items()
@@ -57,7 +57,7 @@ def environment():
 
 
 def held_to_permissions():
-    """Words before a command that hold even root to the permissions of files and folders."""
+    """Command prefix that subjects even root to the permissions of files and folders."""
     if os.getuid() != 0:
         return []
     powers = "-dac_override,-dac_read_search"
@@ -65,7 +65,7 @@ def held_to_permissions():
 
 
 def processes(text):
-    """Numbers of running processes whose command line or current folder holds the text."""
+    """Numbers of running processes whose command line or current folder contains the text."""
     found = []
     for name in filter(str.isdigit, os.listdir("/proc")):
         with contextlib.suppress(OSError):
@@ -82,7 +82,7 @@ def processes(text):
 
 
 def picture(path):
-    """Size, kind of values and hash of the decoded pixels."""
+    """Size, type of values and hash of the decoded pixels."""
     done = subprocess.run(
         ["oiiotool", "--info", "--hash", str(path)],
         capture_output=True,
@@ -98,7 +98,7 @@ def picture(path):
 
 
 class BatchTest(WaitingTest):
-    """A test in a folder of its own, whose name holds a space and a quotation mark."""
+    """A test in a folder of its own, whose name contains a space and a quotation mark."""
 
     longMessage = True
 
@@ -110,7 +110,6 @@ class BatchTest(WaitingTest):
         self.program = SETTINGS.povray
 
     def scene(self, text, name="scene.pov"):
-        """Writes a scene."""
         path = self.folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
@@ -121,7 +120,7 @@ class BatchTest(WaitingTest):
         return [str(ROOT / "batch"), *map(str, words), "--povray", str(self.program)]
 
     def stand_in(self, script):
-        """Takes a program that does what the script says, with the files of the one under test around it."""
+        """Installs a script as the program under test, with that program's files around it."""
         prefix = self.folder / "stand-in"
         (prefix / "bin").mkdir(parents=True)
         for folder in ("etc", "share"):
@@ -131,7 +130,7 @@ class BatchTest(WaitingTest):
         self.program.chmod(0o755)
 
     def batch(self, *words, code=0, before=()):
-        """Calls ./batch; returns what it said."""
+        """Calls ./batch; returns its output."""
         done = subprocess.run(
             [*before, *self.words(*words)],
             cwd=self.folder,
@@ -163,13 +162,13 @@ class BatchTest(WaitingTest):
         return process
 
     def end(self, process):
-        """Ends what a failed test has left."""
+        """Cleans up after a failed test."""
         if process.poll() is None:
             process.send_signal(signal.SIGKILL)
             process.wait()
 
     def said(self):
-        """What the started call has said."""
+        """The started call's output."""
         return (self.folder / "said").read_text(errors="replace")
 
     def evidence(self):
@@ -196,7 +195,7 @@ class BatchTest(WaitingTest):
         return found
 
     def whole(self, scene, target, *words):
-        """Renders a picture by one call of the program, as the witness."""
+        """Renders the reference picture by one call of the program."""
         folder = target.parent / "whole"
         folder.mkdir(exist_ok=True)
         shutil.copy(scene, folder / "scene.pov")
@@ -208,7 +207,7 @@ class BatchTest(WaitingTest):
         return folder / target.name
 
     def assert_same(self, path, whole):
-        """The same size, kind of values, and pixels; and not an empty picture."""
+        """The same size, type of values and pixels, and not an empty picture."""
         self.assertEqual(picture(path), picture(whole), str(path))
         self.assertGreater(self.spread(whole), 0.05, "an empty picture shows nothing")
 
@@ -230,7 +229,7 @@ class BatchTest(WaitingTest):
 
 
 def read_settings():
-    """Reads --povray; returns the rest of the command line."""
+    """Parses --povray; returns the rest of the command line."""
     arguments = argparse.ArgumentParser(add_help=False)
     arguments.add_argument("--povray", required=True)
     _, rest = arguments.parse_known_args(namespace=SETTINGS)

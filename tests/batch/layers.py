@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Picture layers (Output_Layers) of bands are put together as the picture is: every channel, and the attributes."""
+"""Layers of bands (Output_Layers) are joined like the picture: every channel, and the attributes."""
 
 import re
 import subprocess
@@ -12,7 +12,7 @@ SIZE = ("+W64", "+H75", "+WT1", "+FE", "Output_Layers=on")
 
 
 def attributes(path):
-    """What the file tells besides its pixels, without times."""
+    """The file's attributes, without times."""
     done = subprocess.run(["oiiotool", "--info", "-v", str(path)], capture_output=True, text=True, check=True)
     lines = [line.strip() for line in done.stdout.splitlines()]
     return {line for line in lines if ": " in line and not re.match(r"creation|DateTime|Reading|\S*/|\S+\.exr", line)}

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Names with anything in them, scenes that read files relative to themselves, folders that cannot be
-written."""
+"""Arbitrary names, scenes that read files relative to themselves, read-only folders."""
 
 import os
 import subprocess
@@ -46,7 +45,7 @@ class Names(BatchTest):
         return scene
 
     def whole_in_place(self, scene):
-        """The witness, rendered where the scene lies."""
+        """The reference picture, rendered in the scene's folder."""
         copy = scene.with_name("copy.pov")
         copy.write_text(scene.read_text())
         subprocess.run(

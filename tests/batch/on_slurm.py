@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A batch on a private Slurm cluster of three nodes: a still, a film and a sweep, while a POV-Ray, a
-task's shell and a whole node are killed in mid-render. The pictures are those of single renders."""
+"""A batch on a private Slurm cluster of three nodes: a still, a film and a sweep, while a POV-Ray, a task's shell and a whole node are
+killed
+in mid-render. The pictures equal those of single renders."""
 
 import os
 import signal
@@ -20,7 +21,7 @@ SLOWER = (*SLOW[:2], "Declare=Samples=800", "Output_Layers=on")  # so that a ban
 
 
 class OnSlurm(BatchTest):
-    """One cluster for all tests: each uses it alone."""
+    """One cluster for all tests, used by one test at a time."""
 
     @classmethod
     def setUpClass(cls):
@@ -58,13 +59,13 @@ class OnSlurm(BatchTest):
         whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL)
         self.assert_same_with_layers(self.folder / "scene.png", whole)
         self.compare_film_and_sweep()
-        # begun on Slurm, taken up with GNU parallel
+        # begun on Slurm, continued with GNU parallel
         (self.folder / "scene_film" / "scene0003.png").unlink()
         self.batch(*self.kinds()["film"])
         self.assert_same(self.folder / "scene_film" / "scene0003.png", self.folder / "whole" / "f3.png")
 
     def compare_film_and_sweep(self):
-        """All pictures of both are there, with the pixels of single renders; so is the contact sheet."""
+        """All pictures of both exist, with the pixels of single renders; so does the contact sheet."""
         scene = self.folder / "scene.pov"
         for tilt in (2, 4):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL, f"Declare=Tilt={tilt}")
@@ -77,7 +78,7 @@ class OnSlurm(BatchTest):
             )
 
     def assert_same_with_layers(self, path, whole):
-        """The picture and the file of layers beside it are those of the single render."""
+        """The picture and its layers equal those of the single render."""
         self.assert_same(path, whole)
         layers, wanted = (name.with_name(f"{name.stem}.layers.exr") for name in (path, whole))
         self.assertEqual(picture(layers), picture(wanted))
@@ -152,7 +153,7 @@ class OnSlurm(BatchTest):
         ]
         self.assertTrue(shells, "the task's shell, which has become the worker")
         os.kill(shells[0], signal.SIGKILL)
-        # meanwhile the two nodes that are left do other batches
+        # meanwhile the remaining two nodes work on other batches
         for kind, words in self.kinds().items():
             if kind != "still":
                 self.batch(*words, "--on", "slurm")
@@ -184,7 +185,7 @@ def node_of(pid):
 
 
 def main():
-    """As an ordinary user where root may become one who can run what is tested: a cluster must not need root."""
+    """As an ordinary user if root may become one that can run the programs under test: a cluster must not need root."""
     rest = harness.read_settings()
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
     program = module_command("tests.batch.on_slurm", "--povray", SETTINGS.povray)
@@ -192,14 +193,14 @@ def main():
         harness.main()
     with tempfile.TemporaryDirectory(prefix="home.") as home:
         os.chown(home, 65534, 65534)
-        os.chmod(home, 0o755)  # munge wants its socket to be reachable for all
+        os.chmod(home, 0o755)  # munge requires that its socket be reachable by all
         env = dict(os.environ, HOME=home, TMPDIR=home)
         done = subprocess.run([*user, *program, *rest], cwd=home, check=False, env=env)
     sys.exit(done.returncode)
 
 
 def can_run(*commands):
-    """Whether all of the commands end well."""
+    """True if all of the commands succeed."""
     return all(
         subprocess.run(command, cwd="/", capture_output=True, check=False).returncode == 0
         for command in commands

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The lock beside the pictures, without POV-Ray: calls that wait, calls that leave jobs behind, and the time left."""
+"""The lock beside the pictures, without POV-Ray: waiting calls, calls that leave jobs behind, and the time left."""
 
 import pathlib
 import tempfile
@@ -15,7 +15,7 @@ from tools.batch.store import Work, output_lock, write_json
 
 
 def none(_):
-    """Nobody has jobs."""
+    """No batch has jobs."""
     return False
 
 
@@ -27,7 +27,7 @@ class OutputLock(unittest.TestCase):
         self.lock = self.folder / ".a.png.lock"
 
     def taken_by(self, work, has_jobs=none):
-        """Which batch has the lock, as a call for `work` finds it."""
+        """The batch that holds the lock, as a call for `work` finds it."""
         with output_lock(self.lock, work, has_jobs) as other:
             return other
 

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The same command again: what is done stays, what is missing is made, what has changed is refused;
-POV-Ray's own pitfalls of continuing cannot be reached."""
+"""The same command again: finished work stays, missing work is done, changes are refused; POV-Ray's pitfalls of continuing are unreachable.
+"""
 
 import os
 import shutil
@@ -37,7 +37,7 @@ class Again(BatchTest):
         self.batch("still", scene, "--bands", 2, *SIZE)
         whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE)
         work = self.folder / "scene.png.batch"
-        # A band that is recorded but damaged, and one that is no more than a file cut short beside a state of elsewhere.
+        # a band that is recorded but damaged, and a truncated file beside a foreign state file
         for name in ("00000.0000", "00000.0001"):
             (work / "units" / name).mkdir(exist_ok=True)
         (self.folder / "scene.png").unlink()

@@ -199,7 +199,7 @@ class Lists(unittest.TestCase):
             begun = time.time()
             before = task.stamps_before(description, folder)
             self.assertEqual(task.check_inputs(description, folder, before, begun), ({}, []))
-            # changed and put back, with the old time: only its entry tells
+            # changed and restored with the old time: only the directory entry shows it
             times = path.stat()
             path.write_text("#declare Own = 2;")
             path.write_text("#declare Own = 1;")
@@ -208,7 +208,7 @@ class Lists(unittest.TestCase):
                 task.check_inputs(description, folder, before, begun)
 
     def test_a_file_with_a_date_in_the_future(self):
-        """As archives and file systems with another clock have them: known files, others, and others whose very entry is newer."""
+        """As from archives and file systems with another clock: known files, others, and others whose directory entry is newer."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             path = folder / "own.inc"
@@ -265,7 +265,7 @@ class Documents(unittest.TestCase):
 
 
 class Terminal(io.StringIO):
-    """A terminal as wide as the tests say."""
+    """A terminal whose width the tests set."""
 
     def isatty(self):
         return True
@@ -278,7 +278,7 @@ class ProgressLine(unittest.TestCase):
     description = {"key": {"bands": [[1, 9]], "pictures": [{"label": f"frame {n}"} for n in range(1, 6)]}}
 
     def told(self, columns, stream):
-        """What is shown with one picture done, one running, one failed, after ten seconds."""
+        """Output with one picture done, one running, one failed, after ten seconds."""
         clock = unittest.mock.patch.object(time, "monotonic", lambda: 1000.0)
         with tempfile.TemporaryDirectory() as name, contextlib.redirect_stderr(stream), clock:
             work = store.Work(name)
@@ -292,7 +292,7 @@ class ProgressLine(unittest.TestCase):
             size = os.terminal_size((columns, 24))
             with unittest.mock.patch.object(os, "get_terminal_size", lambda _: size):
                 line.show()
-                line.show()  # too soon after the other
+                line.show()  # too soon after the first
                 line.show(final=True)
         return stream.getvalue()
 
@@ -340,7 +340,7 @@ class Records(unittest.TestCase):
 
 class Interrupted(unittest.TestCase):
     def test_before_the_wait_begins(self):
-        """Whoever interrupts a call that found the jobs of an earlier one is told how to end them, however early."""
+        """Interrupting a call that found the jobs of an earlier one prints how to cancel them, however early."""
         said = io.StringIO()
         with tempfile.TemporaryDirectory() as name, \
                 unittest.mock.patch.object(progress, "Progress", side_effect=KeyboardInterrupt), \

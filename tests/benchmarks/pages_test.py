@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The pages show the results that docs/benchmarks keeps, each part in one place."""
+"""The pages show the results kept in docs/benchmarks, each part in one place."""
 
 import json
 import pathlib
@@ -21,7 +21,6 @@ class Pages(unittest.TestCase):
             shutil.copy(page, self.docs)
 
     def text(self):
-        """All pages."""
         return {page.name: page.read_text() for page in self.docs.glob("*.md")}
 
     def test_they_show_what_is_kept(self):

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark in very small: small_run_test.py PROGRAM TOOLS. It says nothing about time, but that all ways
-to a blurred picture are ways to the same picture, and that what is measured arrives in tables and plots."""
+"""The benchmark in miniature: small_run_test.py PROGRAM TOOLS. Checks that all methods of blur approach the same picture, and that
+measurements
+arrive in tables and plots; times are not tested."""
 
 import copy
 import dataclasses
@@ -38,7 +39,7 @@ from benchmarks.lab import STOCK, TILT_LENS, Lab, Part
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (40, 30)
 SCENE = dataclasses.replace(suite.SCENES[0], reference=(2, 512), frames=64, size=SIZE, targets=(37, 100))
-LARGE = Part(80, 60, 200, 150)      # the middle of the scene's usual picture
+LARGE = Part(80, 60, 200, 150)      # the centre of the scene's usual picture
 
 
 class SmallRun(unittest.TestCase):
@@ -94,7 +95,7 @@ class SmallRun(unittest.TestCase):
         many = suite.limits(256, 256, 0)
         for binary, form in ((self.lab.ours, TILT_LENS), (self.lab.stock, STOCK)):
             record = self.lab.run(binary, scene.shot(form, declare=many), cut)
-            self.assertLess(record["mse"], 5e-4, form)     # that of the noise of stock
+            self.assertLess(record["mse"], 5e-4, form)     # the noise of stock
             self.assertGreater(record["rays"], 0.0)
         wrong = dataclasses.replace(LARGE, left=LARGE.left + 3)
         moved = self.lab.run(self.lab.ours, dataclasses.replace(scene, part=wrong).shot(TILT_LENS, declare=many), cut)
@@ -166,12 +167,12 @@ class SmallRun(unittest.TestCase):
         before = pathlib.Path(shutil.copy(PROGRAM, self.lab.work / "before"))
         with unittest.mock.patch.object(sample_cost, "TIMED_SIZE", (160, 120)):
             ratio = sample_cost.seconds_over_before(self.lab, SCENE.shot(TILT_LENS), before)
-        self.assertTrue(ratio > 0.0, ratio)  # how long they take is not for a test
+        self.assertTrue(ratio > 0.0, ratio)  # times are not tested
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
         self.assertEqual(len(loops), len({name for name, _ in loops}))
-        self.assertTrue(all(math.isfinite(ns) for _, ns in loops), loops)  # how long they take is not for a test
+        self.assertTrue(all(math.isfinite(ns) for _, ns in loops), loops)  # times are not tested
 
     def test_what_was_measured_is_not_measured_again(self):
         again = Lab(self.lab.ours, self.lab.stock, self.lab.tools, self.lab.work, quick=True)

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parser, manual, manual page and editors have the same items of the block. Completion offers the right words, snippets
-render, and Vim colours the words (if Vim with its syntax files is installed)."""
+"""Parser, manual, manual page and editors have the same items of the block. Completion offers the right words, snippets render, and Vim
+colours
+the words (if Vim with its syntax files is installed)."""
 
 import argparse
 import json
@@ -36,7 +37,7 @@ def grammar():
 
 
 def snippets():
-    """{name: text with its places filled in}."""
+    """{name: text with its placeholders filled in}."""
     table = json.loads((EDITORS / "vscode" / "snippets" / "tilt-lens.json").read_text())
     return {name: re.sub(r"\$\{\d+:([^}]*)\}", r"\1", "\n".join(entry["body"])) for name, entry in table.items()}
 
@@ -193,9 +194,9 @@ class Completion(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("vim"), "Vim is not installed")
 class Vim(unittest.TestCase):
-    """The names of the colours that Vim gives to words of a scene."""
+    """The highlight groups that Vim gives to words of a scene."""
 
-    # Below each line the names of colours: I item, B the block's word, M macro, E an error, . none of ours.
+    # below each line its highlight groups: I item, B the block's word, M macro, E an error, . none of ours
     SCENE = """#declare tilt = 3;
          .
 camera { tilt_lens { tilt tilt focal_plane { y, tilt } swing 2 } angle tilt }

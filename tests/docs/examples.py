@@ -56,7 +56,7 @@ def run(povray, folder, options):
 
 
 def plain(text):
-    """The text without the line breaks that the program inserts."""
+    """The text without the program's line breaks."""
     return re.sub(r"\s+", " ", text)
 
 
@@ -97,7 +97,7 @@ def check_output(povray, block, folder):
     if not (folder / name).exists() and not (ROOT / name).exists():
         return [f"{block.place()}: the output is of {name}, which is neither an example of the page nor a scene"]
     path = name if (folder / name).exists() else ROOT / name
-    # one pixel is enough for messages before the render; those after the render need the whole picture
+    # one pixel is enough for messages before the render; those after it need the whole picture
     part = [] if "Samples per pixel" in block.text else ["+SC1", "+EC1", "+SR1", "+ER1"]
     code, said = run(povray, folder, [f"+I{path}", *options, *part])
     if code != 0:
@@ -114,7 +114,7 @@ def check_output(povray, block, folder):
 
 
 def rendered_command(command, names):
-    """Scene and options of a ./render command; None for another command or one that stands for any."""
+    """Scene and options of a ./render command; None for another command or a placeholder."""
     try:
         words = shlex.split(command)
     except ValueError:
@@ -134,7 +134,7 @@ def check_command(povray, place, command, names, folder):
         return []
     scene, options = ROOT / wanted[0], wanted[1]
     if any(word.startswith("+L") and not (ROOT / word[2:]).is_dir() for word in options):
-        return []  # needs what another command fetches
+        return []  # needs files that another command fetches
     if not scene.is_file():
         return [f"{place}: {command}: there is no scene {wanted[0]}"]
     code, said = run(povray, folder, [f"+I{scene}", f"+L{scene.parent}", *options, *SIZE])
@@ -142,7 +142,7 @@ def check_command(povray, place, command, names, folder):
 
 
 def check_page(povray, path):
-    """All messages of a page, and how many examples, outputs and commands it has."""
+    """All messages of a page, and its numbers of examples, outputs and commands."""
     name, text = str(path.relative_to(ROOT)), path.read_text()
     blocks = pages.blocks_of(name, text)
     examples = pages.examples_of(blocks)

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The pictures of the manual and the drawings of the optics agree with tools/docs/figures.py: each picture has its scene
-and is shown, and each drawing is the result of its script. Each lens has its portraits."""
+"""Pictures of the manual and drawings of the optics agree with tools/docs/figures.py: each picture has its scene and is shown, and each
+drawing
+is the output of its script. Each lens has its portraits."""
 
 import pathlib
 import re
@@ -50,7 +51,7 @@ class Portraits(unittest.TestCase):
 
 
 def drawn_by(svg):
-    """The version of gnuplot that drew a picture. Another one writes the same lines in other words."""
+    """The version of gnuplot that drew a picture. Other versions write the same lines differently."""
     return re.search(r"Produced by (GNUPLOT [^<]*\S)", svg)[1]
 
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The documentation that "cmake --install" installs: pages without broken links, and manual pages that groff formats
-without a warning."""
+"""The documentation installed by "cmake --install": pages without broken links, and manual pages that groff formats without a warning."""
 
 import argparse
 import pathlib
@@ -16,12 +15,12 @@ from tools.docs import pages
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(cmake="cmake", build="build")
-# Of the source alone; a program that is installed has neither.
+# paths of the source tree, which an installed program lacks
 NOT_INSTALLED = re.compile(r"(\.\./)?(cmake|tests|experiments|benchmarks|povray-src|patches|tools|reference-images|batch|check|render)\b")
 
 
 def formatted(page):
-    """A manual page as plain text, and the complaints about it."""
+    """A manual page as plain text, and groff's complaints."""
     done = subprocess.run(["groff", "-ww", "-man", "-Tutf8", "-P-cbou", str(page)], capture_output=True, text=True, timeout=PATIENCE,
                           check=True)
     return done.stdout, done.stderr
@@ -56,7 +55,7 @@ class Installed(unittest.TestCase):
         self.assertGreater(checked, 40)
 
     def test_no_scripts_among_them(self):
-        """The pictures are installed, what makes them is not."""
+        """The pictures are installed, their scripts are not."""
         self.assertFalse((self.doc / "docs" / "figures").exists())
         self.assertTrue((self.doc / "docs" / "pictures" / "optics" / "wedge.svg").is_file())
 

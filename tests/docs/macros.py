@@ -46,7 +46,7 @@ class Lens:
             setattr(self, name, numbers(match) if match else None)
 
     def off_plane(self, point):
-        """Distance of a point from the plane of sharp focus, relative to the distances at hand."""
+        """Distance of a point from the plane of sharp focus, relative to the distances involved."""
         along = sum(n * (p - q) for n, p, q in zip(self.normal, point, self.point))
         return abs(along) / (1 + max(abs(v) for v in [*point, *self.point]))
 
@@ -87,12 +87,11 @@ class Macros(rendering.RenderTest):
     VIEW = "location <0, 2, -6> look_at <0, 1, 0> "
 
     def assert_close(self, found, expected, relative, what):
-        """Numbers near each other."""
         self.assertLessEqual(abs(found - expected), relative * max(abs(expected), 1e-3),
                              f"{what}: found {found:g}, expected {expected:g}")
 
     def test_formats(self):
-        """The widths follow from the sides that the manual's table says, for pictures of several proportions."""
+        """The widths follow from the sides in the manual's table, for pictures of several proportions."""
         rows = table(ROOT / "docs" / "manual.md", "#### Film formats")
         self.assertGreaterEqual(len(rows), 8)
         say = "".join(f'#debug concat("{name} ", str(Tilt_Lens_Film_Width({name}), 0, 6), "\\n")\n' for name, _, _ in rows)
@@ -110,13 +109,13 @@ class Macros(rendering.RenderTest):
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
-        """Each lens has the values of the manual's table, and causes a warning beyond its limits only."""
+        """Each lens has the values of the manual's table, and warns beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
         self.assertEqual(len(rows), 9)
         for macro, _, focal, stop, tilt, shift in rows:
             focal, stop, tilt, shift = (float(text.split()[0].lstrip("f/")) for text in (focal, stop, tilt, shift))
             fit = report(f"{self.VIEW}{macro}(1000, {stop}, {tilt}, 0, <0, {shift}>)")
-            # tilted and shifted as far as that, a frame may see nothing of the plane of sharp focus, which warns as well
+            # at its limits, a frame may see nothing of the plane of sharp focus, which warns as well
             self.assertNotRegex(fit.said, r"the real one stops|opens to f/", macro)
             self.assert_close(fit.focal[0], focal, 1e-4, macro)
             self.assert_close(fit.aperture[0], stop, 1e-4, macro)
@@ -134,7 +133,7 @@ class Macros(rendering.RenderTest):
                 self.assertIn(words, said, macro)
 
     def test_lenses_of_glass(self):
-        """Each has the values of the manual's table, stopped down and wide open, and there is one for each file."""
+        """Each has the values of the manual's table, stopped down and wide open, and each file has a macro."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses of glass")
         text = (ROOT / "scenes" / "include" / "tilt_lens.inc").read_text()
         files = {path.name for path in (ROOT / "scenes" / "include" / "lenses").iterdir()} - {"lenses.csv"}
@@ -142,7 +141,7 @@ class Macros(rendering.RenderTest):
         self.assertEqual(len(rows), len(files))
         for macro, _, focal, stop in rows:
             focal, stop = (float(words.split()[0].lstrip("f/")) for words in (focal, stop))
-            # for something far away: nearer, lenses that move groups of glass have other numbers
+            # for a distant focus: nearer, lenses that move groups of glass have other numbers
             lens = report(f"{self.VIEW} focal_point <0, -1e5, 6e5> {macro}(1000, 0, 1, 0, <0, 0>)")
             self.assert_close(lens.focal[0], focal, 2e-4, macro)
             self.assert_close(lens.aperture[0], stop, 1e-3, macro)
@@ -152,7 +151,7 @@ class Macros(rendering.RenderTest):
             self.assertIn("shift <1, 2> mm", stopped.said)
 
     def test_character(self):
-        """Each macro makes a lens with traits and without a warning."""
+        """Each macro makes a lens with aberrations and without a warning."""
         for macro, words in (("Fast(2)", "Edge light...........0.35"), ("Anamorphic()", "squeezed to 0.5 of its width"), ("Soft()", "in the middle")):
             said = report(f"{self.VIEW}tilt_lens {{ focal_length 50 f_stop 2 tilt 2 Tilt_Lens_Character_{macro} }}").said
             self.assertIn(words, said)
@@ -162,7 +161,7 @@ class Macros(rendering.RenderTest):
         camera = self.VIEW + "Tilt_Lens_Canon_TS_E_24(1000, 4, 0, 0, <0, 0>) "
         for film, width in (("Full_Frame", 36), ("APS_C", 15.6 * 1.5)):
             lens = report(camera, f"#declare Tilt_Lens_Film = Tilt_Lens_Film_{film}", size=(36, 24))
-            # the range of sharpness is that of a pixel, so of the film's width
+            # the depth of field is for a blur of one pixel, which scales with the film's width
             blur = lens.aperture[1] * (1 / lens.range[0] - 1 / lens.point_distance((0, 2, -6))) / 1000 * lens.focal[1]
             self.assert_close(blur, width / 36, 1e-3, film)
 
@@ -183,7 +182,7 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, f"{point}\n{lens.said}")
 
     def test_hyperfocal(self):
-        """A little farther than that distance is sharp to infinity and from half of it; a little nearer is not."""
+        """Slightly beyond that distance, depth of field extends from half of it to infinity; slightly nearer, it does not."""
         for factor in (1.001, 0.999):
             lens = report("location 0 look_at z "
                           "focal_point z*Tilt_Lens_Hyperfocal(50, 8, Tilt_Lens_Pixel(Tilt_Lens_Film_Full_Frame))"
@@ -224,7 +223,7 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
     def test_near_far(self):
-        """Both points are sharp, and the lens has no swing, wherever the points lie to left and right."""
+        """Both points are sharp, and the lens has no swing, for any positions left and right."""
         for near, far in (((-1, 0.2, 0), (4, 3, 20)), ((0.5, 1, 1), (0.5, 0, 9)), ((2, 2, 5), (-3, 0, 12))):
             places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (near, far)]
             lens = report(f"location <1, 2, -6> look_at <0, 1, 5> angle 40 Tilt_Lens_Near_Far(<1, 2, -6>, <0, 1, 5>, "
@@ -235,7 +234,7 @@ class Macros(rendering.RenderTest):
                 self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
     def columns(self, camera):
-        """Of two upright poles: the column of each at the top and at the bottom; and the middle of a ball."""
+        """Columns of two vertical poles, each at the top and at the bottom, and of a ball's centre."""
         poles = "".join(f"cylinder {{ <{x}, -50, 0>, <{x}, 50, 0>, 0.1 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
                         for x, colour in ((-5, "x"), (5, "z")))
         ball = "sphere { <0, 9, 0>, 0.5 pigment { rgb y } finish { emission 1 } }\n"
@@ -254,7 +253,7 @@ class Macros(rendering.RenderTest):
         return rows, middle
 
     def test_upright(self):
-        """Poles are vertical in the picture, and the look_at point is in its middle."""
+        """Poles are vertical in the picture, and the look_at point is in its centre."""
         eye, top = "<0, 1.7, -22>", "<0, 9, 0>"
         for camera in (f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 0)",
                        f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 8) blur_samples 64",
@@ -272,7 +271,7 @@ class Macros(rendering.RenderTest):
         self.assertIn("mm; the real one stops at 12.0", said)
 
     def test_refusals(self):
-        """Each wrong value is refused, with the macro, what is wrong, and what is allowed."""
+        """Each wrong value is refused, with the macro, the fault and the allowed values."""
         eye = "location <0, 2, -6> look_at 0 "
         for camera, words in (
                 (eye + "Tilt_Lens_Miniature(<0, 2, -6>, 0, 0)", "Tilt_Lens_Miniature: Strength is 0.0000. It must be larger"),
@@ -301,7 +300,7 @@ class Macros(rendering.RenderTest):
             self.assertIn(words, said, f"{camera}: {said}")
 
     def test_wrong_kinds(self):
-        """A value of another kind is refused where it is given, with macro, argument, and what is allowed."""
+        """A value of another type is refused at its place, with macro, argument and the allowed type."""
         for camera, words in (
                 ("Tilt_Lens_Canon_TS_E_24(1000, 5.6, 0, 0, 8)",
                  "Tilt_Lens_Canon_TS_E_24: Shift is a number. It must be a vector of two numbers; write for example <0, 8>."),
@@ -318,7 +317,7 @@ class Macros(rendering.RenderTest):
             self.assertIn("line 4", joined, f"{camera}: {said}")
 
     def test_miniature_from_below(self):
-        """In a scene whose z is up, an unchanged Tilt_Lens_Sky is told of."""
+        """An unchanged Tilt_Lens_Sky causes a warning in a scene whose z is up."""
         view = "location <0, -60, 40> sky z look_at 0 angle 30 Tilt_Lens_Miniature(<0, -60, 40>, 0, 1)"
         said = report(view).said
         self.assertIn("Tilt_Lens_Miniature: from Location to Subject it goes up by 56.3 degrees", said)
@@ -326,7 +325,7 @@ class Macros(rendering.RenderTest):
         self.assertNotIn("Warning:", report(view, "#declare Tilt_Lens_Sky = z;").said)
 
     def test_facade(self):
-        """The rectangle fills the picture from wherever it is seen, and all of the facade is sharp."""
+        """The rectangle fills the picture from any camera, and the whole facade is sharp."""
         corners = "".join(f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
                           for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z")))
         rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
@@ -350,7 +349,7 @@ class Macros(rendering.RenderTest):
             self.assertIn(words, said, f"{camera}: {said}")
 
     def test_facade_in_cameras_of_both_hands(self):
-        """The corners are those that the camera sees, whichever way its right and its sky point."""
+        """The corners are as seen by the camera, for any directions of right and sky."""
         rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
         for upward, forward, hand in (("y", "z", "x"), ("y", "-z", "-x"), ("z", "y", "-x"), ("z", "-y", "x")):
             def place(a, b, c, upward=upward, forward=forward):
@@ -369,7 +368,7 @@ class Macros(rendering.RenderTest):
                     self.assertLess(max(math.dist((a + 0.5, b + 0.5), corner) for a, b in lit), 6, f"{camera}: {colour}")
 
     def test_aperture(self):
-        """The number for aperture is the lens of that f-number."""
+        """The number for aperture yields the lens of that f-number."""
         lens = report("location -6*z look_at 0 angle 40 aperture Tilt_Lens_Aperture(50, 2, 1000) tilt_lens { }")
         self.assertIn("diameter 25 mm", lens.said)
 

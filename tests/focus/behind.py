@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blocks with directives, and blocks that come from macros or other files: the new block stands in a second camera behind."""
+"""Blocks with directives, and blocks from macros or other files: the new block goes into a second camera behind the first."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, PageTest
@@ -17,7 +17,7 @@ class Behind(PageTest):
         return self.scene(text), text
 
     def write(self):
-        """Presses Write; returns what is said."""
+        """Presses Write; returns the page's message."""
         self.press("#write")
         self.until("an answer", lambda: "ritten" in self.text("file-said"))
         return self.text("file-said")
@@ -31,7 +31,7 @@ class Behind(PageTest):
         self.set_number("sceneUnit", 100)
 
     def check(self, scene):
-        """The program's own numbers of the blur at the places."""
+        """The program's blur at the places."""
         blur = harness.rendered(scene, self.folder, SIZE, "+N", f"+L{self.folder}")["blur"]
         for x, y in PLACES:
             self.assertLess(abs(blur[int((0.5 - y) * SIZE[1]), int((x + 0.5) * SIZE[0])]), 0.3, f"{x}, {y}")
@@ -49,7 +49,7 @@ class Behind(PageTest):
             with self.subTest(items):
                 self.open(scene)
                 self.focus_on_towers()
-                for form in ("angles", "points"):  # the second time the new block is replaced
+                for form in ("angles", "points"):  # the second time, the new block is replaced
                     self.press(f"input[name=form][value={form}]")
                     self.assertIn("Written", self.write())
                     changed = scene.read_text()

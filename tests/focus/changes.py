@@ -16,7 +16,7 @@ class Changes(PageTest):
         return self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {block}\n"))
 
     def message(self):
-        """The error that the page shows, or nothing."""
+        """The error on the page, if any."""
         return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
     def test_an_error_has_its_line_and_goes_when_it_is_mended(self):
@@ -139,7 +139,7 @@ class Changes(PageTest):
         self.addCleanup(self.browser.execute_cdp_cmd, "Page.removeScriptToEvaluateOnNewDocument", made)
         self.open(self.scene())
         self.set_number("tilt", 5)
-        # as after 1006, the code of a line that broke, with which no line can be closed on purpose
+        # acts as after 1006, the code of a broken connection, which cannot be sent on purpose
         self.run("const [line] = lines, { onclose } = line; line.onclose = line.onmessage = null; line.close(); onclose({ code: 1006 })")
         self.until("a new line", lambda: self.run("return lines.length > 1 && lines[1].readyState === 1") and self.drawn())
         self.assertEqual(self.message(), "")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A page as the program sees it: the socket and its messages, without a browser."""
+"""A client of the page's socket, without a browser."""
 
 import asyncio
 import contextlib
@@ -50,7 +50,7 @@ class Page:
                     return found
 
     async def closed(self):
-        """Waits for the end of the line; returns its code."""
+        """Waits until the connection is closed; returns its code."""
         async with asyncio.timeout(PATIENCE):
             while (await self.socket.receive()).type.name in ("TEXT", "BINARY"):
                 pass
@@ -84,10 +84,10 @@ async def page_at(address, **options):
 
 
 class ClientTest(FocusTest):
-    """A test that speaks with the program as its page does."""
+    """A test that communicates with the program as its page does."""
 
     def gated(self, text=SCENE):
-        """A scene that the program reads no farther than its end while the file `closed` is there."""
+        """A scene whose parse does not end while the file `closed` exists."""
         gate = self.folder / "closed"
         return text + f'#while (file_exists("{gate}")) #end\n', gate
 

@@ -13,7 +13,7 @@ from tests.focus.harness import SCENE, SETTINGS, SMALL, PageTest
 
 class Command(harness.FocusTest):
     def stand_in(self):
-        """A program that notes the address which a browser is to open: what starts it, where it writes."""
+        """A stand-in for the browser that records its address: (starter, record)."""
         script, opened = self.folder / "browser", self.folder / "opened"
         script.write_text(f'#!/bin/sh\necho "$1" >> "{opened}"\n')
         script.chmod(0o755)
@@ -24,14 +24,14 @@ class Command(harness.FocusTest):
         # webbrowser splits its words, as a shell does
         variables = {"BROWSER": f"'{browser}' %s", "DISPLAY": ":99"}
         address = self.start(self.scene(), *SMALL, **variables)
-        # the shell makes the file before it writes the line
+        # the shell creates the file before it writes the line
         self.until("the browser", lambda: opened.exists() and opened.read_text().endswith("\n"))
         self.assertEqual(opened.read_text().strip(), address)
         self.end()
         opened.unlink()
         for words, more in ((("--no-browser",), variables), ((), {"BROWSER": variables["BROWSER"]})):
             address = self.start(self.scene(), *SMALL, *words, **more)
-            with urllib.request.urlopen(address) as answer:  # it goes on after it might have opened a browser
+            with urllib.request.urlopen(address) as answer:  # the program continues after opening a browser
                 self.assertEqual(answer.status, 200)
             self.end()
             self.assertFalse(opened.exists(), words)

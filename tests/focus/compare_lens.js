@@ -4,7 +4,7 @@
 /// Compares the page's lens with cases of the library (lens_cases.cpp). The test runs it in the browser.
 
 /// @param lensModule  the page's lens.js
-/// @returns the largest difference of a blur in pixels and of any other number relative to its size, and where
+/// @returns the largest differences, of blur in pixels and of other numbers relative to their size, and their place
 export function compareLenses(lensModule, cases) {
     const worst = { pixels: 0, relative: 0, where: "" };
     const note = (kind, value, where) => {

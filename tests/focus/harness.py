@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the tests of ./focus share: scenes, calls of the command, a browser that looks at its page."""
+"""Common to the tests of ./focus: scenes, calls of the command, a browser with its page."""
 
 import argparse
 import asyncio
@@ -39,7 +39,7 @@ box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
 SMALL = ("+W160", "+H90")
 
 
-# Root mean square differences of the live and the true picture, of 1 for white: with and without blur.
+# Root mean square differences of the live and the true picture, relative to white: with and without blur.
 DIFFERENCE = """
 const truth = focusPage.truePixels();
 const rmse = show => {
@@ -51,13 +51,13 @@ return { rmse: rmse({}), sharp: rmse({ blur: false }) };
 
 
 def environment():
-    """The tests' own: no ini file and no display of whoever runs them."""
+    """The tests' own environment, without the user's ini files and display."""
     hidden = ("POVINI", "POVINC", "DISPLAY", "WAYLAND_DISPLAY")
     return {name: value for name, value in os.environ.items() if name not in hidden}
 
 
 class FocusTest(WaitingTest):
-    """A test in a folder of its own, whose name holds a space."""
+    """A test in a folder of its own, whose name contains a space."""
 
     longMessage = True
 
@@ -69,7 +69,6 @@ class FocusTest(WaitingTest):
         self.process = None
 
     def scene(self, text=SCENE, name="scene.pov"):
-        """Writes a scene."""
         path = self.folder / name
         path.write_text(text)
         return path
@@ -97,7 +96,7 @@ class FocusTest(WaitingTest):
         self.fail(f"no address: {self.evidence()}")
 
     def evidence(self):
-        """What the command has said on standard error."""
+        """The command's standard error."""
         return (self.folder / "errors").read_text(errors="replace")
 
     def end(self, number=signal.SIGINT):
@@ -114,7 +113,7 @@ class FocusTest(WaitingTest):
 
 
 def rendered(scene, folder, size, *words):
-    """Colours and layers of a render of this scene: name -> rows, columns and, of "colours", red, green, blue."""
+    """Colours and layers of a render of this scene: name -> rows, columns and, for "colours", red, green, blue."""
     import numpy
 
     found = {}
@@ -132,13 +131,13 @@ def rendered(scene, folder, size, *words):
 
 
 def open_browser(size=(1280, 1000)):
-    """Headless Chromium, with graphics done by the processor."""
+    """Headless Chromium with software rendering."""
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
 
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
-    # its sandbox needs rights that neither root nor a user in a changed root has; the pages are our own
+    # its sandbox needs rights that neither root nor a user in a chroot has; the pages are our own
     words = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]
     words += ["--hide-scrollbars", f"--window-size={size[0]},{size[1]}"]
     for word in words:
@@ -172,7 +171,7 @@ class PageTest(FocusTest):
         return address
 
     def drawn(self):
-        """Whether the whole preview is there and one whole picture was made of it."""
+        """True if the whole preview has arrived and been drawn once."""
         return self.run("const live = window.focusPage?.live; return live?.complete && live.passes > 0")
 
     def smooth(self):
@@ -180,7 +179,7 @@ class PageTest(FocusTest):
         self.until("the smooth picture", lambda: self.run("return focusPage.live.complete && focusPage.live.smooth"))
 
     def true_picture(self, width):
-        """Asks for the true picture and waits for it."""
+        """Requests the true picture and waits for it."""
         self.run("document.getElementById('width').add(new Option(arguments[0], arguments[0], true, true))", str(width))
         self.press("#render")
         self.until("the true picture", lambda: "Done" in self.text("true-said"))
@@ -191,7 +190,7 @@ class PageTest(FocusTest):
         self.run(script, name, str(value))
 
     def run(self, script, *arguments):  # pylint: disable=arguments-differ
-        """Runs a script in the page; as a test case, without a script, the test."""
+        """Runs a script in the page; without a script, runs the test as TestCase.run does."""
         if isinstance(script, str):
             return self.browser.execute_script(script, *arguments)
         return super().run(script)
@@ -201,7 +200,7 @@ class PageTest(FocusTest):
         return self.browser.find_element("id", name)
 
     def press(self, selector):
-        """Clicks what a selector finds, wherever it lies on the page."""
+        """Clicks the element of a selector, wherever it lies on the page."""
         self.run("document.querySelector(arguments[0]).click()", selector)
 
     def click_at(self, x, y):
@@ -221,17 +220,17 @@ class PageTest(FocusTest):
         self.run(script, name, str(value))
 
     def text(self, name):
-        """What an element says."""
+        """An element's text."""
         return self.run("return document.getElementById(arguments[0]).textContent", name)
 
     def console(self):
-        """Errors and warnings of the browser's console, but for those of its own drawing without a graphics card."""
+        """Errors and warnings of the browser's console, except those about software rendering."""
         log = self.browser.get_log("browser")
         return [entry["message"] for entry in log if "GPU stall due to ReadPixels" not in entry["message"]]
 
 
 def read_settings():
-    """Reads the paths of the programs; returns the rest of the command line."""
+    """Parses the paths of the programs; returns the rest of the command line."""
     arguments = argparse.ArgumentParser(add_help=False)
     arguments.add_argument("--povray", required=True)
     arguments.add_argument("--cases", help="the program lens_cases")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page by keys alone: all that can be used is reached, is seen to be reached, and works."""
+"""The page by keys alone: every control is reachable, visibly focused, and works."""
 
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.keys import Keys
@@ -8,15 +8,15 @@ from selenium.webdriver.common.keys import Keys
 from tests.focus import harness
 from tests.focus.harness import PageTest
 
-MOST_STOPS = 80  # of one way through the page
+MOST_STOPS = 80  # for one way through the page
 
-# What Tab must reach: all that is shown and can be used; of radio buttons the one that is chosen.
+# Controls that Tab must reach: all visible and enabled; the chosen one of radio buttons.
 WANTED = """
 const name = e => e.id || e.name || e.textContent;
 return [...document.querySelectorAll("button, input, select, a[href], [tabindex]")]
     .filter(e => !e.disabled && e.checkVisibility() && !(e.type === "radio" && !e.checked)).map(name);
 """
-# What has the focus, and whether one sees it.
+# The focused element, and True if its focus is visible.
 FOCUSED = """
 const e = document.activeElement, seen = e.type === "radio" ? e.nextElementSibling : e;
 return [e === document.body ? null : e.id || e.name || e.textContent, getComputedStyle(seen).outlineStyle !== "none"];
@@ -36,7 +36,7 @@ class Keyboard(PageTest):
         chain.perform()
 
     def tab_to(self, name):
-        """Goes on with Tab until a control has the focus."""
+        """Presses Tab until a control has the focus."""
         for _ in range(MOST_STOPS):
             self.keys(Keys.TAB)
             if self.run(FOCUSED)[0] == name:
@@ -45,7 +45,7 @@ class Keyboard(PageTest):
 
     def test_tab_reaches_all_and_one_sees_where_it_is(self):
         self.open(self.scene())
-        self.true_picture(160)  # with it there are a slider and a link
+        self.true_picture(160)  # adds a slider and a link
         wanted = self.run(WANTED)
         for name in ("picture", "wipe", "mode", "third", "form", "copy", "save", "tilt", "real", "back"):
             self.assertEqual(name in wanted, name not in ("third", "back"), name)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's lens against the program's, its knobs, what cannot be, and a hundred random actions."""
+"""The page's lens against the program's, its knobs, impossible lenses, and a hundred random actions."""
 
 import json
 import random
@@ -13,8 +13,8 @@ from tests.focus.harness import ROOT, SETTINGS, PageTest
 CASES = 4000
 
 
-# Whether knobs and points show one lens: knobs that show another number than the lens has, and how far points are off the
-# plane of sharp focus. While a wanted lens cannot be, the last one is shown, and the points wait.
+# Consistency of knobs and points: knobs that differ from the lens, and the points' distance from the plane of sharp focus. While the wanted
+# lens is impossible, the last lens is shown and the points wait.
 ONE_LENS = """
 const model = focusPage.model, { lens, block } = model, found = model.numbers(), wrong = [];
 const numbers = {
@@ -96,7 +96,7 @@ class Knobs(PageTest):
         self.open(self.scene())
         self.press("input[name=mode][value=three]")
         self.choose("third", "upright")
-        # straight before the camera: an upright plane through both holds the lens
+        # straight before the camera: a vertical plane through both contains the lens
         self.run("focusPage.model.pick([0, 0, 1])")
         before = self.run("return focusPage.model.lens.focus")
         self.run("focusPage.model.pick([0, 0, -1])")
@@ -176,7 +176,7 @@ class Knobs(PageTest):
         self.assertEqual(self.message_of_page(), "")
 
     def message_of_page(self):
-        """The error that the page shows, or nothing."""
+        """The error on the page, if any."""
         return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
 

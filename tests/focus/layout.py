@@ -1,20 +1,20 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""How the page fits: on a phone, on a desktop, in the light and in the dark."""
+"""The page's layout: on a phone, on a desktop, light and dark."""
 
 from tests.focus import harness
 from tests.focus.harness import PageTest
 
-SMALLEST = 24  # pixels: what a finger hits (WCAG 2.2, target size)
+SMALLEST = 24  # pixels: least size of a touch target (WCAG 2.2, target size)
 
-# The smallest side of what can be touched; sliders and boxes count with their labels.
+# The least side of all touch targets; sliders and boxes include their labels.
 TARGETS = """
 return [...document.querySelectorAll("button, select, a[href], input[inputmode], .switch label")].filter(e => e.checkVisibility()).map(e => {
     const box = e.getBoundingClientRect();
     return [Math.min(box.width, box.height), e.id || e.textContent];
 });
 """
-# Contrast of all texts with what lies behind them (WCAG 2.2): the smallest, and where.
+# Contrast of all texts with their background (WCAG 2.2): the least, and its place.
 CONTRAST = """
 const rgb = text => text.match(/[\\d.]+/g).map(Number);
 const luminance = c => c.slice(0, 3).map(v => v / 255).map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
@@ -41,7 +41,7 @@ return worst;
 
 class Layout(PageTest):
     def set_device(self, width, height):
-        """Takes the screen of a device."""
+        """Emulates the screen of a device."""
         metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 800}
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
         self.addCleanup(self.browser.execute_cdp_cmd, "Emulation.clearDeviceMetricsOverride", {})

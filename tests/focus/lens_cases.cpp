@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_cases.cpp
-/// Prints random cameras, their lenses and blur in pixels as the library computes them, as JSON, for the page's own
-/// formulas to be compared with: lens_cases SEED COUNT.
+/// Prints random cameras, their lenses and blur in pixels by the library, as JSON, for comparison with the page's formulas:
+/// lens_cases SEED COUNT.
 
 #include <cstdlib>
 #include <iomanip>

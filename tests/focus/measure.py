@@ -22,17 +22,15 @@ TUTORIAL = sorted(path.stem for path in (ROOT / "scenes" / "tutorial").glob("*.p
 SCENES = ("three_points", "tilt", "swing")  # for the live picture against the true one
 LARGE, SIZE = ("+W960", "+H540"), ("+W480", "+H270")
 CLICKS = 12
-STARTS = 3  # of each scene; their median is told
-# Milliseconds from a click to the first blurred picture for it: until it is drawn, and until the browser begins its next
-# picture, by when it has shown this one.
+STARTS = 3  # of each scene; the median is reported
+# Milliseconds from a click to its first blurred picture: until it is drawn, and until the browser's next frame, by which it is visible.
 TIME_A_CLICK = """
 const done = arguments[2], picture = document.getElementById("picture"), box = picture.getBoundingClientRect(), begun = performance.now();
 picture.dispatchEvent(new MouseEvent("click", { clientX: box.left + (0.5 + arguments[0]) * box.width, clientY: box.top + (0.5 - arguments[1]) * box.height }));
 const shown = drawn => requestAnimationFrame(() => done([drawn, performance.now() - begun]));
 focusPage.nextDrawing().then(() => shown(performance.now() - begun));
 """
-# Turns the tilt for so many seconds, once for each picture of the browser: pictures of the page in a second, the
-# milliseconds that each took to draw, their widths, and the width when nothing moves any more.
+# Turns the tilt for `seconds`, once per frame of the browser: frames per second, milliseconds of drawing, widths, and the width at rest.
 TURN = """
 const [seconds, done] = arguments, slider = document.querySelector("#tilt").previousElementSibling, work = [], widths = [];
 const canvas = document.getElementById("picture"), begun = performance.now();
@@ -74,10 +72,10 @@ class Measure(PageTest):
         return self.run(harness.DIFFERENCE)
 
     def shot(self, name):
-        """Keeps what the browser shows."""
+        """Saves a screenshot."""
         shown = "const end = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(end)))"
         self.browser.execute_async_script(shown)
-        time.sleep(0.3)  # a change of the page's size draws anew
+        time.sleep(0.3)  # a change of the page's size redraws
         self.smooth()
         PICTURES.mkdir(parents=True, exist_ok=True)
         png = self.folder / "shot.png"
@@ -85,7 +83,7 @@ class Measure(PageTest):
         subprocess.run(["oiiotool", str(png), "--nosoftwareattrib", "--ch", "R,G,B", "--compression", "jpeg:88", "-o", str(PICTURES / f"{name}.jpg")], check=True)
 
     def pictures(self):
-        """The page as the documents show it: its parts, in the dark, and on a phone."""
+        """The page's pictures for the documents: its parts, dark, and on a phone."""
         self.shot("page")
         for name in ("map", "planes"):
             self.press(f"#show-{name}")
@@ -107,7 +105,7 @@ class Measure(PageTest):
         self.pictures()
 
     def clicks(self):
-        """Milliseconds from each of some clicks to its picture: drawn, shown."""
+        """Milliseconds from each click to its picture: drawn, shown."""
         self.press("input[name=mode][value=one]")
         found = []
         for i in range(CLICKS):
@@ -131,7 +129,7 @@ class Measure(PageTest):
         self.put("times", [*self.words(clicks, turns), "", *heads, *rows])
 
     def words(self, clicks, turns):
-        """What was measured of clicks and turns."""
+        """Text for measurements of clicks and turns."""
         drawn, shown = zip(*clicks)
         work = [time for turn in turns for time in turn["work"]]
         widths = [width for turn in turns for width in turn["widths"]]
@@ -157,7 +155,7 @@ class Measure(PageTest):
         self.put("differences", ["| scene | RMSE of the live picture | RMSE without blur |", "| --- | --- | --- |", *rows])
 
     def put(self, name, lines):
-        """Replaces what was measured in the page."""
+        """Replaces the measurements in the page."""
         marked = re.compile(rf"(<!-- measured: tests/focus/measure.py, {name} -->\n).*?(<!-- end of {name} -->)", re.DOTALL)
         page, count = marked.subn(lambda m: m[1] + "\n".join(lines) + "\n" + m[2], PAGE.read_text())
         self.assertEqual(count, 1)

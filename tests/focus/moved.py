@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Cameras with transformations: the text that the page hands out makes its lens in the camera, wherever it is put."""
+"""Cameras with transformations: the page's text makes its lens in the camera, before and behind transformations."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, PageTest
@@ -9,7 +9,7 @@ PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the 
 SIZE = (160, 90)
 FROM_HERE = "return String(focusPage.live.location) === String(focusPage.model.camera.location)"
 
-# One camera, each time with other transformations, and the numbers that these take to where the camera of SCENE stands.
+# One camera, each time with other transformations and the items that these map to the camera of SCENE.
 CAMERAS = """#include "transforms.inc"
 #macro Taken_Back(P) vtransform(P, transform { Move inverse }) #end
 #macro Turned_Back(V) (Taken_Back(V) - Taken_Back(<0, 0, 0>)) #end
@@ -58,7 +58,7 @@ class Moved(PageTest):
         self.assertEqual(len(self.run("return focusPage.model.picks")), 3)
 
     def check(self, scene, places, size=SIZE):
-        """The program's own numbers of the blur at the places."""
+        """The program's blur at the places."""
         blur = harness.rendered(scene, self.folder, size, "+N")["blur"]
         for x, y in places:
             found = blur[int((0.5 - y) * size[1]), int((x + 0.5) * size[0])]
@@ -85,7 +85,7 @@ class Moved(PageTest):
         self.assertEqual(self.console(), [])
 
     def copy(self):
-        """Presses Copy; returns what is said when the text has been tried."""
+        """Presses Copy; returns the message after the text has been tried."""
         self.press("#copy")
         self.until("the trial", lambda: "tried" in self.text("file-said"))
         return self.text("file-said")

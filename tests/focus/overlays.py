@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What is drawn over the picture and beside it: tint, blur as colours, plane and limits of focus, the side view."""
+"""Overlays and side view: tint, focus map, plane and limits of focus."""
 
 import math
 
@@ -10,10 +10,10 @@ from tools.focus.picture import display
 
 NEAR, MIDDLE, FAR = (-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3)  # on the fronts of the three towers
 
-# What the page can lay over the picture -> the focus aid that does the same
+# overlay of the page -> the same focus aid
 AIDS = {"peaking": "focus_peaking rgb <1, 0.05, 0.35>", "map": "focus_map", "planes": "show_planes"}
 
-# Red, green, blue at places of the picture, with something shown.
+# Red, green, blue at places of the picture, with an overlay.
 PIXELS = """
 const pixels = focusPage.livePixels(arguments[0]), [width, height] = focusPage.live.size;
 return arguments[1].map(([x, y]) => {
@@ -22,7 +22,7 @@ return arguments[1].map(([x, y]) => {
 });
 """
 
-# Lines of the side view: kind -> [x1, y1, x2, y2]; the point where film, lens and plane meet.
+# Lines of the side view: kind -> [x1, y1, x2, y2]; the intersection of film, lens and plane.
 SIDE = """
 const found = {};
 for (const line of document.querySelectorAll("#side line"))
@@ -34,7 +34,7 @@ return { ...found, meet: meet && [Number(meet.getAttribute("cx")), Number(meet.g
 
 
 def off_line(line, point):
-    """Distance of a point from the endless line."""
+    """Distance of a point from the infinite line."""
     x1, y1, x2, y2 = line
     return abs((x2 - x1) * (point[1] - y1) - (y2 - y1) * (point[0] - x1)) / math.hypot(x2 - x1, y2 - y1)
 
@@ -79,7 +79,7 @@ class Overlays(PageTest):
         self.assertNotEqual(plain[1], planes[1])
         # orange limit, then white, then blue limit over it: more blue than before
         self.assertGreater(planes[1][2], plain[1][2] + 40)
-        # a plane laid down through the floor leaves the sky side of the picture as it is
+        # a plane laid down through the floor leaves the sky side of the picture unchanged
         self.set_number("focusTilt", 80)
         laid = self.pixels([(0, -0.45), FAR], planes=True)
         self.assertNotEqual(laid[1], planes[1])
@@ -96,7 +96,7 @@ class Overlays(PageTest):
         self.smooth()
         written = scene.read_text()
         live = {name: self.live({name: True} if name else {}) for name in ("", *AIDS)}
-        # edges are smooth in the preview alone
+        # edges are antialiased in the preview alone
         same = self.other(live[""], self.scene(SCENE, "plain.pov"), size) <= 1
         self.assertGreater(same.mean(), 0.8)
         for name, item in AIDS.items():
@@ -110,7 +110,7 @@ class Overlays(PageTest):
         return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
 
     def live(self, show):
-        """The live picture without blur but with something shown, as an array of the upper rows."""
+        """The live picture without blur but with an overlay, as an array of the upper rows."""
         import numpy
 
         values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)
@@ -133,7 +133,7 @@ class Overlays(PageTest):
                 self.assertLess(off_line(line, seen["meet"]), 0.5)
             self.assertAlmostEqual(angle(lens), 90 - tilt, delta=0.01)
             self.assertNotAlmostEqual(angle(plane), 90, delta=5)
-            # the limits lie on both sides and meet the plane in the hinge line, across from the lens's middle
+            # the limits lie on both sides and meet the plane in the hinge line, below or above the lens centre
             hinge = [(lens[0] + lens[2]) / 2, None]
             x1, y1, x2, y2 = plane
             hinge[1] = y1 + (hinge[0] - x1) * (y2 - y1) / (x2 - x1)

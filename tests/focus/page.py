@@ -10,9 +10,8 @@ from tests.focus.harness import ROOT, SCENE, PageTest
 PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
 
 
-# A preview of 4 by 4 pixels with a surface everywhere, and of the next one the upper left pixel, twice as far. Answers with the
-# distances that are found in that pixel and in another, and then those when no more of the next preview comes. The same for a
-# preview that is of a scene read anew.
+# A preview of 4 by 4 pixels with a surface everywhere, and the upper left pixel of the next one, twice as far. Returns the distances found
+# in that pixel and in another, before and after the next preview ends. The same for a preview of a scene parsed anew.
 FIND_WHILE_PREVIEW_ARRIVES = """
 const done = arguments[0], frame = focusPage.model.lens, { location } = focusPage.model.camera, size = [4, 4];
 const newBlur = () => ({
@@ -40,7 +39,7 @@ import(new URL("page/live.js", document.location)).then(({ Live }) => {
 
 class Page(PageTest):
     def pick_three(self):
-        """Clicks the three towers; returns what was picked."""
+        """Clicks the three towers; returns the picked points."""
         self.press("input[name=mode][value=three]")
         for x, y in PLACES:
             self.click_at(x, y)
@@ -53,7 +52,7 @@ class Page(PageTest):
         self.open(scene)
         self.set_number("fStop", 0.7)
         picks = self.pick_three()
-        # what was clicked: a front, a front, a front, at the depths that the scene has
+        # the three fronts, at the depths that the scene has
         for pick, depth in zip(picks, (-2, 0, 2)):
             self.assertAlmostEqual(pick[2], depth, delta=0.02)
         self.press("input[name=form][value=points]")

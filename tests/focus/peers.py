@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Messages and peers that are not as expected, renders that fail, ends that come twice or by force."""
+"""Unexpected messages and peers, failing renders, repeated or forced ends."""
 
 import asyncio
 import os
@@ -152,7 +152,7 @@ class Peers(ClientTest):
 class Ends(ClientTest):
     def test_a_second_ctrl_c_leaves_nothing(self):
         self.start(self.scene(), "+W800", "+H450")
-        for _ in range(20):     # more than a hand presses, fewer than fill the pipe through which Python hears of signals
+        for _ in range(20):     # more than a hand presses, fewer than fill the pipe through which Python receives signals
             if self.process.poll() is None:
                 os.killpg(self.process.pid, signal.SIGINT)
             time.sleep(0.02)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the program does where TILT_LENS_PREVIEW names a file: it tells its cameras, and renders a pinhole."""
+"""TILT_LENS_PREVIEW: the program records its cameras and renders a pinhole."""
 
 import json
 import os

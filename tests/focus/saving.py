@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Writing into the scene's file: what others save meanwhile, protected files, owners, links, ends of lines."""
+"""Writing into the scene's file: concurrent changes, protected files, owners, links, line endings."""
 
 import asyncio
 import os
@@ -20,7 +20,7 @@ from tools.focus.scene_text import EditError, with_block
 
 class WhileItIsChecked(ClientTest):
     def write(self, scene, gate, then):
-        """Asks to write the block; does something while the program reads the changed scene, and returns what the page is told."""
+        """Requests to write the block; acts while the program parses the changed scene, and returns the page's message."""
         address = self.start(scene, *WORDS)
 
         async def ask():
@@ -67,7 +67,7 @@ class WhileItIsChecked(ClientTest):
 
 class Files(ClientTest):
     def written(self, scene):
-        """Writes the block into a scene; returns what the page is told."""
+        """Writes the block into a scene; returns the page's message."""
         address = self.start(scene, *WORDS)
 
         async def write():
@@ -141,7 +141,7 @@ class Replacing(unittest.TestCase):
                 os.link(self.path, self.path.with_name("second"))
 
     def test_without_a_copy_nothing_is_written(self):
-        scene = self.path.with_name("s" * 250 + ".pov")  # the copy's name is too long
+        scene = self.path.with_name("s" * 250 + ".pov")  # the backup's name is too long
         scene.write_text(SCENE)
         with self.assertRaisesRegex(EditError, "^no copy of the scene can be kept in its folder: File name too long$"):
             SceneFile(str(scene)).replace(SCENE.encode(), b"after")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's server: who gets an answer, what is refused, how it ends."""
+"""The page's server: who gets an answer, which requests are refused, how it ends."""
 
 import asyncio
 import http.client

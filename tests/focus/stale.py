@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A true picture of another lens than the page shows says so, also on a page that comes later."""
+"""A true picture of another lens than the page's is marked so, also on a page that connects later."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, PageTest
@@ -10,7 +10,7 @@ OTHER = "Of another lens: render again."
 
 class Stale(PageTest):
     def is_other(self):
-        """Whether the true picture is shown as that of another lens."""
+        """True if the true picture is marked as another lens's."""
         dimmed = self.run("return getComputedStyle(document.getElementById('truth')).filter !== 'none'")
         self.assertEqual(dimmed, OTHER in self.text("true-said"))
         return dimmed
@@ -27,7 +27,7 @@ class Stale(PageTest):
             self.press("#back")
             self.assertFalse(self.is_other(), f"{knob} as before")
         self.set_number("fStop", 16)
-        # a page that comes later begins with the scene's own lens
+        # a page that connects later starts with the scene's own lens
         for _ in range(2):
             self.browser.get(address)
             self.until("the preview", self.drawn)

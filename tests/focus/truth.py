@@ -20,13 +20,13 @@ camera {
   angle 30
 }
 """
-# One bright spot before the plane of sharp focus and one behind it, on black.
+# one bright spot before the plane of sharp focus and one behind it, on black
 SPOTS = VIEW + """\
 sphere { <-1, 0, -2>, 0.07 pigment { rgb 1 } finish { emission 40 } }
 sphere { <1.4, 0, 4>, 0.1 pigment { rgb 1 } finish { emission 40 } }
 sphere { <0, -1.2, 0>, 0.1 pigment { rgb 1 } finish { emission 1 } }
 """
-# A red post before a wall of another colour.
+# a red post before a wall of another colour
 POST = VIEW + """\
 box { <-1, -9, 0>, <1, 9, 0.1> pigment { rgb x } finish { emission 1 diffuse 0 } }
 plane { z, 20 pigment { checker rgb z, rgb y scale 0.3 } finish { emission 1 diffuse 0 } }
@@ -48,7 +48,7 @@ class Truth(PageTest):
                 found = self.difference(320)
                 self.assertLess(found["rmse"], 0.03, found)
                 self.assertLess(found["rmse"], 1.1 * found["sharp"], found)
-                # without the preview being a pinhole's this would be nearly nothing
+                # if the preview were not a pinhole's, this would be almost 0
                 self.assertGreater(found["sharp"], 0.5 * sharp, found)
                 self.press("input[name=mode][value=one]")
                 for knob, value in (("tilt", 0), ("swing", 0), ("fStop", 1)):

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Each scene of the tutorial: three clicks, the block written into a copy of the scene, and the program finds less than half
-a pixel of blur at these places."""
+"""Each scene of the tutorial: three clicks, the block written into a copy of the scene, and the program reports less than half a pixel of
+blur
+there."""
 
 import re
 import shutil
@@ -12,11 +13,11 @@ from tests.focus.harness import ROOT, PageTest
 SCENES = sorted((ROOT / "scenes" / "tutorial").glob("*.pov"))
 SIZE = (480, 270)
 PLACES = ((-0.28, -0.36), (0.31, -0.27), (0.02, 0.01), (-0.2, -0.05), (0.1, -0.42))
-# Scenes whose block is not replaced, and why.
+# scenes whose block is not replaced, and why
 NOT_WRITTEN = {"aperture": "directives", "macros": "macro"}
 UNITS = {"shift": 50}  # millimetres in a unit of a scene that is too large for blur
 
-# Places of the points in the picture: columns and rows of the preview.
+# positions of the points in the picture: columns and rows of the preview
 PICKED = """
 return [...document.querySelectorAll("#points button")].map(point =>
     [point.style.left, point.style.top].map((part, i) => Math.floor(parseFloat(part) / 100 * focusPage.live.size[i])));
@@ -25,8 +26,8 @@ return [...document.querySelectorAll("#points button")].map(point =>
 
 class Tutorial(PageTest):
     def pick_three(self):
-        """Clicks three places that a plane holds; returns their columns and rows."""
-        for mode in ("one", "three"):  # without the points that the scene's own block has
+        """Clicks three places that a plane contains; returns their columns and rows."""
+        for mode in ("one", "three"):  # without the points of the scene's own block
             self.press(f"input[name=mode][value={mode}]")
         for place in PLACES:
             self.click_at(*place)
@@ -58,7 +59,7 @@ class Tutorial(PageTest):
         self.assertEqual(self.console(), [])
 
     def put_in_by_hand(self, scene):
-        """The camera as a user would write it who copies the block: the page's own, behind the scene."""
+        """The camera of a user who copies the block: the page's own, behind the scene."""
         camera = self.run("return focusPage.describe('plane').expect.camera")
         vectors = "".join(f"  {name} <{', '.join(map(repr, value))}>\n" for name, value in camera.items())
         version = re.search(r"#version [^;]+;", scene.read_text()).group()

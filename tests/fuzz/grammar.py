@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes texts of tilt_lens blocks from a grammar, valid ones and broken ones, the same for the same seed."""
+"""Generates texts of tilt_lens blocks from a grammar, valid and broken, reproducible by seed."""
 
 import random
 
@@ -32,12 +32,11 @@ class Grammar:
         return r.choice((text,) * 6 + (f"({text})", f"{text}*1", f"1*({text}+0)", f"-(-({text}))", f"{text}/1.0"))
 
     def vector(self, size=3, low=-5, high=5):
-        """A vector literal."""
         separator = self.random.choice((", ", ",", " , ", ",\n"))
         return "<" + separator.join(self.number(low, high) for _ in range(size)) + ">"
 
     def colour(self):
-        """A colour, in the ways the scene language has."""
+        """A colour, in one of the scene language's forms."""
         r = self.random
         return r.choice((f"rgb {self.vector(3, 0, 1)}", f"rgb {self.number(0, 1)}", f"rgbf {self.vector(4, 0, 1)}",
                          f"color rgb {self.vector(3, 0, 2)}", f"red {self.number(0, 1)} green 0.5", self.vector(3, -1, 1),
@@ -141,12 +140,11 @@ class Grammar:
         return " ".join(r.choice(WORDS + STRANGE + ODD_NUMBERS) for _ in range(r.randint(1, 30)))
 
     def block(self):
-        """(kind, text): `valid` by its grammar (though maybe no lens can follow it), `broken`, `soup`."""
+        """(kind, text): `valid` by its grammar (though perhaps without a solution), `broken`, `soup`."""
         kind = self.random.choices(("valid", "broken", "soup"), (5, 4, 1))[0]
         if kind == "valid":
             return kind, self.text(self.items())
         return kind, self.broken(self.items()) if kind == "broken" else self.soup()
 
     def blocks(self, count):
-        """Many."""
         return [self.block() for _ in range(count)]

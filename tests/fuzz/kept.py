@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The kept inputs: corpus/ has the inputs with which libFuzzer reaches all code that it has reached so far, regressions/
-those that once failed. Each has solver.json, bytes in base 64, parser.json, the texts of blocks, and may have
-prescription.json, bytes in base 64."""
+"""The kept inputs: corpus/ has libFuzzer's inputs that reach all code reached so far, regressions/ those that once failed. Each has
+solver.json,
+bytes in base 64, parser.json, the texts of blocks, and may have prescription.json, bytes in base 64."""
 
 import base64
 import json
@@ -23,7 +23,7 @@ def load(where, name):
 
 
 def save(where, name, inputs):
-    """Keeps inputs; the same ones give the same bytes."""
+    """Keeps inputs; the same inputs give the same bytes."""
     texts = sorted({FORMS[name][0](data) for data in inputs}, key=lambda text: (len(text), text))
     (HERE / where).mkdir(exist_ok=True)
     (HERE / where / f"{name}.json").write_text(json.dumps(texts, indent=0, ensure_ascii=False) + "\n")

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_blocks.cpp
-/// Reads the texts of blocks from standard input, each ended by a zero byte, and parses each as a scene of
-/// its own. One line a block, at once, so that after a crash it is known which block it was: `lens`, `none`
-/// (no tilt_lens in the end), `error WORDS` or `wrong WORDS`.
+/// Reads the texts of blocks from standard input, each ended by a zero byte, and parses each as a scene of its own. Prints one line per
+/// block at
+/// once, so that a crash can be attributed: `lens`, `none` (no tilt_lens in the end), `error WORDS` or `wrong WORDS`.
 
 #include <iostream>
 #include <string>

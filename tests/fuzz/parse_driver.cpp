@@ -24,10 +24,10 @@
 namespace
 {
 
-// the program deletes a class of its own through this one, which sanitizers call an error
+// the program deletes a derived class through this one, which sanitizers report
 static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::value);
 
-// a thread that sees it destroys what the task's own thread has written
+// a thread that sees it set destroys data that the task's own thread has written
 static_assert(std::is_same<decltype(pov::Task::done), std::atomic<bool>>::value);
 
 ParseOutcome* current = nullptr;  ///< one scene is parsed at a time
@@ -49,7 +49,7 @@ void Catch(POVMSObjectPtr message)
         current->warnings.push_back(text);
 }
 
-/// A thread's end, waited for.
+/// Waits for a thread's end.
 class Finish
 {
   public:
@@ -71,7 +71,7 @@ class Finish
     bool done = false;
 };
 
-/// The rays through the frame's corners and middle, from the middle of the lens and its rim.
+/// Checks the rays through the frame's corners and centre, from the centre of the lens and its rim.
 std::string BrokenRay(const tilt_lens::Lens& lens)
 {
     for (double x : {-0.5, 0.0, 0.5})
@@ -89,7 +89,7 @@ std::string BrokenRay(const tilt_lens::Lens& lens)
 
 } // namespace
 
-// The linker sends the parser's calls of these four here (--wrap). Files there are none but the scene.
+// the linker redirects the parser's calls of these four functions here (--wrap); the scene is the only file
 int Send(POVMSContext, POVMSObjectPtr message, POVMSObjectPtr, int) __asm__("__wrap__Z10POVMS_SendPvP9POVMSDataS1_i");
 pov_base::UCS2String FindFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, unsigned int)
     __asm__("__wrap__ZN3pov9SceneData8FindFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEEj");
@@ -135,7 +135,7 @@ ParseOutcome Parse(const std::string& scene)
         std::abort();
     {
         shared_ptr<pov::SceneData> data(new pov::SceneData);
-        // what upstream's Scene sets from the command line
+        // set from the command line by upstream's Scene
         data->inputFile = pov_base::ASCIItoUCS2String("scene.pov");
         data->realTimeRaytracing = data->clocklessAnimation = data->outputAlpha = false;
         data->boundingMethod = 1;
@@ -147,7 +147,7 @@ ParseOutcome Parse(const std::string& scene)
         finish.Wait();
         parser.Stop();
         const pov::Camera& camera = data->parsedCamera;
-        // a focus that rays have to find is found when the render begins
+        // a focus found by rays is found when the render begins
         if (outcome.errors.empty() && camera.TiltLens.given && camera.TiltLens.HasPoints())
         {
             outcome.lens = true;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_driver.h
-/// POV-Ray's own parser as a function from text to outcome, in this process: no program is started, no
-/// file is read or written, and what the parser would tell the user is caught.
+/// POV-Ray's parser as a function from text to outcome, within this process: no program is started, no file is read or written, and
+/// messages to
+/// the user are caught.
 
 #ifndef TILT_LENS_TESTS_PARSE_DRIVER_H
 #define TILT_LENS_TESTS_PARSE_DRIVER_H
@@ -16,16 +17,16 @@ struct ParseOutcome
     std::vector<std::string> errors;    ///< fatal ones: parsing has ended there
     std::vector<std::string> warnings;
     bool lens = false;                  ///< the scene has a camera with tilt_lens, and it has been solved
-    std::string broken;                 ///< what is wrong with an accepted lens: a ray without numbers
+    std::string broken;                 ///< fault of an accepted lens: a ray that is not finite
 };
 
 /// Parses a scene.
 ParseOutcome Parse(const std::string& scene);
 
-/// The scene around a block: a camera that the block's text stands in, and nothing else.
+/// A scene with a camera around the block's text, and nothing else.
 std::string SceneAround(const std::string& block);
 
-/// What a parser must never do with a text, in words; empty if all is well.
+/// Describes forbidden behaviour of the parser; empty if there is none.
 std::string Complaint(const ParseOutcome& outcome);
 
 #endif

@@ -13,7 +13,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    // Directives, strings and functions are upstream's: loops without an end, files, and parsers of their own.
+    // directives, strings and functions are upstream's: infinite loops, files, and parsers of their own
     if (size > 2000)
         return -1;
     for (std::size_t i = 0; i < size; i++)

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription_fuzz.cpp
-/// libFuzzer's target for the readers of prescriptions: the bytes are a file. Whatever they are, there is a lens that can be
-/// focused, or an error in words that names a line of the file.
+/// libFuzzer's target for the readers of prescriptions: the bytes are a file. Any bytes yield a lens that can be focused, or an error in
+/// words
+/// that names a line of the file.
 
 #include <algorithm>
 #include <cstdint>

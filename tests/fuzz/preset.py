@@ -19,7 +19,6 @@ def run(*command):
 
 
 def main():
-    """The test."""
     source, downloads = sys.argv[1:]
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         run("cmake", "--preset", "fuzz", "-S", source, "-B", name, f"-DTILT_LENS_DOWNLOADS={downloads}")

@@ -13,8 +13,8 @@ from tests.fuzz import blocks, frames, grammar, kept, seeds
 from tools.repository import ROOT
 
 RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 1200, 60
-SECONDS_OF_ONE = 60  # any file is read within a thousandth of it
-# a block that the parser refuses, and one with light past what the file can hold behind it
+SECONDS_OF_ONE = 60  # a file is read within a thousandth of it
+# a block that the parser refuses, and one followed by more light than the file can hold
 BAD = ("tilt",
        "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
 
@@ -38,7 +38,7 @@ def solver(settings):
 
 
 def prescription(settings):
-    """Some thousand files, derived from the lenses that come with the program."""
+    """Some thousand files, derived from the lenses of the program."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         seeds.write_lenses(folder / "corpus")
@@ -99,7 +99,6 @@ def regressions(settings):
 
 
 def main():
-    """One part."""
     parts = {"solver": solver, "prescription": prescription, "blocks": grammar_blocks, "frames": grammar_frames, "regressions": regressions}
     parser = argparse.ArgumentParser()
     parser.add_argument("part", choices=parts)

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file solver_fuzz.cpp
-/// libFuzzer's target for the solver: the bytes are the numbers of a camera and a statement, bit for bit.
-/// Whatever they are, there is a lens whose rays have finite numbers and a direction, or an error in words.
+/// libFuzzer's target for the solver: the bytes are the numbers of a camera and a statement, bit for bit. Any bytes yield a lens whose rays
+/// are
+/// finite and have a direction, or an error in words.
 
 #include <cstdint>
 #include <cstdio>
@@ -20,7 +21,7 @@ namespace
 
 using namespace tilt_lens;
 
-/// Takes numbers off the bytes; zeros when they have run out.
+/// Reads numbers from the bytes; zeros after their end.
 class Bytes
 {
   public:
@@ -83,7 +84,7 @@ Statement StatementFrom(Bytes& bytes, unsigned flags)
     return s;
 }
 
-/// What the report and the render ask of a lens: nothing may stop or overflow.
+/// Uses of a lens in the report and the render: none may crash or overflow.
 void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
 {
     for (const std::string& warning : Warnings(lens, s))

@@ -65,7 +65,7 @@ def plain(text):
 
 
 def check_blocks(page):
-    """Faults of the page's excerpts: each is to be found in the scene whose command precedes it."""
+    """Faults of the page's excerpts: each must occur in the scene whose command precedes it."""
     faults = []
     for block in re.finditer(r"^```\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
         names = re.findall(r"\./render scenes/gallery/(\w+)\.pov", page[:block.start()])
@@ -100,7 +100,6 @@ def check_page():
 
 
 def main():
-    """The command."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--povray", required=True)
     parser.add_argument("--compare", required=True)

@@ -60,8 +60,8 @@ TEST(LensPoints, DiscHasTheMomentsOfADisc)
     EXPECT_NEAR(ab, 0.0, 1e-3);
 }
 
-/// Second moment of a regular polygon of N corners on the unit circle: (1 + 2 cos^2(pi/N)) / 12 for
-/// each axis; and every point is inside each of its edges.
+/// Second moment of a regular polygon of N corners on the unit circle: (1 + 2 cos^2(pi/N)) / 12 for each axis; all points lie within its
+/// edges.
 TEST(LensPoints, PolygonIsFilledEvenly)
 {
     const double pi = std::acos(-1.0);

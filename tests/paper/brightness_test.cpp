@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The profile tool's arithmetic on pictures whose answers are known.
+// The profile tool's arithmetic on pictures with known results.
 
 #include <cmath>
 #include <stdexcept>
@@ -57,9 +57,9 @@ TEST(Profile, AveragesAbsoluteDifferences)
     EXPECT_THROW(paper::AverageDifference({1}, {1, 2}), std::invalid_argument);
 }
 
-TEST(Moments, OfARectangle)
+TEST(Moments, MatchARectangle)
 {
-    // 5 by 3 pixels: variances (n^2 - 1)/12 of the pixels' middles
+    // 5 by 3 pixels: variances (n^2 - 1)/12 of the pixels' centres
     const Picture picture =
         Make(20, 20, [](int x, int y) { return x >= 4 && x < 9 && y >= 7 && y < 10 ? 0.25 : 0.0; });
     const paper::Moments m = paper::MomentsIn(picture, 2, 2, 15, 15);

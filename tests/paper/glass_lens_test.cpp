@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The lens of glass by real rays: does it focus, where its numbers say?
+// The experiments' lens of glass by real rays: does it focus where its numbers say?
 
 #include <cmath>
 
@@ -30,20 +30,20 @@ TEST(GlassLens, SendsTheFocalPointToInfinity)
     for (const double height : {0.01, 0.5, 1.0})
     {
         const paper::Ray ray = Out(lens, focus, height, 0.0);
-        // spherical aberration grows with the cube of the height; near the axis there is none
+        // spherical aberration grows with the cube of the height and vanishes near the axis
         EXPECT_NEAR(ray.direction.x / ray.direction.z, 0.0, 1e-7 + 2e-5 * std::pow(height, 3));
     }
 }
 
 TEST(GlassLens, HasTheRowsOfALensOf50Millimetres)
 {
-    // The file says so; a wrong digit in a row of glass would be seen here.
+    // states the file's focal length; a wrong digit in a row would change it
     EXPECT_NEAR(GlassLens(50.0, 8.0).PrintedFocalLength(), 50.0, 0.5);
 }
 
 TEST(GlassLens, HasItsFocalLength)
 {
-    // A film point off the axis by h in the focal plane leaves at the slope -h/f.
+    // a film point at height h in the focal plane leaves at the slope -h/f
     const GlassLens lens(50.0, 8.0);
     const double h = 0.01;
     const paper::Ray ray = Out(lens, {h, 0.0, -lens.Separation() - 50.0}, 0.0, 0.0);
@@ -52,7 +52,7 @@ TEST(GlassLens, HasItsFocalLength)
 
 TEST(GlassLens, PassesItsPrincipalPointsUnbent)
 {
-    // Toward H' (the pupil is there) and out of H, with one direction.
+    // towards H' (where the pupil is) and out of H, in one direction
     const GlassLens lens(50.0, 8.0);
     ASSERT_NEAR(lens.ExitPupil(), -lens.Separation(), 0.05);
     ASSERT_NEAR(lens.EntrancePupil(), 0.0, 0.05);
@@ -69,7 +69,7 @@ TEST(GlassLens, PassesItsPrincipalPointsUnbent)
 
 TEST(GlassLens, HasItsFNumber)
 {
-    // The widest ray that the stop lets pass leaves at half the entrance pupil's diameter.
+    // the widest ray through the stop leaves at half the entrance pupil's diameter
     const GlassLens lens(50.0, 8.0);
     const paper::Vector focus{0.0, 0.0, -lens.Separation() - 50.0};
     double widest = 0.0;

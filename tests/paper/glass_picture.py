@@ -22,13 +22,14 @@ from experiments.lens import Lens
 from tests.render import rendering
 
 TILTS, STOPS = (0, 4, 8), (8, 2.1)
-SAMPLES = {8: 1024, 2.1: 4096}      # of the tracer, a pixel: its noise must be small against the limits
+SAMPLES = {8: 1024, 2.1: 4096}      # of the tracer, per pixel: its noise must be small against the limits
 WIDTH, HEIGHT = 60, 40
 # The limits of the oracle's pictures. With the wrong sign of the tilt the RMSE is 0.11.
 RMSE, MEAN = 0.006, 0.0005
 WRONG = 0.1
-# The lens that focuses by its first element, so far out (mm of its file) for this scene: as before, and what it differs by from the lens
-# with all of the glass as for infinity.
+# The lens that focuses by its first element: its movement (mm of its file) for this scene, the tilt, and the least difference from the lens
+# with
+# all glass as for infinity.
 MOVED, MOVED_TILT, UNMOVED = 2.0, 4, 0.1
 
 
@@ -53,15 +54,15 @@ def traced_picture(tool, folder, tilt, stop, moved=0.0):
     done = subprocess.run([tool, made, "--width", str(WIDTH), "--height", str(HEIGHT), "--samples", str(SAMPLES[stop]),
                            "--f-stop", str(stop), "--tilt", str(tilt), "--moved", str(moved), "--film-distance", repr(lens.film_distance * VIEW.scene_unit)],
                           check=True, capture_output=True, text=True)
-    # the tracer's stop stays in its place when the first element moves
+    # the tracer's stop stays in place when the first element moves
     assert abs(json.loads(done.stdout)["entrance_pupil"]) < (0.02 if moved == 0.0 else 0.03), done.stdout
-    # three floats, and three halves for an error that the mean of one batch does not have
+    # three floats, and three halves for an error that the mean of one batch lacks
     *_, data = rendering.read_pixels(made)
     return rendering.Picture(WIDTH, HEIGHT, ["R", "G", "B"], [v for pixel in struct.iter_unpack("=fffeee", data) for v in pixel[:3]])
 
 
 def differences(picture, even, traced):
-    """Root mean square and mean difference of the colours, even light taken into account."""
+    """Root mean square and mean difference of the colours, after division by the flat field."""
     squares = mean = 0.0
     for name in "RGB":
         for own, level, other in zip(picture.channel(name), even.channel(name), traced.channel(name)):
@@ -72,7 +73,7 @@ def differences(picture, even, traced):
 
 
 def inner_focus(tool, folder, stop):
-    """The program has to find by itself how far out the first element is."""
+    """The program has to find the first element's movement by itself."""
     traced = traced_picture(tool, folder, MOVED_TILT, stop, MOVED)
     at_infinity = gauss.write_moving(folder, MOVED, lens_of(MOVED_TILT, stop).film_distance * VIEW.scene_unit)
     stays = json.loads((folder / "moving.json").read_text())

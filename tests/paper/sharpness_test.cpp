@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Blur that was put into a picture is found again.
+// The sharpness tool recovers the blur of synthetic pictures.
 
 #include <cmath>
 #include <random>
@@ -17,9 +17,9 @@ namespace
 using paper::Point;
 using witness::Picture;
 
-/// A checker board turned against the grid, which is `finer` times as fine; each pixel the mean
-/// over its square and over a disc about it: evaluated directly, by random points, not by the tool's
-/// own disc.
+/// A checker board turned against the grid, which is `finer` times as fine. Each pixel is the mean over its square and over a disc around
+/// it, by
+/// random points, independent of the tool's own disc.
 Picture Checkers(double diameter, int finer = 1)
 {
     std::mt19937 random(7);
@@ -48,20 +48,20 @@ Picture Checkers(double diameter, int finer = 1)
     return picture;
 }
 
-TEST(Blur, IsFoundAgain)
+TEST(Blur, IsRecovered)
 {
     const Picture sharp = Checkers(0.0);
     for (const double diameter : {1.5, 3.0, 5.0, 9.0})
     {
         const paper::Blur blur =
             paper::BlurBetween(sharp, Checkers(diameter), {15, 15, 30, 20}, 20.0);
-        // the grid counts a part of a pixel's own variance, 1/12; a disc's is d^2/16
+        // the grid contributes up to a pixel's own variance, 1/12; a disc's is d^2/16
         EXPECT_NEAR(blur.diameter * blur.diameter, diameter * diameter, 16.0 / 12);
         EXPECT_LT(blur.residual, 0.1);
     }
 }
 
-TEST(Blur, IsFoundCloserOnAFinerGrid)
+TEST(Blur, IsMorePreciseOnAFinerGrid)
 {
     const Picture sharp = Checkers(0.0, 3);
     for (const double diameter : {1.5, 3.0})
@@ -70,13 +70,13 @@ TEST(Blur, IsFoundCloserOnAFinerGrid)
             diameter, 0.1);
 }
 
-TEST(Blur, OfASharpPictureIsUnderAPixel)
+TEST(Blur, SharpPictureHasLessThanAPixel)
 {
     EXPECT_LT(
         paper::BlurBetween(Checkers(0.0), Checkers(0.0), {15, 15, 30, 20}, 20.0).diameter, 0.3);
 }
 
-TEST(Blur, RefusesWhatItCannotMeasure)
+TEST(Blur, RefusesUnmeasurablePictures)
 {
     const Picture sharp = Checkers(0.0), grey{60, 50, std::vector<double>(60 * 50 * 3, 0.5)};
     EXPECT_THROW(paper::BlurBetween(sharp, sharp, {50, 0, 20, 20}, 9.0), std::invalid_argument);
@@ -86,10 +86,10 @@ TEST(Blur, RefusesWhatItCannotMeasure)
         std::invalid_argument);
 }
 
-TEST(Steepness, OfAStep)
+TEST(Steepness, MatchesAStep)
 {
-    // Black to white between two columns: central differences see half of it in each of both, so
-    // ten columns have 255/10 levels a pixel in the mean.
+    // black to white between two columns: central differences see half of it in each of both, so that ten columns average 255/10 levels per
+    // pixel
     Picture picture{20, 9, {}};
     for (int i = 0; i < 20 * 9; ++i)
         picture.values.insert(picture.values.end(), 3, i % 20 < 10 ? 0.0 : 1.0);

@@ -32,13 +32,11 @@ MARK = "<<"
 
 
 class BadCase(Exception):
-    """The file of cases itself is wrong."""
+    """An error in the file of cases itself."""
 
 
 @dataclasses.dataclass
 class Expected:
-    """A message: its kind and its text."""
-
     kind: str  # "error", "warning" or "says"
     parts: list
 
@@ -59,7 +57,7 @@ class Case:
 
 
 def place_of_mark(name, files):
-    """File and line of the mark; None where no file has one."""
+    """File and line of the mark; None without a mark."""
     places = [(file, number) for file, text in files.items()
               for number, line in enumerate(text.split("\n"), 1) if MARK in line]
     if len(places) > 1:

@@ -19,8 +19,9 @@ from tests.parse import cases_file
 from tests.waiting import PATIENCE
 
 PICTURE = "picture.png"
-# POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The
-# renderer's have their place, and perhaps the lines around it, before them.
+# POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The renderer's messages follow their place
+# and
+# perhaps the lines around it.
 KIND = r"((?:Parse |Possible |Render |Fatal )?(?:Error|Warning)): (.*)"
 MESSAGE = re.compile(r"File '([^']*)' line (\d+): " + KIND)
 PLACE = re.compile(r"File: (.*\S) +Line: (\d+)\n(?:File Context.*\n(?:.*\n)*?)?(?=" + KIND + ")")
@@ -41,7 +42,7 @@ def messages_of(text):
 
 
 def has_parts(text, parts):
-    """Whether the text contains the parts in this order."""
+    """True if the text contains the parts in this order."""
     at = 0
     for part in parts:
         at = text.find(part, at)

@@ -12,13 +12,12 @@ import pathlib
 import re
 import sys
 
-# What a patch is for is the folder it lies in.
+# a patch lies in the folder of its purpose
 FOLDERS = ("camera", "output", "speed", "fixes")
 
 REQUIRED_FIELDS = ("Description", "Author", "Origin", "Forwarded", "Last-Update", "Hooks", "Tests")
 
-# A hook is a line or two. A patch that adds more than this needs a reason in its header, in the field
-# "Size-Reason", and then still has an end.
+# A hook is a line or two. A larger patch gives its reason in the header field "Size-Reason", up to a second limit.
 LINE_BUDGET = 40
 LINE_BUDGET_WITH_REASON = 80
 
@@ -39,7 +38,7 @@ def listed_patches(folder):
 
 
 def header_fields(text):
-    """The DEP-3 fields ahead of the first file: name -> value, continued lines joined."""
+    """The DEP-3 fields before the first file: name -> value, continued lines joined."""
     fields = {}
     current = None
     for line in text.splitlines():
@@ -55,7 +54,7 @@ def header_fields(text):
 
 
 def changed_lines(text, sign):
-    """The lines that the patch adds ("+") or takes away ("-"), without the sign."""
+    """The lines that the patch adds ("+") or removes ("-"), without the sign."""
     in_hunk = False
     for line in text.splitlines():
         if line.startswith("@@"):
@@ -69,7 +68,7 @@ def changed_lines(text, sign):
 
 
 def check_list(folder):
-    """Every listed file exists in a folder of its question, none is listed twice, no file is left out."""
+    """Every listed file exists in one of the folders, none is listed twice, no file is left out."""
     names = series(folder)
     for name in sorted(set(names)):
         if names.count(name) > 1:
@@ -102,7 +101,6 @@ def check_headers(folder):
 
 
 def check_size(folder):
-    """Patches are small."""
     for name, text in listed_patches(folder):
         added = sum(1 for _ in changed_lines(text, "+"))
         reason = header_fields(text).get("Size-Reason", "")

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Every kind of failure is told apart from the others: each is made once, with a stand-in for the
-program that renders, and a folder of references of the test's own."""
+"""Every kind of failure is distinguished: each is made once, with a stand-in for the program that renders, and the test's own folder of
+references."""
 
 import os
 import pathlib
@@ -56,11 +56,11 @@ class FailureKinds(unittest.TestCase):
         return path
 
     def save(self, record):
-        """The manifest of the test's own."""
+        """The test's own manifest."""
         manifest.save({NAME: record} if record else {}, self.references)
 
     def check(self, script, *more):
-        """Runs check_picture.py; `script`: what the stand-in does. Gives exit code and messages."""
+        """Runs check_picture.py with a stand-in script. Returns exit code and messages."""
         stand_in = self.folder / "stand_in"
         stand_in.write_text("#!/bin/sh\n" + script + "\n")
         stand_in.chmod(0o755)
@@ -72,7 +72,7 @@ class FailureKinds(unittest.TestCase):
         return done.returncode, done.stderr
 
     def expect(self, outcome, script):
-        """The outcome is this one, named in the message and in the page."""
+        """The outcome is named in the message and in the page."""
         code, message = self.check(script)
         self.assertEqual(code, pictures.OUTCOMES[outcome], message)
         self.assertIn(outcome, message)

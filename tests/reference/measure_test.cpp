@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The comparison is a judge only if it lets noise pass and nothing else.
+// The comparison accepts noise and nothing else.
 
 #include <cmath>
 #include <filesystem>

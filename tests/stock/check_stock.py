@@ -17,7 +17,6 @@ import sys
 
 
 def arguments():
-    """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("scene", help="path below the folder of examples")
     parser.add_argument("width", type=int)
@@ -33,7 +32,7 @@ def arguments():
 
 
 def render(program, args, folder):
-    """Renders in a folder of its own, with copies of the scene's neighbours; gives the picture."""
+    """Renders in a folder of its own, with copies of the scene's neighbours; returns the picture."""
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir(parents=True)
@@ -60,7 +59,7 @@ def render(program, args, folder):
 
 
 def pixels(compare, picture):
-    """Size, kind and hash of the decoded pixels."""
+    """Size, type and hash of the decoded pixels."""
     done = subprocess.run([compare, "pixels", str(picture)], capture_output=True, check=True)
     head, data = done.stdout.split(b"\n", 1)
     return head.decode(), hashlib.sha256(data).hexdigest()
@@ -72,7 +71,7 @@ def main():
         print(f"there is no {args.examples / args.scene}: is povray-examples installed?",
               file=sys.stderr)
         return 1
-    # absolute, for the programs run in other folders
+    # absolute, because the programs run in other folders
     stock, fork = shutil.which(args.stock), shutil.which(args.fork)
     if stock is None or fork is None:
         print(f"no such program: {args.stock if stock is None else args.fork}", file=sys.stderr)

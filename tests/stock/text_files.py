@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What a scene reads from its files, by #include, macros of other files, loops and #read, is what the unpatched program
-reads: both parse the scene, and all that it tells (#debug) is compared."""
+"""Text read by #include, macros of other files, loops and #read equals that of the unpatched program: both parse the scene, and all output
+by
+#debug is compared."""
 
 import argparse
 import pathlib
@@ -15,7 +16,7 @@ TOLD = "#macro Told(S) #debug concat(\"TOLD \", S, \"\\n\") #end\n"
 
 
 def told(program, scene, files):
-    """What the scene tells beside its files, a line each, and the program's error, if any."""
+    """The scene's #debug output, line by line, and the program's error, if any."""
     rendering.SETTINGS.povray = program
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
@@ -27,7 +28,7 @@ def told(program, scene, files):
 
 class TextFiles(unittest.TestCase):
     def check(self, scene, expected, **files):
-        """Both programs tell the same, and that is what a reader of the scene expects."""
+        """Both programs give the same output, and it is the expected one."""
         files = {f"{name}.inc": text for name, text in files.items()}
         stock, fork = (told(program, TOLD + scene, files) for program in (PROGRAMS.stock, PROGRAMS.fork))
         self.assertEqual(fork, stock, scene)
@@ -38,7 +39,7 @@ class TextFiles(unittest.TestCase):
                    a="// one\n#macro A(I)\n  Told(str(I, 0, 0))\n#end\n")
 
     def test_last_of_its_file(self):
-        """Nothing follows the #end of the macro, not even the end of a line."""
+        """Nothing follows the #end of the macro, not even a line end."""
         for end in ("\n", "\r\n", "\r"):
             with self.subTest(end=end):
                 self.check(f'#include "a.inc"{end}#for (I, 1, 4) A(I) #end{end}', ["1", "2", "3", "4"],
@@ -88,7 +89,7 @@ class TextFiles(unittest.TestCase):
         self.check('#declare I = 0;\n#include "a.inc"\n', ["0", "1"], a="#while (I < 2)\nTold(str(I, 0, 0))\n#declare I = I + 1;\n#end\n")
 
     def test_long_loop(self):
-        """Longer than what the unpatched program keeps of a file."""
+        """Longer than the unpatched program's buffer for a file."""
         filler = "// nothing but a comment, to make the loop long\n" * 40
         self.check(f"#declare I = 0;\n#while (I < 3)\n{filler}Told(str(I, 0, 0))\n{filler}#declare I = I + 1;\n#end\n", ["0", "1", "2"])
 
@@ -99,7 +100,7 @@ class TextFiles(unittest.TestCase):
                    a=f'#macro A() Told("a") #end\n{filler}#macro B() Told("b") #end\n')
 
     def test_data(self):
-        """Ends of line of all kinds, and what follows the last comma."""
+        """Line ends of all kinds, and text after the last comma."""
         for end in ("\n", "\r\n", "\r"):
             with self.subTest(end=end):
                 numbers = end.join("1, 2.5, -3e2," for _ in range(200)) + end + '"text"'
