@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Shared by the set-up tests: folders of this build, and commands in a scratch folder."""
+"""Common to the set-up tests: folders of this build, and commands in a scratch folder."""
 
 import os
 import pathlib
@@ -24,7 +24,7 @@ text { ttf "timrom.ttf" "x" 0.1, 0 pigment { Blue } }
 
 
 class SetupTest(unittest.TestCase):
-    """A test with a scratch folder, whose name holds a space, as users' folders do."""
+    """A test with a scratch folder whose name contains a space."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="tilt lens ")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Shared by the tests of the pinned source: a source package of the real one's shape, and its preparation for the build."""
+"""Common to the tests of the pinned source: a source package like the real one, and its preparation for the build."""
 
 import hashlib
 import io
@@ -15,7 +15,7 @@ PACKAGING = "povray_1-2.debian.tar.xz"
 TARGET = "LICENSE"                  # the upstream file that this test's patches change
 NO_NETWORK = "http://127.0.0.1:9"   # the discard port: refuses at once
 
-# A source package of the real one's shape, small enough to be unpacked a dozen times.
+# structured like the real source package, small enough to be unpacked a dozen times
 ORIG = {
     "povray-1/LICENSE": "GENERAL PUBLIC LICENSE\n",
     "povray-1/changes.txt": "one\ntwo\n",
@@ -58,7 +58,7 @@ class SourcePackageTest(SetupTest):
         self.write_series("One")
 
     def write_packaging(self, name, mode="w:xz", without=(), **changed):
-        """A packaging; CHANGED are the patches with another text, "-" being "_" and without ending."""
+        """A packaging; CHANGED are patches with another text, named with "_" for "-" and without extension."""
         members = {path: text for path, text in DEBIAN.items() if path not in without}
         for patch, text in changed.items():
             members[f"debian/patches/{patch.replace('_', '-')}.patch"] = text
@@ -78,7 +78,7 @@ class SourcePackageTest(SetupTest):
                                         "packaging_patches": patches}), encoding="utf-8")
 
     def write_series(self, text):
-        """A series of one patch that puts the line TEXT ahead of TARGET."""
+        """A series of one patch that inserts the line TEXT before TARGET."""
         first = ORIG[f"povray-1/{TARGET}"]
         (self.series / "add-line.patch").write_text(
             f"--- a/{TARGET}\n+++ b/{TARGET}\n@@ -1 +1,2 @@\n+{text}\n {first}", encoding="utf-8")

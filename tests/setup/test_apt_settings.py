@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Both styles of apt's settings lead to the same source list, and the settings stay as they are."""
+"""Both styles of apt's settings yield the same source list, and the settings stay unchanged."""
 
 import unittest
 
@@ -93,7 +93,7 @@ class AptSettings(SetupTest):
         self.assert_fails_saying(process, "name no mirror of its release")
 
     def test_no_network(self):
-        mirror = "http://127.0.0.1:9/debian"    # the discard port: refused at once, with no look-up
+        mirror = "http://127.0.0.1:9/debian"    # the discard port: refused at once, without a look-up
         env = self.settings(main=f"deb [trusted=yes] {mirror} {CODENAME} main\n")
         before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         process = self.run_command(FETCH, "fetch", "povray", self.folder / "target", "3.7.0.10", env=env)

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The bundle for any Linux: it loads no library from outside but glibc's, names every licence, and renders from wherever it lies.
-That it does so in systems where nothing is installed is tried by on_fresh_debian, which needs root."""
+"""The bundle for any Linux: it loads no outside library but glibc's, contains every licence, and renders from any folder. on_fresh_debian,
+which
+needs root, tries it on systems where nothing is installed."""
 
 import os
 import pathlib
@@ -26,7 +27,7 @@ class Bundle(SetupTest):
         cls.made = cls.scratch.run_command(
             CMAKE, "-DNAME=bundle", f"-DBUILD={BUILD}", "-DVERSION=1", f"-DWORK={work}", f"-DOBJDUMP={cache['CMAKE_OBJDUMP']}",
             f"-DJEMALLOC={cache['JEMALLOC_LIBRARY']}", "-P", REPOSITORY / "cmake" / "bundle" / "make.cmake")
-        # Moved, so that nothing may depend on where it was made
+        # moved, so that nothing may depend on the original place
         cls.bundle = cls.scratch.folder / "moved to" / "bundle"
         if (work / "bundle").is_dir():
             cls.bundle.parent.mkdir()
@@ -39,7 +40,7 @@ class Bundle(SetupTest):
         self.here.mkdir()
 
     def bare(self, *command):
-        """Runs COMMAND with hardly any environment."""
+        """Runs COMMAND with a minimal environment."""
         return subprocess.run([str(word) for word in command], cwd=self.here, timeout=60, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, errors="replace", check=False, env={"PATH": "/usr/bin:/bin", "HOME": str(self.folder)})
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The two commands, up to the build: what they make of their arguments, and of a system that lacks things.
+"""The two commands up to the build: handling of arguments, and of systems with missing parts.
 
 The commands run in a copy of the repository's scripts whose program is a stand-in that prints its arguments.
 """
@@ -39,17 +39,17 @@ class CommandTest(SetupTest):
         self.tool("sudo", "exit 1")
 
     def tool(self, name, text):
-        """Puts a stand-in for the command NAME ahead of the system's."""
+        """Puts a stand-in for the command NAME before the system's in PATH."""
         path = self.tools / name
         path.write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
         path.chmod(0o755)
 
     def have_all_packages(self):
-        """No package is missing on any system."""
+        """Makes all packages appear installed."""
         (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
 
     def built(self, target):
-        """A configuration that is done, and a build of TARGET with nothing to do."""
+        """A finished configuration, and a build of TARGET with nothing to do."""
         build = self.copy / "build"
         build.mkdir()
         (build / "CMakeCache.txt").write_text(
@@ -80,7 +80,7 @@ class RenderCommand(CommandTest):
 
     @staticmethod
     def arguments(process):
-        """What povray was given."""
+        """The arguments of povray."""
         quoted = re.findall(r"^argument \[(.*)\]$", process.stderr, re.MULTILINE)
         words = subprocess.run(["bash", "-c", f"printf '%s\\0' {' '.join(quoted)}"], capture_output=True, text=True, check=True)
         return words.stdout.split("\0")[:-1]
@@ -211,7 +211,7 @@ class CheckCommand(CommandTest):
                               stdin=subprocess.DEVNULL, env={**os.environ, **self.environment()}) as check:
             ready, _, _ = select.select([check.stdout], [], [], PATIENCE)
             first = check.stdout.readline() if ready else "nothing before CTest's end"
-            (self.folder / "go").touch()  # what the stand-in for CTest waits for
+            (self.folder / "go").touch()  # the stand-in for CTest waits for this file
             rest = check.stdout.read().splitlines()
         self.assertRegex(first, r"^arguments: --output-on-failure -j \d+ -L unit$")
         self.assertEqual(rest, ["", "Total Test time (real) =   3.70 sec", "  2 - unit.two (Failed)", self.CLOSING])
@@ -220,7 +220,7 @@ class CheckCommand(CommandTest):
     SLOW = [f"group.slow{n}" for n in range(23)]
 
     def chosen(self, *arguments, **env):
-        """CTest's options that choose tests, where there are slow ones."""
+        """CTest's options that choose tests, if there are slow ones."""
         listed = "\n".join(f"  Test #{n}: {name}" for n, name in enumerate(self.SLOW, 100))
         self.tool("ctest", f'[ "$1" = -N ] && {{ echo "{listed}"; exit; }}; shift 3; printf "option %s\\n" "$@"')
         process = self.command(self.copy / "check", *arguments, **env)
@@ -301,7 +301,7 @@ class FastBuild(CommandTest):
 class SetupStep(CommandTest):
     def setUp(self):
         super().setUp()
-        # One package that no system has.
+        # one package that no system has
         (self.copy / "cmake" / "debian-packages").write_text(
             "render  bash\nrender  tilt-lens-missing\ncheck  tilt-lens-check-only\n", encoding="utf-8")
         self.tool("apt-get", f'echo "$@" >> "{self.folder}/apt.log"; [ "$1" != --yes ] || exit 0; exit "${{APT_EXIT:-0}}"')
@@ -332,7 +332,7 @@ class SetupStep(CommandTest):
         self.assert_fails_saying(process, "packages could not be installed", "is there a network?")
 
     def installed_of(self, packages, known=""):
-        """The packages installed for the lines PACKAGES where apt knows the names KNOWN."""
+        """The packages installed for the lines PACKAGES if apt knows the names KNOWN."""
         (self.copy / "cmake" / "debian-packages").write_text(packages, encoding="utf-8")
         self.tool("id", "echo 0")
         self.tool("apt-cache", f'case " {known} " in *" $2 "*) echo "  Candidate: 1" ;; *) echo "  Candidate: (none)" ;; esac')
@@ -344,7 +344,7 @@ class SetupStep(CommandTest):
         packages = "render  tilt-a|tilt-b|tilt-c\nrender  bash|tilt-d\nrender  tilt-e|bash\nrender  tilt-f\n"
         self.assertEqual(self.installed_of(packages, known="tilt-b tilt-c"), ["tilt-b", "tilt-f"])
         self.assertEqual(self.installed_of(packages, known="tilt-c tilt-a"), ["tilt-a", "tilt-f"])
-        self.assertEqual(self.installed_of(packages), ["tilt-a", "tilt-f"])     # apt then says what is wrong with it
+        self.assertEqual(self.installed_of(packages), ["tilt-a", "tilt-f"])     # apt then reports the fault
 
     def test_libraries_for_another_processor_are_none_for_this_one(self):
         self.tool("dpkg-query", 'echo installed tilt-a other; echo installed tilt-b all; echo "installed tilt-c $(dpkg --print-architecture)"')
@@ -373,7 +373,7 @@ class SetupStep(CommandTest):
 
 
 class OtherSystems(CommandTest):
-    """Systems without apt and dpkg: of this system's commands only those that every system has."""
+    """Systems without apt and dpkg: only commands that every system has."""
 
     EVERYWHERE = ("awk", "bash", "basename", "cat", "chmod", "cut", "dirname", "env", "find", "flock", "grep", "head", "id", "mkdir",
                   "mktemp", "mv", "nproc", "paste", "readlink", "rm", "sed", "sort", "stat", "tail", "tput", "uname")

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Mirrors of Debian and of systems derived from it, imitated in folders: apt gets the source from each of them, by that system's
-own settings."""
+"""Imitated mirrors of Debian and derived systems: apt gets the source from each, with that system's own settings."""
 
 import dataclasses
 import email.utils
@@ -20,7 +19,7 @@ DAY = 24*60*60
 
 @dataclasses.dataclass
 class System:
-    """A system's /etc/os-release and apt settings, and where its mirror has the package."""
+    """A system's /etc/os-release and apt settings, and the package's place on its mirror."""
     release: str
     settings: str           # MIRROR, DEAD and KEY stand for addresses and for the words about the key
     suite: str
@@ -66,7 +65,7 @@ SYSTEMS = {
 
 
 def rfc_date(seconds):
-    """So many seconds from now, as apt writes it."""
+    """A time relative to now, in apt's format."""
     return email.utils.formatdate(time.time() + seconds, usegmt=True).replace("GMT", "UTC")
 
 
@@ -78,7 +77,7 @@ class Mirrors(SourcePackageTest):
     @classmethod
     def setUpClass(cls):
         """A key that signs the mirrors."""
-        scratch = tempfile.TemporaryDirectory(prefix="tilt-lens-")    # without blanks: apt takes a name of a key no other way
+        scratch = tempfile.TemporaryDirectory(prefix="tilt-lens-")    # without blanks, which apt does not accept in a key's name
         cls.addClassCleanup(scratch.cleanup)
         cls.keys = pathlib.Path(scratch.name)
         cls.gpg("--passphrase", "", "--quick-gen-key", "Mirror <mirror@example.org>", "ed25519", "sign", "never")
@@ -92,7 +91,7 @@ class Mirrors(SourcePackageTest):
                               text=True, check=True).stdout
 
     def mirror(self, suite, component, revisions, made=-DAY, signed=True):
-        """A mirror with these revisions of the package, whose index was made so many seconds from now and is valid for two days."""
+        """A mirror with these revisions of the package; its index was made `made` seconds from now and is valid for two days."""
         root = self.folder / "mirror"
         source = root / "dists" / suite / component / "source"
         source.mkdir(parents=True)
@@ -122,7 +121,7 @@ class Mirrors(SourcePackageTest):
         return "file:" + urllib.parse.quote(str(root))
 
     def environment(self, system, mirror, key):
-        """The environment in which apt has SYSTEM's settings, and these alone."""
+        """The environment in which apt has SYSTEM's settings alone."""
         if system.deb822:
             key = {"": "", "trusted": "Trusted: yes", "signed": "Signed-By:" + "".join(
                 f"\n {line or '.'}" for line in self.public_key.splitlines())}[key]
@@ -133,7 +132,7 @@ class Mirrors(SourcePackageTest):
         parts.mkdir(exist_ok=True)
         (parts / ("system.sources" if system.deb822 else "system.list")).write_text(text.replace("KEY", key), encoding="utf-8")
         config = self.folder / "apt.conf"
-        ours = {"sourceparts": parts}       # nothing of the system that runs the test
+        ours = {"sourceparts": parts}       # hides the settings of the system that runs the test
         config.write_text("".join(f'Dir::Etc::{name} "{ours.get(name, "/dev/null")}";\n' for name in (
             "main", "parts", "sourcelist", "sourceparts", "trusted", "trustedparts")), encoding="utf-8")
         release = self.folder / "os-release"

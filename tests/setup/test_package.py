@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The package for Debian: its files, its control data, and that its program renders from where the package puts it. How it
-installs and what lintian says is tried by on_fresh_debian, which needs root."""
+"""The package for Debian: its files, its control data, and rendering from its installed place. on_fresh_debian, which needs root, tries its
+installation and lintian."""
 
 import gzip
 import pathlib
@@ -15,7 +15,7 @@ from tests.setup.harness import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
 
 CPACK = pathlib.Path(CMAKE).with_name("cpack")
 MAINTAINER = {"DEBFULLNAME": "A tester", "DEBEMAIL": "tester@example.org"}
-# The folders that hold files of this package alone, and the single files in folders that it shares.
+# folders of this package alone, and single files in shared folders
 OWN = re.compile(r"""/(etc|usr/(lib|share|share/doc))/povray-tilt-lens/.*
     | /usr/bin/povray-tilt-lens
     | /usr/share/man/man[17]/povray-tilt-lens\.[17]\.gz
@@ -52,7 +52,7 @@ class Package(SetupTest):
                               check=True).stdout.strip()
 
     def files(self):
-        """The package's files and links, as paths in the system."""
+        """The package's files and links, as installed paths."""
         return sorted("/" + str(path.relative_to(self.root)) for path in self.root.rglob("*")
                       if path.is_symlink() or not path.is_dir())
 
@@ -108,18 +108,18 @@ class Package(SetupTest):
         self.assert_is_the_source(archive)
 
     def assert_is_the_source(self, archive):
-        """The archive holds what is under version control, and nothing that a build leaves."""
+        """The archive holds the files under version control, and none that a build leaves."""
         with tarfile.open(archive) as opened:
             held = {name.partition("/")[2] for name in (entry.name for entry in opened if not entry.isdir())}
         self.assertIn("CMakeLists.txt", held)
         self.assertFalse([name for name in held if name.startswith((".git/", "build/")) or "__pycache__" in name])
-        if (REPOSITORY / ".git").exists() and shutil.which("git"):   # neither the archive nor a minimal system has them
+        if (REPOSITORY / ".git").exists() and shutil.which("git"):   # missing in an archive and in a minimal system
             wanted = subprocess.run(["git", "-C", str(REPOSITORY), "-c", "safe.directory=*", "ls-files", "-z"], capture_output=True,
                                     text=True, check=True).stdout.split("\0")
             self.assertEqual({name for name in wanted if name and (REPOSITORY / name).exists()} - held, set())
 
     def test_source_can_be_configured(self):
-        """The archive of the source is enough, together with the files of upstream that this build was made from."""
+        """The archive of the source suffices, together with the files of upstream that this build was made from."""
         archive = next((self.root / "usr/share/doc/povray-tilt-lens").glob("*.tar.xz"))
         self.assert_succeeds(self.run_command("tar", "--extract", "--file", archive, "--directory", self.folder))
         cache = dict(re.findall(r"^(\w+):[A-Z]+=(.*)$", (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"), re.MULTILINE))

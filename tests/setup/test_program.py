@@ -12,7 +12,7 @@ from tests.setup.harness import BUILD, CMAKE, POVRAY, REPOSITORY, SCENE, SetupTe
 class ProgramTest(SetupTest):
     def setUp(self):
         super().setUp()
-        # No ini or permissions of the user who runs the test.
+        # without ini and permissions of the user who runs the test
         self.home = self.folder / "home"
         self.home.mkdir()
         (self.folder / "scene.pov").write_text(SCENE, encoding="utf-8")
@@ -52,7 +52,7 @@ class Program(ProgramTest):
         self.assertNotIn(str(REPOSITORY), said)
 
     def test_state_files_name_its_sources(self):
-        """Another program's picture must not be continued, even where only a file of ours differs."""
+        """Another program's picture must not be continued, even if only a file of ours differs."""
         sources = sorted((path for ending in ("cpp", "h") for path in (REPOSITORY / "povray-src").rglob(f"*.{ending}")), key=str)
         hashes = "".join(hashlib.sha256(path.read_bytes()).hexdigest() + "\n" for path in sources)
         self.assertIn(b", sources " + hashlib.sha256(hashes.encode()).hexdigest().encode(), POVRAY.read_bytes())
@@ -65,7 +65,7 @@ class Program(ProgramTest):
 
 
 class Preview(ProgramTest):
-    """SDL, which brings some thirty libraries, is loaded with the first window, not with the program."""
+    """SDL, which loads some thirty libraries, is loaded with the first window, not with the program."""
 
     def render(self, display, **environment):
         process = self.povray(POVRAY, "+Iscene.pov", "+W16", "+H12", display, "-P", SDL_VIDEODRIVER="dummy", **environment)

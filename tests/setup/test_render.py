@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""./render with the program itself: names of files with any characters, and what becomes of signals."""
+"""./render with the real program: arbitrary file names, and signals."""
 
 import os
 import pathlib
@@ -93,7 +93,7 @@ class FileNames(RenderTest):
         self.assertTrue((self.place / os.fsdecode(b"latin\xe4.png")).is_file())
 
     def test_first_character(self):
-        """A switch is followed by a name that begins beyond ASCII, and an INI file has one at the begin of a line."""
+        """A non-ASCII character directly after a switch, and at the beginning of an INI file's line."""
         self.scene("\u00f6st.pov")
         self.povray("+I\u00f6st.pov", "+O\u00f6.png")
         self.assertTrue((self.place / "\u00f6.png").is_file())
@@ -106,7 +106,7 @@ class FileNames(RenderTest):
         self.assert_succeeds(self.run_command(BUILD / "bin" / "povray", *words, "+W8", "+H6", "-D", cwd=self.place))
 
     def long_path(self, letter, length):
-        """A path of so many bytes in a new folder of folders; its last part is taken to end in .pov."""
+        """A path of `length` bytes in new nested folders; room is left for .pov."""
         path, last = os.fsencode(self.folder), 60
         letter = letter.encode()
         while len(path) + 1 + last < length:
@@ -127,7 +127,7 @@ class FileNames(RenderTest):
                     os.unlink(scene)
 
     def test_long_names_of_other_files(self):
-        """The picture, an INI file, one that is written, a folder of include files; and a scene that is not there."""
+        """The picture, INI files read and written, a folder of include files; and a missing scene."""
         scene = pathlib.Path(self.long_path("\u00e4", 3000))
         shutil.copy(self.place / self.scene(), scene)
         for include in ("gr\u00fcn.inc", "\u00c4 \u4e00.inc"):
@@ -156,7 +156,7 @@ class FileNames(RenderTest):
 
 class Signals(RenderTest):
     def stopped(self, send):
-        """What is left of a render that is sent a signal while it traces: exit code and last lines."""
+        """Exit code and last lines of a render that receives a signal while it traces."""
         (self.place / "s.pov").write_text(SLOW, encoding="utf-8")
         state = self.place / "s.pov-state"
         state.unlink(missing_ok=True)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The pinned source: every way it may fail to arrive has one clear message, and the next try starts clean."""
+"""The pinned source: every failure of its delivery has one clear message, and the next try starts clean."""
 
 import os
 import shutil
@@ -95,7 +95,7 @@ class Upstream(SourcePackageTest):
         self.assertEqual(list(self.downloads.iterdir()), [])
 
     def test_interrupted_unpacking_is_told_and_leaves_no_tree(self):
-        # A tar that stops half-way stands for a full disk.
+        # a tar that stops half-way imitates a full disk
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "tar").write_text(f"#!/bin/sh\ncase $* in *{PACKAGING}*) exec {shutil.which('tar')} \"$@\" ;; esac\n"

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file extreme_cameras.h
-/// Cameras at the ends of what numbers allow, one set for each end. Each starts as one of the random
-/// cameras of the unit tests and is then pulled to its extreme, so that all else stays various.
+/// Cameras at the limits of floating point, one set for each limit. Each starts as one of the random cameras of the unit tests and is
+/// pulled to
+/// its extreme, so that everything else stays varied.
 
 #ifndef TILT_LENS_TESTS_EXTREME_CAMERAS_H
 #define TILT_LENS_TESTS_EXTREME_CAMERAS_H
@@ -35,7 +36,7 @@ inline double DistanceToFocus(const Request& r)
     return Length(r.given.focalPoint - r.camera.location);
 }
 
-/// The plane of sharp focus by normal and a point on it, as a scene would write it.
+/// Sets the plane of sharp focus by normal and a point, as a scene would write it.
 inline void SetPlane(Request& r, const Vec3& normal, const Vec3& point)
 {
     r.given.family = FocusFamily::FocalPlane;
@@ -48,12 +49,11 @@ inline void PullTilt(Random& random, Request& r, FilmPoint&)
     r.given.family = FocusFamily::LensTurn;
     (random.Coin() ? r.given.tilt : r.given.swing) =
         Sign(random) * (random.Coin() ? 89.9 : random(75.0, 89.9));
-    // on the axis: what lies aside would be behind the lens
+    // on the axis: a point aside would be behind the lens
     r.given.focalPoint = r.camera.location + DistanceToFocus(r) * AxisOf(r.camera);
 }
 
-/// Parallel to the ray but for 1e-12, so that its focus point is next to infinity, or in a camera
-/// along the axes exactly parallel.
+/// Parallel to the ray up to 1e-12, so that its focus is almost at infinity, or exactly parallel in an axis-aligned camera.
 inline void PullParallel(Random& random, Request& r, FilmPoint& at)
 {
     if (random.Coin())
@@ -108,7 +108,7 @@ inline void MoveAway(Random& random, Request& r, double distance)
 inline void PullFarCamera(Random& random, Request& r, FilmPoint&) { MoveAway(random, r, 1e7); }
 inline void PullFartherCamera(Random& random, Request& r, FilmPoint&) { MoveAway(random, r, 1e12); }
 
-/// The whole world larger or smaller, and with it what a unit means, or not.
+/// The whole world larger or smaller, with or without the scene unit.
 inline void PullScale(Random& random, Request& r, FilmPoint&)
 {
     const double scale = random.Power(-9.0, 9.0);
@@ -141,7 +141,7 @@ inline void PullFilm(Random& random, Request& r, FilmPoint&)
         r.given.focalLength = *r.given.focalLength * ratio;
 }
 
-/// A telescope's angle of view, and far less.
+/// Angles of view down to a telescope's and far below.
 inline void PullNarrow(Random& random, Request& r, FilmPoint&)
 {
     const double share = random.Power(-9.0, -4.0);
@@ -159,7 +159,7 @@ inline void PullCorners(Random& random, Request&, FilmPoint& at)
     at = {Sign(random) * middle, Sign(random) * middle};
 }
 
-/// Some numbers replaced by what floating point has at its edges.
+/// Replaces some numbers by extremes of floating point.
 inline void PullOddNumbers(Random& random, Request& r, FilmPoint&)
 {
     Statement& s = r.given;

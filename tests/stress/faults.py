@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What happens when things go wrong around a render: killed, disk full, read-only, no memory, nobody listening."""
+"""Faults around a render: killed, disk full, read-only, no memory, standard output closed."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ from tests.waiting import PATIENCE
 KILLS = 50
 SIZE = {"width": 96, "height": 72}
 LIMITS = "blur_samples 64, 300 variance 1/10000 "
-# as many samples for each pixel; as many as its noise asks for, with and without a look at its neighbours
+# fixed samples per pixel; adaptive samples, with and without neighbours
 SLOW = scenes.camera(samples="blur_samples 300 variance 0 ") + scenes.WORLD
 WAYS = (SLOW, scenes.camera(samples=LIMITS) + scenes.WORLD,
         scenes.camera("tilt 4 swing 2 shift <2, -1> blades 5, 10 denoise off", samples=LIMITS) + scenes.WORLD)
@@ -26,13 +26,13 @@ OPTIONS = ("+WT2", "+BS8")
 
 
 def use(setup):
-    """Tells the renderer's helpers which programs to take."""
+    """Sets the programs for the render tests' helpers."""
     rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
 
 
 def run(folder, scene, *options, through=(), **how):
-    """Renders in a folder, through a command that starts others, with any extras for Popen; the exit code and what
-    was said."""
+    """Renders in a folder, optionally through a command that starts others, with extra arguments for Popen; returns exit code and messages.
+    """
     job = rendering.Job(scene, options, **how.pop("size", SIZE))
     (folder / "scene.pov").write_text(rendering.HEAD + scene)
     (folder / "none.ini").write_text("")
@@ -45,12 +45,12 @@ def run(folder, scene, *options, through=(), **how):
         process.communicate()
         return None, "it did not end"
     lines = (said or b"").decode(errors="replace").splitlines()
-    # a remark at every start where the user has no settings of his own
+    # a remark at every start if the user has no settings
     return process.returncode, "\n".join(line for line in lines if "configuration file" not in line)
 
 
 def is_whole(path, whole):
-    """Whether a file is the finished picture."""
+    """True if a file is the finished picture."""
     try:
         found = rendering.read_picture(path, "")
     except rendering.UnreadablePicture:
@@ -59,13 +59,13 @@ def is_whole(path, whole):
 
 
 def torn(folder, whole):
-    """Whether something lies under the picture's name that is not the whole picture."""
+    """True if a truncated picture has the picture's name."""
     path = folder / "picture.png"
     return path.exists() and path.stat().st_size > 0 and not is_whole(path, whole)
 
 
 def killed(count, wholes, stop):
-    """Stopped at a random moment by a signal, continued: the same pixels, and what was done is not done again."""
+    """Stopped at a random moment by a signal and continued: the same pixels, and finished work is not repeated."""
     r = random.Random(int(stop))
     found = {"tries": count, "same": 0, "torn": 0, "kept": 0, "before_first_block": 0, "after_end": 0}
     usual = []
@@ -83,7 +83,7 @@ def killed(count, wholes, stop):
 
 
 def one_kill(folder, scene, whole, stop, moment):
-    """What became of one render, as numbers of 0 and 1."""
+    """The outcome of one render, as numbers of 0 and 1."""
     process = rendering.Job(scene, OPTIONS, **SIZE).start(folder)
     time.sleep(moment)
     late = process.poll() is not None
@@ -104,12 +104,12 @@ def _pixels(said):
 
 
 def said_why(said, *words):
-    """Whether one of the words stands in what was said."""
+    """True if one of the words occurs in the messages."""
     return any(word.lower() in said.lower() for word in words)
 
 
 def last_words(said):
-    """The line that tells of the failure."""
+    """The line with the failure."""
     lines = [line.strip() for line in said.splitlines() if line.strip()]
     telling = [line for line in lines if said_why(line, "error:", "fatal error", "cannot", "failed", "no space", "out of memory", "abort")]
     return (telling or lines or [""])[0][:160]
@@ -122,7 +122,7 @@ def case(name, code, said, whole, folder, words):
 
 
 def environment(whole):
-    """Full disk, read-only folder, closed or full standard output, little address space, two in one folder."""
+    """Full disk, read-only folder, closed or full standard output, little address space, two renders in one folder."""
     rows = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name) / "full"
@@ -149,8 +149,9 @@ def _many_spheres(count):
 
 
 def full_disk(folder):
-    """A small file system, or where none can be mounted a limit on the size of files; with room again, +C writes the
-    picture, and what the state file had taken is not rendered again."""
+    """A small file system or, if none can be mounted, a limit on the size of files; with room again, +C finishes the picture, and the tiles
+    in the
+    state file are not rendered again."""
     size = {"width": 320, "height": 240}
     whole = rendering.render(QUICK, *OPTIONS, **size)
     mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=512k", "none", str(folder)], capture_output=True,
@@ -179,8 +180,9 @@ def _small_files():
 
 
 def read_only(folder, whole):
-    """An output folder that must not be written to. Root may write anywhere, so it gives up that power first: another
-    user might not be able to read the program."""
+    """An output folder without write permission. Root first drops that power without changing user, because another user might not be able
+    to read the
+    program."""
     powers = "-dac_override,-dac_read_search"
     through = ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.geteuid() == 0 else []
     code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", through=through)
@@ -188,7 +190,7 @@ def read_only(folder, whole):
 
 
 def listening(whole, kind):
-    """Standard output that nobody reads: the picture is finished all the same, or the end is told by the exit code."""
+    """Standard output without a reader: the picture is finished, or the exit code reports the failure."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         if kind == "closed":
@@ -209,7 +211,7 @@ def listening(whole, kind):
 
 
 def two_in_one_folder(whole):
-    """The same picture rendered twice at once into one folder: whoever ends, the file is whole."""
+    """The same picture rendered twice at once into one folder: after each end, the file is complete."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         job = rendering.Job(SLOW, OPTIONS, **SIZE)
@@ -223,7 +225,6 @@ def two_in_one_folder(whole):
 
 
 def measure(setup, kills=KILLS):
-    """All of it."""
     use(setup)
     wholes = [rendering.render(scene, *OPTIONS, **SIZE) for scene in WAYS]
     return {"SIGKILL": killed(kills, wholes, signal.SIGKILL), "SIGTERM": killed(max(3, kills // 5), wholes, signal.SIGTERM),
@@ -231,7 +232,7 @@ def measure(setup, kills=KILLS):
 
 
 def faults(result):
-    """What breaks the promises, in words."""
+    """Violated promises, as sentences."""
     found = []
     for name in ("SIGKILL", "SIGTERM"):
         row = result[name]

@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The long fuzz run: libFuzzer on the solver, the readers of prescriptions and the parser, and the grammar's blocks against the sanitized parser."""
+"""The long fuzz run: libFuzzer on the solver, the readers of prescriptions and the parser, and the grammar's blocks against the sanitized
+parser."""
 
 import os
 import re
@@ -11,7 +12,7 @@ from tests.stress import harness
 from tools.repository import ROOT
 
 BLOCKS, SHARD, SECONDS = 20_000, 1000, 600
-# what an outcome depends on besides the two programs
+# an outcome depends on these besides the two programs
 SCRIPTS = sorted((ROOT / "tests" / "fuzz").glob("*.py"))
 
 
@@ -24,8 +25,9 @@ def drop_refused(corpus):
 
 
 def libfuzzer(name, program, corpus, length, runs, seconds):
-    """Runs libFuzzer from the kept corpus; returns runs, time, coverage, and the finding as text. Without a number of
-    runs it runs for a fixed time, and keeps new inputs."""
+    """Runs libFuzzer from the kept corpus; returns runs, time, coverage, and the finding as text. Without a number of runs it runs for a
+    fixed time and
+    keeps new inputs."""
     kept.unpack(name, corpus)
     words = corpus.parent / f"{name}.dict"
     words.write_text("".join(f'"{word}"\n' for word in (*grammar_of_blocks.WORDS, "rgb", "<", ">", "{", "}", ", ", "1e309")))
@@ -47,7 +49,7 @@ def libfuzzer(name, program, corpus, length, runs, seconds):
 
 
 def grammar(setup, work, tree, count):
-    """Blocks parsed, and the accepted ones rendered. A frame mostly waits, so many processes run at a time."""
+    """Parses blocks and renders the accepted ones. A frame mostly waits, so many processes run at a time."""
     parser, povray = tree / "tests" / "fuzz" / "parse_blocks", tree / "bin" / "povray"
 
     def shard(seed):
@@ -71,7 +73,7 @@ def grammar(setup, work, tree, count):
 
 
 def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
-    """Programs of the preset fuzz are used where they are built, else the release build's."""
+    """Uses programs of the preset fuzz if they are built, else the release build's."""
     work = setup.work("fuzz")
     sanitized = setup.build / "fuzz"
     built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()

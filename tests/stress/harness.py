@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Shared by the parts of the stress run: folders, results on disk, parallel work."""
+"""Common to the parts of the stress run: folders, results on disk, parallel work."""
 
 import concurrent.futures
 import dataclasses
@@ -21,7 +21,7 @@ class Setup:
 
     build: pathlib.Path  # the release build
     jobs: int = os.cpu_count() or 1
-    unfinished: pathlib.Path | None = None  # where unfinished work is kept; without it in the build
+    unfinished: pathlib.Path | None = None  # folder of unfinished work; by default in the build
 
     @property
     def povray(self):
@@ -30,7 +30,7 @@ class Setup:
 
     @property
     def compare(self):
-        """The witnesses' tool that decodes pictures."""
+        """The tool that decodes pictures."""
         return self.build / "tests" / "tools" / "compare"
 
     def tool(self, name):
@@ -45,21 +45,22 @@ class Setup:
 
 
 def save(part, result):
-    """Keeps a result for the page; the same numbers give the same bytes."""
+    """Stores a result for the page; the same numbers give the same bytes."""
     RESULTS.mkdir(parents=True, exist_ok=True)
     text = json.dumps(result, indent=1, sort_keys=True)
     (RESULTS / f"{part}.json").write_text(text + "\n")
 
 
 def load(part):
-    """A kept result, or None."""
+    """A stored result, or None."""
     path = RESULTS / f"{part}.json"
     return json.loads(path.read_text()) if path.is_file() else None
 
 
 def once(folder, name, made_with, make, faults):
-    """The result of make(), or the stored one if the same program and scripts made it before. A result with faults, which
-    faults(result) lists, is not stored: the next run makes it again."""
+    """The result of make(), or the stored one if the same program and scripts made it. A result with faults, listed by faults(result), is
+    not
+    stored: the next run makes it again."""
     digest = hashlib.sha256()
     for path in made_with:
         digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())

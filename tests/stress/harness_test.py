@@ -62,7 +62,7 @@ VALGRIND = """==7== Conditional jump or move depends on uninitialised value(s)
 
 
 class Once(unittest.TestCase):
-    """A kept result is that of the same program."""
+    """A stored result is that of the same program."""
 
     def setUp(self):
         holder = tempfile.TemporaryDirectory(prefix="tilt_lens.")
@@ -75,7 +75,7 @@ class Once(unittest.TestCase):
         self.faulty = ()
 
     def ask(self, name="x"):
-        """What once() says; each making has a number."""
+        """The result of once(); each call of make() has a number."""
         def make():
             self.made += 1
             return self.made
@@ -107,7 +107,7 @@ class Once(unittest.TestCase):
 
 
 class Runs(unittest.TestCase):
-    """Of a part whose results have the faults that they are."""
+    """A part whose results are lists of their faults."""
 
     def setUp(self):
         holder = tempfile.TemporaryDirectory(prefix="tilt_lens.")
@@ -135,7 +135,7 @@ class Runs(unittest.TestCase):
 
 
 class Corpus(unittest.TestCase):
-    """What the parser's target passes over is not kept as an input that reaches code."""
+    """Inputs that the parser's target ignores are not kept."""
 
     def test_refused_inputs_go(self):
         kept = [b"tilt 6", b"tilt 6\n\tswing 2", b""]
@@ -149,10 +149,10 @@ class Corpus(unittest.TestCase):
 
 
 class Soak(unittest.TestCase):
-    """What is left behind again and again is told from what is allocated once."""
+    """Repeated leaks are distinguished from single allocations."""
 
     def faults(self, frame=0, tile=0, pixel=0, once=0):
-        """Of runs that leave so many bytes behind each time."""
+        """Faults of runs that leave this many bytes behind each time."""
         rows = (384, 1536)
         return soak.faults({"frames": [{"frames": n, "kept": 4000 + once * (n > 10) + n * frame, "most": 9000} for n in (10, 20)],
                             "rows": [{"rows": n, "kept": 4000 + n // soak.TILE * tile,
@@ -172,7 +172,7 @@ class Soak(unittest.TestCase):
 
 
 class Findings(unittest.TestCase):
-    """Each tool's words are understood, and laid at the right door."""
+    """Each tool's reports are parsed and attributed to the right code."""
 
     def found(self, text):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -197,7 +197,7 @@ class Findings(unittest.TestCase):
         self.assertEqual(self.found("Parse Error: tilt 90\n"), [0, 0])
 
     def test_said_on_standard_error_is_kept(self):
-        """By way of the command that stands for the program, and its options come last."""
+        """The wrapper passes on the program's messages, and its options come last."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             program = folder / "program"
@@ -222,7 +222,7 @@ class Findings(unittest.TestCase):
 
 
 class Known(unittest.TestCase):
-    """A race is known where the innermost function of both sides is."""
+    """A race is known by the innermost function of both sides."""
 
     NAMES = ("race:pov::f", "race:pov::g")
 
@@ -239,7 +239,7 @@ class Known(unittest.TestCase):
         self.assertEqual(self.known("pov::h(int)", "main"), ())
 
     def test_outer_functions_hide_nothing(self):
-        """A thread's first function would hide all that the thread does."""
+        """Otherwise a thread's first function would hide everything that the thread does."""
         self.assertEqual(self.known("tilt_lens::Cell::Add()", "pov::f(int)"), ())
 
     def test_other_stacks_do_not_count(self):
@@ -250,7 +250,7 @@ class Known(unittest.TestCase):
                                            ["pov::f", "pov::g"]), ("pov::f", "pov::g"))
 
     def test_a_lost_stack(self):
-        """The other side decides, and two lost ones are not known."""
+        """The other side decides; a race with two lost stacks is not known."""
         lost = "    [failed to restore the stack]\n"
         for side, names in ("pov::f()", ("pov::f", "a lost stack")), ("pov::h()", ()):
             text = RACE.format(inner=side, outer="main", other="pov::g()")
@@ -272,7 +272,7 @@ class Known(unittest.TestCase):
 
 
 class Watch(unittest.TestCase):
-    """A limit in seconds is one of the processor's time."""
+    """A limit in seconds is one of processor time."""
 
     def watched(self, code, limit):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -290,7 +290,7 @@ class Watch(unittest.TestCase):
 
 
 class Rays(unittest.TestCase):
-    """What the tables of rays count as a fault."""
+    """Faults in the tables of rays."""
 
     def tally(self, **changed):
         spread = {"count": 1, "worst": 0.0, "sum": 0.0, "by_power": {}}
@@ -307,7 +307,7 @@ class Rays(unittest.TestCase):
                 self.assertEqual(len(rays.faults(self.tally(**{name: worst}))), 1)
 
     def test_reversed_rays_are_seen(self):
-        """Those of the obvious formula, where the focus lies behind the camera: else nothing would be told of ours."""
+        """Reversed rays of the obvious formula, if the focus lies behind the camera: shows that the test would detect ours."""
         tally = self.tally()["corners"]
         self.assertEqual(len(rays.faults({"behind": tally})), 1)
         tally["obvious_pixels"]["by_power"]["30"] = 1

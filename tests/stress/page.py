@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes docs/numerics.md and its plots from the kept results."""
+"""Makes docs/numerics.md and its plots from the stored results."""
 
 import subprocess
 
@@ -79,7 +79,7 @@ def narrow_table(result):
 
 
 def rays_section(result):
-    """The table of sets, refusals, and where the obvious formula breaks."""
+    """The table of sets, refusals, and failures of the obvious formula."""
     text = RAYS
     for name in ("random", *rays.SETS):
         t = result[name]
@@ -152,7 +152,6 @@ def sampler_section(result):
 
 
 def pictures_section(result):
-    """Properties of pictures."""
     furnace, mirror, moved, noise = (result[key] for key in ("furnace", "mirror", "moved", "noise"))
     text = ("\n## Properties of pictures\n\n| property | tried | found |\n| --- | --- | --- |\n"
             f"| constant surroundings stay constant, to 1e-4 | {furnace['cameras']} random cameras, under a sky and inside a "
@@ -181,7 +180,7 @@ def faults_section(result):
 
 
 def soak_section(result):
-    """Memory that is not given back."""
+    """Memory leaks."""
     text = ("\n## Memory over time\n\nBytes that the allocator has given and not got back, by its own count.\n\n"
             "| run | at the end | most at a time |\n| --- | --: | --: |\n")
     for row in result["frames"]:
@@ -223,7 +222,7 @@ def fuzz_section(result):
 
 
 def sanitizers_section(result):
-    """Programs under sanitizers, and what of upstream's is suppressed."""
+    """Programs under sanitizers, and upstream's suppressed findings."""
     text = ("\n## Sanitizers\n\nThe whole program runs under sanitizers. A finding is ours if a frame of its stack lies in one of our "
             "files. Findings in\nupstream's code that are known by name are counted separately.\n\n"
             "| what | tool | commands | failed | findings in our files | in upstream's, known | in upstream's, others |\n"
@@ -250,7 +249,7 @@ SECTIONS = {"rays": rays_section, "sampler": sampler_section, "pictures": pictur
 
 
 def write():
-    """The page, from whatever has been measured."""
+    """Writes the page from all stored results."""
     text, missing = HEAD, []
     for name, section in SECTIONS.items():
         result = harness.load(name)

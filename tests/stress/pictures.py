@@ -26,12 +26,12 @@ SKY = "background { rgb <0.3, 0.5, 0.8> }\n"
 
 
 def use(setup):
-    """Sets the programs for the helpers of the render tests."""
+    """Sets the programs for the render tests' helpers."""
     rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
 
 
 def random_lens(r):
-    """A block that some lens can always follow, for a camera at the origin that looks along z; and its aperture."""
+    """A block that has a solution, for a camera at the origin that looks along z; and its aperture."""
     kind = r.randrange(4)
     if kind == 0:
         focus = f"tilt {r.uniform(-60, 60):.4f} swing {r.uniform(-60, 60):.4f} "
@@ -98,13 +98,13 @@ def camera(lens, batch=0, aperture=0.3, samples="blur_samples 32 variance 0", ta
 
 
 def picture(scene, batch=0):
-    """The middle of the picture, without what the wider frame added."""
+    """The centre of the picture, without the frame's enlargement."""
     whole = rendering.render(scene, "+WT1", width=WIDTH + 2 * batch, height=HEIGHT + 2 * batch)
     return whole.crop(batch, batch, batch + WIDTH, batch + HEIGHT)
 
 
 def independent(scene_of, count, jobs):
-    """`count` independent pictures: scene_of(batch) is the scene with a frame so much wider."""
+    """`count` independent pictures: scene_of(batch) has a frame that is wider by `batch`."""
     return harness.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
 
 
@@ -136,7 +136,7 @@ def block_scores(left, right, flip):
 
 
 def mirrors(setup, count, pictures):
-    """Camera and world seen in a mirror: the picture turned over, within the noise."""
+    """Camera and world mirrored: the flipped picture, within the noise."""
     r = random.Random(8)
     worst, wrong = 0.0, None
     for _ in range(count):
@@ -150,13 +150,13 @@ def mirrors(setup, count, pictures):
         left = independent(lambda batch, scene=scene: scene(batch, 1), pictures, setup.jobs)
         right = independent(lambda batch, scene=scene: scene(batch, -1), pictures, setup.jobs)
         worst = max(worst, block_scores(left, right, True))
-        if wrong is None:  # a swing that is not turned over must be found
+        if wrong is None:  # a swing that is not mirrored must be detected
             wrong = block_scores(left, independent(lambda b, scene=scene: scene(b, -1, -1.0), pictures, setup.jobs), True)
     return {"cameras": count, "pictures": pictures, "worst_z": worst, "wrong_swing_z": wrong}
 
 
 def moved_worlds(setup, count):
-    """Camera and world turned, moved and scaled together: the same picture but for rounding at edges."""
+    """Camera and world transformed together: the same picture up to rounding at edges."""
     r = random.Random(12)
     jobs = []
     for _ in range(count):
@@ -191,7 +191,6 @@ def noise(setup, most, pictures):
 
 
 def measure(setup, cameras=FURNACES, few=12, pictures=6, samples=2048):
-    """All of it."""
     use(setup)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         found = {"furnace": furnaces(setup, cameras, pathlib.Path(name))}
@@ -210,7 +209,7 @@ def limit_of_scores(result):
 
 
 def students_quantile(p, freedom):
-    """Of Student's t, by bisection of its integral."""
+    """Quantile of Student's t, by bisection of its integral."""
     scale = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2)) / math.sqrt(freedom * math.pi)
 
     def beyond(t, steps=4000):
@@ -229,7 +228,7 @@ def students_quantile(p, freedom):
 
 
 def faults(result):
-    """What breaks the promises, in words."""
+    """Violated promises, as sentences."""
     found = []
     if not result["furnace"]["worst"] <= 1e-4:
         found.append(f"furnace: off by {result['furnace']['worst']}")

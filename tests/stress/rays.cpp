@@ -2,18 +2,23 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file rays.cpp
-/// Solver and ray formation against 50 digits, camera after camera: `stress_rays SET CAMERAS SEED`
-/// writes tallies as JSON. SET is `random` (what people photograph) or one of extreme_cameras.h.
+/// Solver and rays against 50 digits, camera after camera: `stress_rays SET CAMERAS SEED` writes tallies as JSON. SET is `random`
+/// (photography) or
+/// one of extreme_cameras.h.
 ///
-/// Two errors of a ray. In units of the last place: the length of the difference of the directions,
-/// as a share of the direction's own length, over 2^-52. In pixels of a picture 100,000 pixels wide:
-/// how far on the film the film point lies whose true ray has the direction that was computed. Where
-/// a lens reaches to the film that map turns over (its determinant 1 - k.l passes 0), and the angle
-/// between the two directions in pixels of the chief ray counts where it is smaller.
+/// Two errors of a ray. In units of the last place: the length of the difference of the directions, relative to the direction's length,
+/// over 2^-52.
+/// In pixels of a picture 100,000 pixels wide: the distance on the film to the film point whose true ray has the computed direction. For a
+/// lens that
+/// reaches to the film that map flips (its determinant 1 - k.l passes 0), and the angle between the two directions in pixels of the chief
+/// ray counts
+/// if it is smaller.
 ///
-/// A direction is three doubles, and in a narrow picture their last places alone are more than a millionth of a
-/// pixel. There the error is held against what rounding leaves: that of the true direction with its three
-/// numbers rounded to nearest, and the most that such a rounding can turn a direction of these numbers by.
+/// A direction is three doubles, and in a narrow picture their last places alone exceed a millionth of a pixel. There the error is compared
+/// with
+/// the rounding error: that of the true direction with its three numbers rounded to nearest, and the largest angle by which such a rounding
+/// can turn
+/// a direction of these numbers.
 
 #include <cstdio>
 #include <fstream>
@@ -40,19 +45,19 @@ using nlohmann::json;
 
 const double kPictureWidth = 1e5;  ///< pixels
 
-/// Where a radian has more pixels than this, 1e-6 of a pixel is below the last place of a direction:
-/// at 100,000 pixels an angle of view under 0.0013 degrees.
+/// Pixels per radian beyond which 1e-6 of a pixel is below the last place of a direction: at 100,000 pixels an angle of view under 0.0013
+/// degrees.
 const double kNarrow = 1e-6 / 0x1p-52;
 
-/// The obvious formula is looked at in one camera of so many.
+/// The obvious formula is tried in one camera of so many.
 const std::uint64_t kObviousEvery = 8;
 
-/// What is looked at in one ray.
+/// Errors of one ray.
 struct Errors
 {
     double ulps, pixels, origin, condition, pixelsPerRadian;
     double roundedPixels;  ///< of the true direction, rounded to nearest
-    double roundings;      ///< angle between the directions, over the most that rounding to nearest turns one by
+    double roundings;      ///< angle between the directions, over the largest angle by which rounding to nearest turns one
 };
 
 double AsDouble(const Exact& value) { return value.convert_to<double>(); }
@@ -70,11 +75,12 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
     return std::hypot(dx, dy) * kPictureWidth;
 }
 
-/// Sine of the angle between two directions: the angle itself, where it is small.
+/// Sine of the angle between two directions, which is the angle itself if small.
 Exact AngleBetween(const V& a, const V& b) { return a.Cross(b).Length() / (a.Length() * b.Length()); }
 
-/// The most that rounding each of its numbers to nearest turns a direction by: half a last place of each. Numbers
-/// below the least normal one round no finer than it.
+/// The largest angle by which rounding each number to nearest turns a direction: half a last place of each. Subnormal numbers round as the
+/// least
+/// normal one.
 Exact MostByRounding(const V& direction)
 {
     Exact sum = 0;
@@ -111,7 +117,7 @@ Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& came
             narrow ? AsDouble(AngleBetween(truth.direction, direction) / MostByRounding(truth.direction)) : 0.0};
 }
 
-/// The obvious formula: the point of sharp focus, less the lens point, normalised.
+/// The obvious formula: the point of sharp focus minus the lens point, normalised.
 Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
 {
     const Vec3 chief = lens.direction + x * lens.right + y * lens.up;

@@ -13,14 +13,14 @@ COUNTS = ("cameras", "refused", "rays", "broken", "reach_film", "obvious_broken"
 
 
 def merge(tallies):
-    """One tally of many."""
+    """Merges tallies."""
     total = {name: sum(t[name] for t in tallies) for name in COUNTS}
     for name in SPREADS:
         powers = {}
         for t in tallies:
             for power, count in t[name]["by_power"].items():
                 powers[power] = powers.get(power, 0) + count
-        # JSON has no infinity: the program writes null for it
+        # JSON has no infinity: the program writes null
         worst = [t[name]["worst"] for t in tallies]
         total[name] = {"count": sum(t[name]["count"] for t in tallies), "by_power": powers,
                        "worst": None if None in worst else max(worst)}
@@ -51,7 +51,7 @@ def measure(setup, cameras=RANDOM, extreme=EXTREME, shard=SHARD):
 
 
 def faults(result):
-    """What breaks the promises, in words."""
+    """Violated promises, as sentences."""
     found = []
     for name, tally in result.items():
         if tally["broken"]:

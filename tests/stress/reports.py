@@ -1,10 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Reads the reports of sanitizers: the findings, whether they are ours or upstream's, and whether they are known.
+"""Parses the reports of sanitizers: the findings, whether they are ours or upstream's, and whether they are known.
 
-A finding is ours if a frame of its stacks lies in one of our files. ThreadSanitizer's own suppressions match any frame
-of a stack, so that the name of a thread's first function would hide the whole thread. Here, a name must match the
-innermost function of a side of a race, and both sides must be known.
+A finding is ours if a frame of its stacks is in one of our files. ThreadSanitizer's own suppressions match any frame of a stack, so that
+the
+name of a thread's first function would hide the whole thread. Here, a name must match the innermost function of a side of a race, and both
+sides
+must be known.
 """
 
 import collections
@@ -15,20 +17,20 @@ from tools.repository import ROOT
 
 SUPPRESSIONS = ROOT / "tests" / "stress" / "suppressions"
 OURS = re.compile(r"povray-src/")
-# how a finding begins, for each tool, and what lines may belong to it
+# beginnings of findings, for each tool, and lines that may belong to them
 BLOCKS = re.compile(r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$"
                     r"|^==\d+== (?:Invalid|Conditional|Use of|Syscall).*$)"
                     r"(?:\n(?:\s+#\d+|==\d+==    |\s*$|  |(?:READ|WRITE) of size|freed by|previously allocated by"
                     r"|0x[0-9a-f]+(?: is located|: note:)| [0-9a-f]{2} |==\d+==(?:The signal|Hint)).*)*", re.MULTILINE)
-# a report of ThreadSanitizer, and lines in it that are none of its
+# a report of ThreadSanitizer, and foreign lines within it
 THREADS = re.compile(r"^WARNING: ThreadSanitizer.*?^SUMMARY: ThreadSanitizer", re.MULTILINE | re.DOTALL)
 FOREIGN = re.compile(r"^(?!WARNING: ThreadSanitizer|SUMMARY|  |\n).*\n", re.MULTILINE)
-# the stacks of a race that say what happened; others say where things were made
+# the two conflicting accesses of a race; other stacks show allocations
 SIDE = re.compile(r"^  (?!Location)\S.* of size \d+ at 0x.*\n((?:    [#\[].*\n?)+)", re.MULTILINE)
 LOST = "failed to restore the stack"
 FRAME = re.compile(r"^    #\d+ (.*?) (\S+?)(?::\d+)*(?: \([^()]*\))?$", re.MULTILINE)
-LIBRARIES = ("<null>", "/usr/", "../../../../src/libsanitizer")  # what they were called for counts
-SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\(")  # so do these
+LIBRARIES = ("<null>", "/usr/", "../../../../src/libsanitizer")  # their callers count instead
+SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\(")  # and of these
 
 
 def innermost(stack):
@@ -40,7 +42,7 @@ def innermost(stack):
 
 
 def known(block, names):
-    """The names that explain a race, or none where a side of it has none."""
+    """The names that explain a race; none if a side of it is unknown."""
     sides = SIDE.findall(block) if "ThreadSanitizer" in block else []
     seen = [innermost(stack) for stack in sides if LOST not in stack]
     found = {next((name for name in names if re.match(re.escape(name) + r"(?:\(|<|$)", function)), None) for function in seen}
@@ -48,7 +50,7 @@ def known(block, names):
 
 
 def suppressed(tool):
-    """The names in a tool's file, each with the reason that stands above it."""
+    """The names in a tool's file, each with the reason above it."""
     pairs, reason = [], []
     lines = (SUPPRESSIONS / f"{tool}.txt").read_text().split("\n\n", 1)[1].splitlines()
     for number, line in enumerate(lines):
@@ -64,11 +66,11 @@ def suppressed(tool):
 
 
 def findings(folder, suppress=True):
-    """Blocks of all logs, (ours, others), and how often each pair of known names was met."""
+    """Findings of all logs, (ours, others), and the count of each pair of known names."""
     names = [name.split(":", 1)[1] for name, _ in suppressed("tsan")] if suppress else []
     ours, others, met = [], [], collections.Counter()
     for path in pathlib.Path(folder).glob("log.*"):
-        # what the program itself says gets in between
+        # messages of the program may come in between
         text = THREADS.sub(lambda report: FOREIGN.sub("", report[0]), path.read_text(errors="replace"))
         for block in BLOCKS.findall(text):
             pair = known(block, names)

@@ -43,7 +43,7 @@ def quickly(setup, names):
 
 
 def at_length(setup, names):
-    """The faults of the long forms. Results without faults are kept for the page."""
+    """The faults of the long forms. Results without faults are stored for the page."""
     broken = []
     for name in names:
         part = importlib.import_module(f"tests.stress.{name}")
@@ -56,7 +56,6 @@ def at_length(setup, names):
 
 
 def main():
-    """The command."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
     parser.add_argument("--build", type=pathlib.Path, default=BUILD, help="the release build with its tests")

@@ -16,24 +16,25 @@ from tests.stress import harness, reports
 from tools.repository import ROOT, module_command
 
 TUTORIAL = sorted((ROOT / "scenes" / "tutorial").glob("*.pov"))
-MODULES = ("light", "noise")  # of tests/render: radiosity, photons, media, bokeh, whatever draws random numbers
+MODULES = ("light", "noise")  # of tests/render: radiosity, photons, media, bokeh, all users of random numbers
 LIT = {name: light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
 
 
 def environment(tool_suppressions=True):
-    """Each sanitizer goes on after a finding and knows upstream's, or is to tell of those as well."""
+    """Settings that continue after a finding; optionally without the suppressions of upstream's findings."""
     named = f":suppressions={reports.SUPPRESSIONS}/ubsan.txt" if tool_suppressions else ""
     return {**os.environ,
-            # what upstream has parsed stays until the end: tests/stress/soak.py looks at what stays behind
+            # upstream keeps parsed objects until the end; tests/stress/soak.py covers leaks
             "ASAN_OPTIONS": "detect_leaks=0:halt_on_error=0",
             "UBSAN_OPTIONS": f"print_stacktrace=1{named}",
-            # long stacks, and a memory that forgets the other side of a race late
+            # long stacks, and a long memory for the other side of a race
             "TSAN_OPTIONS": "halt_on_error=0:second_deadlock_stack=1:exitcode=0:history_size=7"}
 
 
 def listener(program, folder, options=""):
-    """A command that runs the program and keeps its standard error: not all of gcc's sanitizers support log_path, and the
-    render tests read standard error themselves. Options come last, so that they take precedence."""
+    """A command that runs the program and keeps its standard error: not all of gcc's sanitizers support log_path, and the render tests read
+    standard
+    error themselves. Options come last, so that they take precedence."""
     script = folder / "povray"
     script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
@@ -41,7 +42,7 @@ def listener(program, folder, options=""):
 
 
 def build(setup, preset):
-    """The program and what the tests need."""
+    """The program and the tests' tools."""
     for command in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "-j", str(setup.jobs),
                                                     "--target", "povray", "parse_blocks", "compare"]):
         subprocess.run(command, cwd=ROOT, check=True)
@@ -49,7 +50,7 @@ def build(setup, preset):
 
 
 def watched(what, tool, commands, folder, work, suppressions=True):
-    """Runs commands, which mostly wait, with the logs in a folder; a row."""
+    """Runs commands, which mostly wait, with the logs in a folder; returns a row."""
     def run(command):
         done = subprocess.run(command, cwd=work, env=environment(suppressions), stdin=subprocess.DEVNULL, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -84,7 +85,7 @@ def battery(povray, tree, module):
 
 
 def parser(povray):
-    """The parser battery: every file of cases."""
+    """The parser tests: every file of cases."""
     cases = sorted((ROOT / "tests" / "parse" / "cases").glob("*.txt"))
     return [module_command("tests.parse.check_messages", "--povray", povray, path) for path in cases]
 
@@ -98,8 +99,9 @@ def valgrind(setup, folder, work):
 
 
 def groups(tree, tool, threads, work):
-    """What is run with one sanitized program: (words, commands for a program, options that win). The first one, without
-    suppressions, shows that findings are seen at all."""
+    """Runs of one sanitized program: (words, commands for a program, overriding options). The first, without suppressions, shows that
+    findings are
+    detected at all."""
     return [("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
             ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
             ("parser battery", parser, f"+WT{threads}"),

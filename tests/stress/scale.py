@@ -30,13 +30,13 @@ def render(setup, scene, *options):
 
 
 def spheres(count):
-    """So many small spheres over a floor."""
+    """`count` small spheres over a floor."""
     return (f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <8*rand(R)-4, rand(R), 9*rand(R)-2>, 0.02 pigment "
             "{ rgb <rand(R), rand(R), rand(R)> } } #end\n" + scenes.WORLD)
 
 
 def slope(rows, key, of):
-    """Of time or work against the size, both logarithmic."""
+    """Logarithmic slope of time or work against size."""
     xs = [math.log(row[key]) for row in rows]
     ys = [math.log(max(row[of], 0.01)) for row in rows]
     return statistics.linear_regression(xs, ys).slope
@@ -63,7 +63,7 @@ def measure(setup, size="full"):
 
 
 def faults(result):
-    """Growth that is more than linear. Time is not judged: it depends on what else runs."""
+    """Superlinear growth. Time is not judged, because it depends on the machine's load."""
     found = [f"{key}: work grows with the power {value:.2f}" for key, value in result["work_slopes"].items() if value > 1.15]
     objects = result["objects"]
     each = (objects[-1]["peak_mib"] - objects[0]["peak_mib"]) * 1024 / (objects[-1]["objects"] - objects[0]["objects"])

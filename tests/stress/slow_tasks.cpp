@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file slow_tasks.cpp
-/// The whole program as on a busy machine: its start takes four seconds, and whoever hands a task over sleeps
-/// afterwards, so that the task gets far before anything else is done; and every second thread that tells of its
-/// finished tile sleeps before the word is out. Tells how many light sources the task that bounds the scene has copied.
+/// The whole program as on a busy machine: its start takes four seconds; after queueing a task a thread sleeps, so that the task runs far
+/// ahead; and
+/// every second thread sleeps before it reports its finished tile. Prints how many light sources the bounding task has copied.
 
 #include <atomic>
 #include <chrono>
@@ -20,8 +20,8 @@
 #include "backend/scene/threaddata.h"
 #include "backend/support/taskqueue.h"
 
-// The linker sends all calls of povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput() to the first of
-// each pair (--wrap).
+// the linker sends all calls of povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput() to the first of each pair
+// (--wrap)
 boost::thread* Start(const boost::function0<void>& closed, void** address) __asm__("__wrap__Z11povray_initRKN5boost9function0IvEEPPv");
 boost::thread* RealStart(const boost::function0<void>& closed, void** address) __asm__("__real__Z11povray_initRKN5boost9function0IvEEPPv");
 pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task) __asm__("__wrap__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");

@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A program that starts slowly, more slowly than its parser, and whose threads report finished tiles late. It must start,
-must not read the parser's list of lights meanwhile, and its progress must not fall or miss a pixel.
+"""A program that starts more slowly than its parser, and whose threads report finished tiles late. It must start, must not read the
+parser's list
+of lights meanwhile, and its progress must neither fall nor miss a pixel.
 python3 -m tests.stress.slow_tasks PROGRAM"""
 
 import os
@@ -19,7 +20,6 @@ sphere { 0, 1 pigment { rgb 1 } }
 
 
 def main():
-    """The test."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(SCENE)

@@ -1,9 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Memory that is not given back: by the frames of an animation, by the tiles of a picture, and while a picture is rendered.
+"""Memory leaks: by the frames of an animation, by the tiles of a picture, and during a picture.
 
-The program's allocator, jemalloc, counts what is allocated. Its counts depend neither on time nor on load: what a frame or a tile
-leaves behind makes the count at the end larger by at least the smallest block for each of them.
+The program's allocator, jemalloc, counts allocated bytes. The counts depend neither on time nor on load: a leak per frame or tile increases
+the
+count at the end by at least the smallest block for each.
 """
 
 import json
@@ -20,13 +21,14 @@ FRAMES, ROWS = (250, 500), (1536, 12288)
 SMALLEST = 8  # bytes of jemalloc's smallest block
 WIDTH, TILE = 64, 32
 PIXEL = 20  # bytes of a stored pixel: five floats
-# jemalloc's counts as JSON on standard error: at the end, and after each megabyte that is allocated. Without the caches of the
-# threads, whose blocks would count as allocated.
+# jemalloc's counts as JSON on standard error: at the end, and after each allocated megabyte. Without the threads' caches, whose blocks
+# would
+# count as allocated.
 COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 MOVING = (HEAD + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4", samples="blur_samples 8, 32 ",
                                tail="bokeh { pigment { gradient x } }") + scenes.WORLD)
-# no sky in it: all tiles weigh alike
+# without sky: all tiles take the same work
 LARGE = HEAD + """camera { right x*image_width/image_height location <0.4, 3, -3.5> look_at <0, 0, 0.2> angle 45 aperture 0.3
   blur_samples 4, 16 confidence 0.9 variance 1/1500 tilt_lens { tilt 4 swing 2 blades 7 } }
 plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> scale 0.5 } normal { bumps 0.1 scale 0.05 }
@@ -42,7 +44,7 @@ background { rgb <0.3, 0.5, 0.8> }
 
 
 def counts(said):
-    """The bytes that were allocated at each count. A count that a message of the program tore apart is left out."""
+    """The allocated bytes at each count. Skips counts that the program's messages interrupt."""
     found, at = [], said.find('{"jemalloc"')
     while at >= 0:
         try:
@@ -54,7 +56,7 @@ def counts(said):
 
 
 def render(setup, scene, *options):
-    """Bytes that are allocated at the program's end, and the most at a time."""
+    """Allocated bytes at the program's end, and their peak."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
         command = [str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "-V", "-GA", *options]
@@ -68,8 +70,7 @@ def render(setup, scene, *options):
 
 
 def measure(setup, frames=FRAMES, rows=ROWS):
-    """Animations of so many frames, by two threads, and pictures of so many rows. One thread renders the pictures: how much memory
-    two hold at a time depends on which is faster."""
+    """Animations of `frames`, by two threads, and pictures of `rows`, by one, because the peak of two depends on which is faster."""
     work = setup.work("soak")
 
     def made(name, number, scene, *options):
@@ -82,7 +83,7 @@ def measure(setup, frames=FRAMES, rows=ROWS):
 
 
 def faults(result):
-    """What breaks the promises, in words."""
+    """Violated promises, as sentences."""
     found = []
     for name, size in (("frames", 1), ("rows", TILE)):
         few, many = result[name]
@@ -90,7 +91,7 @@ def faults(result):
         if kept >= SMALLEST * more // size:
             found.append(f"{kept} bytes more are allocated at the end after {more} more {name}")
     few, many = result["rows"]
-    # beyond the picture itself less than a number of eight bytes for each pixel
+    # beyond the picture itself, less than a number of eight bytes per pixel
     pixels = WIDTH * (many["rows"] - few["rows"])
     held = many["most"] - few["most"]
     if held > (PIXEL + 8) * pixels:

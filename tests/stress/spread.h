@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread.h
-/// How errors spread: counts by powers of ten, and the worst.
+/// Distribution of errors: counts by powers of ten, and the worst.
 
 #ifndef TILT_LENS_TESTS_SPREAD_H
 #define TILT_LENS_TESTS_SPREAD_H
@@ -18,7 +18,6 @@
 namespace tilt_lens
 {
 
-/// Counts by powers of ten and the worst.
 struct Spread
 {
     std::map<int, std::uint64_t> byPower;  ///< floor(log10), -30 for 0, 30 for infinity and NaN

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread_test.cpp
-/// An error must not be filed as none, however large it is: the tables are made of these counts.
+/// No error counts as zero, however large: the tables consist of these counts.
 
 #include <limits>
 

@@ -13,13 +13,13 @@ TICKS = os.sysconf("SC_CLK_TCK")
 
 @dataclasses.dataclass
 class Watched:
-    """A command that has ended."""
+    """A finished command."""
 
     returncode: int
-    seconds: float  # wall
+    seconds: float  # elapsed
     cpu: float  # seconds, user and system
-    peak: int  # most resident memory, KiB
-    course: list  # (wall seconds, processor seconds, resident KiB)
+    peak: int  # peak resident memory, KiB
+    course: list  # (elapsed seconds, processor seconds, resident KiB)
     said: str = ""
 
 
@@ -44,8 +44,8 @@ def processor_seconds(pid):
 
 
 def watch(command, log, interval=1.0, limit=None, on_sample=None, **how):
-    """Runs the command with its output in the file `log`, measured every `interval` seconds; ended after `limit` seconds
-    of processor time."""
+    """Runs the command with its output in the file `log`, measured every `interval` seconds, and ends it after `limit` seconds of processor
+    time."""
     course = []
     begin = time.monotonic()
     with open(log, "wb") as out:

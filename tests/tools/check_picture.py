@@ -16,7 +16,6 @@ from tools.repository import module_command
 
 
 def arguments():
-    """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("name", help="for example oracle/tilt or renders/table")
     parser.add_argument("--povray", required=True, help="the fork")

@@ -1,8 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Compares two pictures. Prints one JSON object on the standard output; the exit code says which
-// kind of trouble it was, so that a test can tell a wrong picture from a missing one.
+// Compares two pictures. Prints one JSON object on standard output; the exit code distinguishes the kinds of failure, so that a test can
+// tell a
+// wrong picture from a missing one.
 
 #include <algorithm>
 #include <cmath>
@@ -152,7 +153,7 @@ void CompareNoisy(const Arguments& arguments)
     Conclude(report, test.passed, reason.str());
 }
 
-/// The decoded pixels themselves, all channels, whatever the file around them says.
+/// Compares all channels of the decoded pixels, independent of the file around them.
 void CompareExact(const Arguments& arguments)
 {
     const Pair pair = LoadPair(arguments);
@@ -177,7 +178,7 @@ void Preview(const Arguments& arguments)
     Conclude(report, true, "");
 }
 
-/// The middle of a picture that is larger by the same number of pixels on opposite sides.
+/// The centre of a picture that is larger by the same number of pixels on opposite sides.
 Picture Middle(const Picture& whole, int width, int height)
 {
     const int left = (whole.width - width) / 2, top = (whole.height - height) / 2;
@@ -191,8 +192,7 @@ Picture Middle(const Picture& whole, int width, int height)
     return middle;
 }
 
-/// Mean and standard error of pictures that share their middle: the first has the size of the
-/// result.
+/// Mean and standard error of pictures that share their centre: the first has the size of the result.
 void Average(const std::vector<std::string>& paths, const std::string& output)
 {
     std::vector<Picture> pictures;
@@ -224,8 +224,9 @@ void ShowError(const std::string& path)
     std::cout << report.dump() << '\n';
 }
 
-/// Pixels of the pictures that the standard input names, one a line: for each a line with a number of bytes, and so many
-/// bytes of WritePixels(); or a line that begins with "failed: ".
+/// For each picture named on a line of standard input, prints a line with a number of bytes and that many bytes of WritePixels(), or a line
+/// that
+/// begins with "failed: ".
 void AnswerWithPixels()
 {
     for (std::string path; std::getline(std::cin, path); std::cout.flush())
@@ -250,7 +251,7 @@ void AddPair(CLI::App* command, Arguments& arguments)
     command->add_option("reference", arguments.reference, "what it is compared with")->required();
 }
 
-/// What the command line asks for. @throws Verdict
+/// Runs the command line. @throws Verdict
 void Run(int argc, char** argv)
 {
     CLI::App app(

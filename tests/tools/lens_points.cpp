@@ -46,7 +46,7 @@ std::uint64_t Mixed(std::uint64_t x)
     return x ^ (x >> 31);
 }
 
-/// Owen's scrambling: each digit is flipped or not by a hash of all digits before it.
+/// Owen scrambling: each digit is flipped or not by a hash of all digits before it.
 std::uint32_t Scrambled(std::uint32_t value, std::uint64_t seed)
 {
     std::uint32_t result = 0;
@@ -68,7 +68,7 @@ void OnDisc(double u, double v, LensPoint& point)
     point.b = radius * std::sin(angle);
 }
 
-/// Area-preserving, from the unit square to the polygon: a triangle of centre and edge at a time.
+/// Area-preserving, from the unit square to the polygon: one triangle of centre and edge at a time.
 void OnPolygon(double u, double v, int blades, double degrees, LensPoint& point)
 {
     const double sector = std::min(std::floor(v * blades), blades - 1.0);

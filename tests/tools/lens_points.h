@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_points.h
-/// Points over pixel and lens for the oracle: the first four dimensions of Sobol's sequence (Joe
-/// and Kuo's direction numbers), scrambled in Owen's nested way with a seed for each batch. Batches
-/// are independent and each is unbiased, so that their spread gives an honest standard error;
-/// within a batch of a power of two the points are stratified in every dimension.
+/// Points over pixel and lens for the oracle: the first four dimensions of Sobol's sequence (Joe and Kuo's direction numbers),
+/// Owen-scrambled
+/// with a seed for each batch. Batches are independent and unbiased, so that their spread gives an honest standard error; within a batch of
+/// a power of
+/// two, the points are stratified in every dimension.
 
 #ifndef WITNESS_LENS_POINTS_H
 #define WITNESS_LENS_POINTS_H
@@ -23,8 +24,7 @@ struct LensPoint
     double a, b;              ///< on the lens: disc of radius 1 or the polygon in it
 };
 
-/// @param blades       0 for a disc, else the number of straight edges of the polygon in the unit
-/// circle
+/// @param blades       0 for a disc, else the number of straight edges of the polygon in the unit circle
 /// @param bladesAngle  degrees, counter-clockwise; at 0 a corner points right
 std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades,
                                   double bladesAngle);

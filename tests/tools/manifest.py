@@ -19,9 +19,9 @@ ORACLE_CASES = ROOT / "tests" / "oracle" / "cases"
 SCENES = ROOT / "tests" / "reference" / "scenes"
 SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 
-# The mean of a render's reference: this many pictures, each with other samples (batch.inc).
-# With fewer, the estimated deviation of a pixel has so few degrees of freedom that Gaussian limits
-# fail good pixels.
+# Pictures in a render's reference, each with other samples (batch.inc). With fewer, the estimated deviation of a pixel has so few degrees
+# of freedom
+# that Gaussian limits fail correct pixels.
 BATCHES = 16
 # Limits against the oracle, both linear and over all channels.
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
@@ -31,7 +31,7 @@ FIELDS = ["file", "pixels_sha256", "scene", "sources_sha256", "command", "binary
 
 @dataclasses.dataclass
 class Entry:
-    """One picture that a reference is kept of."""
+    """One picture with a reference."""
 
     name: str                 # "oracle/tilt" or "renders/table"
     scene: pathlib.Path       # the fork's scene
@@ -49,7 +49,7 @@ class Entry:
 
     @property
     def output(self):
-        """What the fork writes: a limited range is compared in 16 bits, else OpenEXR."""
+        """The fork's file: 16 bits for comparison within a limited range, else OpenEXR."""
         return "new.png" if self.case else "new.exr"
 
     def job(self, povray, declare=()):
@@ -59,8 +59,9 @@ class Entry:
                                form + self.options + ["Declare=" + item for item in declare])
 
     def sources_sha256(self):
-        """Hash of each file that the reference depends on, by its path in the repository. For the
-        oracle these are its case and the objects, but not the fork's scene, which is the object of the test."""
+        """Hash of each file that the reference depends on, by its path in the repository. For the oracle these are its case and the
+        objects, but not the
+        fork's scene, which is under test."""
         files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] \
             if self.case else pictures.sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
@@ -82,13 +83,13 @@ def entries():
 
 
 def load(folder=FOLDER):
-    """The manifest as it is; empty where there is none yet."""
+    """The manifest; empty if there is none."""
     path = folder / "MANIFEST.json"
     return json.loads(path.read_text()) if path.is_file() else {}
 
 
 def save(manifest, folder=FOLDER):
-    """Writes the manifest whole, in one step."""
+    """Writes the manifest atomically."""
     text = json.dumps(dict(sorted(manifest.items())), indent=2) + "\n"
     draft = folder / "MANIFEST.json.new"
     draft.write_text(text)
@@ -96,7 +97,7 @@ def save(manifest, folder=FOLDER):
 
 
 def complaints(manifest, folder, names, compare):
-    """Faults of manifest and folder, given the names of the pictures there should be."""
+    """Faults of manifest and folder, given the names of the expected pictures."""
     found = []
     for name in sorted(set(names) - set(manifest)):
         found.append(f"{name}: has no entry in MANIFEST.json; make it with tests.tools.update_references")

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file measure.h
-/// How far a picture is from a reference: plain figures, and a test for noisy pictures.
+/// Difference of a picture from a reference: plain figures, and a test for noisy pictures.
 
 #ifndef WITNESS_MEASURE_H
 #define WITNESS_MEASURE_H
@@ -35,15 +35,14 @@ struct Figures
 /// Both pictures must have one size.
 Figures Measure(const Picture& picture, const Picture& reference, std::size_t worstCount = 10);
 
-/// True if every value is a finite number.
 bool IsFinite(const Picture& picture);
 
 struct ZTestSettings
 {
     double floor = 0.001;        ///< least standard error of a difference, in linear units
-    double significance = 0.01;  ///< chance that a right picture has a pixel (or a box) that fails
+    double significance = 0.01;  ///< probability that a correct picture has a failing pixel (or box)
     double passing = 0.9975;     ///< share of pixels that must pass
-    int box = 8;                 ///< pixels a side, for the local mean
+    int box = 8;                 ///< pixels per side, for the local mean
 };
 
 struct ZTest
@@ -54,12 +53,12 @@ struct ZTest
     bool passed = false;
 };
 
-/// The test of docs/testing.md for one picture against the mean of others of its kind. Limits are
-/// for Gaussian noise, by Sidak's correction for the number of pixels or boxes.
+/// The test of docs/testing.md for one picture against the mean of others of its kind. Limits are for Gaussian noise, by Sidak's correction
+/// for the
+/// number of pixels or boxes.
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings);
 
-/// Two-sided limit in standard errors that one of `count` independent Gaussian values exceeds with
-/// probability `significance`.
+/// Two-sided limit in standard errors that one of `count` independent Gaussian values exceeds with probability `significance`.
 double SidakLimit(double significance, double count);
 
 }  // namespace witness

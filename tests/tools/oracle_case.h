@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_case.h
-/// One case of the oracle: a camera as a photographer would describe it, read from JSON, and its
-/// optics, derived from the imaging equation and from Scheimpflug's rule as textbooks draw it. The
-/// fork solves the same camera by other formulas (docs/optics.md); the two must meet.
+/// One case of the oracle: a camera in a photographer's terms, read from JSON, and its optics, derived from the imaging equation and from
+/// Scheimpflug's rule as in textbooks. The fork solves the same camera by other formulas (docs/optics.md); the results must agree.
 
 #ifndef WITNESS_ORACLE_CASE_H
 #define WITNESS_ORACLE_CASE_H
@@ -20,7 +19,7 @@
 namespace witness
 {
 
-/// One step of a camera transformation, in POV-Ray's meaning of the words.
+/// One step of a camera transformation, in POV-Ray's terms.
 struct Transformation
 {
     enum class Kind
@@ -33,16 +32,16 @@ struct Transformation
     Vector amount;  ///< scene units; degrees about x, then y, then z; factors
 };
 
-/// What says where the focus lies.
+/// How the focus is stated.
 enum class Focus
 {
-    Lens,       ///< the lens is turned by tilt and swing, the plane goes through a point
+    Lens,       ///< the lens is turned by tilt and swing, the plane passes through a point
     PlaneTurn,  ///< the plane is turned by focus_tilt and focus_swing about a point
     Plane,      ///< normal and distance from the world's origin
     ThreePoints
 };
 
-/// A camera as given. World frame, scene units, degrees, film side in millimetres.
+/// A camera as stated. World frame, scene units, degrees, film side in millimetres.
 struct CameraGiven
 {
     Vector location, lookAt;
@@ -59,7 +58,7 @@ struct CameraGiven
     double distance = 0.0;  ///< of the plane, along its unit normal
     double shiftRight = 0.0, shiftUp = 0.0;  ///< mm
     int blades = 0;                          ///< 0: round
-    double bladesAngle = 0.0;                ///< degrees, counter-clockwise as the camera sees it
+    double bladesAngle = 0.0;                ///< degrees, counter-clockwise as seen from the camera
     std::vector<Transformation> transformations;
 };
 
@@ -70,11 +69,11 @@ struct OracleCase
     CameraGiven camera;
 };
 
-/// The camera as linear pinholes need it. World frame, scene units.
+/// The camera for linear pinholes. World frame, scene units.
 struct CameraSolved
 {
     Vector location;              ///< lens centre
-    Vector direction, right, up;  ///< POV-Ray's vectors, the shift included
+    Vector direction, right, up;  ///< POV-Ray's vectors, including the shift
     Vector focus;                 ///< k: plane of sharp focus is k.(X - location) = 1
     Vector lensNormal;            ///< unit, away from the film
     Vector lensX, lensY;          ///< of a lens point (a, b) with a^2 + b^2 <= 1
@@ -84,7 +83,7 @@ struct CameraSolved
 /// @throws std::runtime_error  with the item that is missing, doubled or unknown.
 OracleCase ReadCase(const nlohmann::json& text);
 
-/// @throws std::runtime_error  where the camera has no such picture.
+/// @throws std::runtime_error  the camera has no such picture.
 CameraSolved SolveCase(const CameraGiven& given, double aspect);
 
 }  // namespace witness

@@ -1,13 +1,15 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The optics of a case, by other routes than the fork takes:
-//  - a lens that is given: the imaging equation 1/u + 1/v = 1/f, u and v along the lens normal, and
-//    chief rays through the lens centre. Three film points are imaged into the scene, and the plane
-//    of sharp focus is the plane through their images (by homogeneous coordinates, so that an image
-//    at infinity is a point like any other);
-//  - a plane that is given: Scheimpflug's rule as a drawing: the lens plane goes through the lens
-//    centre and through the line in which the film and the plane of sharp focus meet.
+// Optics of a case, derived independently of the fork:
+// - for a stated lens: the imaging equation 1/u + 1/v = 1/f, u and v along the lens normal, and chief rays through the lens centre. Three
+//   film points
+//   are imaged into the scene, and the plane of sharp focus passes through their images (in homogeneous coordinates, so that an image at
+//   infinity
+//   is no special case);
+// - for a stated plane: Scheimpflug's rule as a construction: the lens plane passes through the lens centre and through the line in which
+//   the film
+//   and the plane of sharp focus meet.
 // Camera frame: lens centre at the origin, x right, y up, z into the scene, film at z = -s.
 
 #include <stdexcept>
@@ -22,7 +24,7 @@ namespace
 
 const double kDegree = std::acos(-1.0) / 180.0;
 
-/// Right, up and axis as POV-Ray's look_at makes them with its default sky; left-handed.
+/// Right, up and axis of POV-Ray's look_at with its default sky; left-handed.
 struct Basis
 {
     Vector right, up, axis;
@@ -74,8 +76,7 @@ Vector PlaneOfLens(const Vector& t, double f, double s)
     return PlaneThrough(images, weights);
 }
 
-/// The lens normal for a plane of sharp focus: the lens plane holds the line where film and plane
-/// meet.
+/// The lens normal for a plane of sharp focus: the lens plane contains the line where film and plane meet.
 Vector LensOfPlane(const Vector& k, double s)
 {
     const Vector axis{0.0, 0.0, 1.0};
@@ -83,7 +84,7 @@ Vector LensOfPlane(const Vector& k, double s)
     const double across2 = Dot(along, along);
     if (across2 == 0.0)
         return axis;
-    // The point of that line nearest to the axis: z = -s, and k.X = 1.
+    // the point of that line nearest to the axis: z = -s, and k.X = 1
     const Vector foot = ((1.0 + s * k.z) / across2) * Vector{k.x, k.y, 0.0} - s * axis;
     const Vector t = Unit(Cross(along, foot));
     return t.z > 0.0 ? t : -1.0 * t;
@@ -158,8 +159,8 @@ void SolveFocus(const CameraGiven& given, const Basis& basis, CameraSolved& solv
     solved.focalLength = FocalLengthFor(solved.lensNormal, centre, axisPoint);
 }
 
-/// Right and up of the lens: those of the camera, turned with the lens about the line that is in
-/// both the camera's and the lens's plane (Rodrigues' formula).
+/// Right and up of the lens: those of the camera, rotated with the lens about the line common to the camera's and the lens's plane
+/// (Rodrigues' formula).
 Vector TurnWithLens(const Vector& v, const Vector& t)
 {
     const Vector axis{0.0, 0.0, 1.0};
@@ -173,7 +174,7 @@ Vector TurnWithLens(const Vector& v, const Vector& t)
 
 Vector Rotated(Vector v, const Vector& degrees)
 {
-    // POV-Ray: about x, then y, then z, left-handed coordinates.
+    // POV-Ray: about x, then y, then z, left-handed coordinates
     const double cx = std::cos(degrees.x * kDegree), sx = std::sin(degrees.x * kDegree);
     v = {v.x, cx * v.y - sx * v.z, sx * v.y + cx * v.z};
     const double cy = std::cos(degrees.y * kDegree), sy = std::sin(degrees.y * kDegree);
@@ -220,8 +221,7 @@ CameraSolved SolveCase(const CameraGiven& given, double aspect)
     const double millimetre = 1.0 / given.sceneUnit;
     const double width = given.filmWidth * millimetre;
     solved.location = given.location;
-    // POV-Ray's vectors in units of the film's distance, so that direction has length 1 without
-    // shift
+    // POV-Ray's vectors in units of the film's distance, so that direction has length 1 without shift
     const double s = solved.filmDistance;
     solved.right = (width / s) * basis.right;
     solved.up = (width / (s * aspect)) * basis.up;

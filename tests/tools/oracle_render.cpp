@@ -33,7 +33,7 @@ std::string Sdl(const Vector& v)
     return out.str();
 }
 
-/// Frames of one process: numbers from 1, both ends included.
+/// Frames of one process: numbers from 1, inclusive.
 struct Range
 {
     int first, last;
@@ -74,8 +74,8 @@ bool Finished(pid_t pid)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// Restores the working folder: POV-Ray may always read and write in the one it runs in, whatever
-/// its file permissions say, so the frames are rendered there.
+/// Restores the working folder. POV-Ray may always read and write in its working folder, despite its permissions file, so frames are
+/// rendered there.
 class WorkingFolder
 {
   public:

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_render.h
-/// The accumulation buffer (Haeberli and Akeley) with the unpatched program as its renderer: for
-/// one point of the lens a tilted thin lens is a linear camera, which stock POV-Ray renders
-/// exactly.
+/// The accumulation buffer (Haeberli and Akeley) with the unpatched program as its renderer: for one point of the lens a tilted thin lens
+/// is a linear
+/// camera, which stock POV-Ray renders exactly.
 
 #ifndef WITNESS_ORACLE_RENDER_H
 #define WITNESS_ORACLE_RENDER_H
@@ -27,16 +27,15 @@ struct RenderSettings
     std::filesystem::path work;              ///< empty folder for scenes and frames
     int batches = 8;                         ///< independent, for the standard error
     int samples = 512;                       ///< pinholes in a batch; a power of two
-    int processes = 16;                      ///< side by side: each idles 0.2 s a frame
+    int processes = 16;                      ///< at once: each idles 0.2 s per frame
     std::uint32_t seed = 1;
 };
 
-/// The scene that renders the frames first to first + points.size() - 1, one point of the lens
-/// each.
+/// The scene of the frames first to first + points.size() - 1, one lens point each.
 std::string AnimationScene(const OracleCase& description, const CameraSolved& camera,
                            const std::vector<LensPoint>& points, int first);
 
-/// @throws std::runtime_error  where the program cannot be run, fails, or leaves a frame out.
+/// @throws std::runtime_error  the program cannot be run, fails, or leaves a frame out.
 Reference RenderOracle(const OracleCase& description, const RenderSettings& settings);
 
 }  // namespace witness

@@ -28,7 +28,7 @@ std::unique_ptr<OIIO::ImageInput> OpenPicture(const std::string& path)
 {
     if (!std::filesystem::exists(path))
         throw MissingPicture("no such picture: " + path);
-    // Values must arrive as they are stored: no division by alpha.
+    // keeps values as stored: no division by alpha
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wish);
@@ -136,8 +136,7 @@ void WriteReference(const std::string& path, const Reference& reference)
     spec.channelformats = {f, f, f, h, h, h};
     spec.attribute("compression", "zip");
     spec.attribute("witness:batches", reference.batches);
-    // Interleaved in memory as the file wants it: three floats and three halves a pixel would need
-    // a packed buffer, so all six go in as floats and the writer converts.
+    // interleaved as three floats and three halves, a pixel would need a packed buffer; so all six go in as floats and the writer converts
     std::vector<float> values;
     values.reserve(2 * reference.mean.Size());
     for (std::size_t pixel = 0; pixel < reference.mean.Size(); pixel += 3)

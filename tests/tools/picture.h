@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture.h
-/// Pictures as the witnesses see them: linear RGB in floats, and the stored references, which hold
-/// mean and standard error of each pixel.
+/// Pictures for the independent tools: linear RGB in floats, and the stored references, which hold mean and standard error of each pixel.
 
 #ifndef WITNESS_PICTURE_H
 #define WITNESS_PICTURE_H
@@ -30,22 +29,21 @@ struct Picture
     }
 };
 
-/// A picture with the standard error of its mean; an error of zero everywhere for a picture that
-/// has none.
+/// A picture with the standard error of its mean; zero everywhere if unknown.
 struct Reference
 {
     Picture mean, error;
-    int batches = 1;  ///< independent pictures that the mean is of; 1: the error is not known
+    int batches = 1;  ///< independent pictures in the mean; 1: the error is unknown
 };
 
-/// The file is there but cannot be decoded, or has too few channels.
+/// The file exists but cannot be decoded, or has too few channels.
 class UnreadablePicture : public std::runtime_error
 {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The file is not there.
+/// The file does not exist.
 class MissingPicture : public std::runtime_error
 {
   public:
@@ -68,8 +66,8 @@ void WriteReference(const std::string& path, const Reference& reference);
 /// 8-bit sRGB PNG for people, each pixel `zoom` wide and high. @throws std::runtime_error
 void WritePreview(const std::string& path, const Picture& picture, int zoom);
 
-/// The decoded pixels in one form whatever the file's: a line "width height channels type", then
-/// the values as stored, little-endian. @throws MissingPicture, UnreadablePicture
+/// The decoded pixels in a common form: a line "width height channels type", then the values as stored, little-endian.
+/// @throws MissingPicture, UnreadablePicture
 void WritePixels(const std::string& path, std::ostream& out);
 
 /// Mean and standard error over independent pictures of one size.

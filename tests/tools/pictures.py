@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Rendering and comparing one picture, with every kind of failure told apart."""
+"""Renders and compares one picture, and distinguishes every kind of failure."""
 
 import dataclasses
 import hashlib
@@ -26,7 +26,7 @@ OUTCOMES = {
     "stale reference": 9,
     "timeout": 10,
 }
-# What the exit codes of the program `compare` mean (compare.cpp).
+# meanings of the exit codes of `compare` (compare.cpp)
 COMPARE_OUTCOMES = ["same", "failure", "different", "missing reference", "no output", "wrong size",
                     "unreadable", "not finite"]
 
@@ -70,8 +70,7 @@ def command_of(job, output):
 def render(job, folder, output):
     """Renders into the folder, which is made; returns the command. Raises Trouble.
 
-    POV-Ray may always read and write in the folder it runs in, whatever its settings for other
-    places, so the scene's files are copied there.
+    POV-Ray may always read and write in its working folder, whatever its permissions for others, so the scene's files are copied there.
     """
     folder.mkdir(parents=True, exist_ok=True)
     for source in sources(job.scene):
@@ -105,7 +104,7 @@ def tail(log, lines=12):
 
 
 def compare(program, picture, reference, comparison):
-    """Compares as the manifest's `comparison` says; returns the figures, raises Trouble."""
+    """Compares by the manifest's `comparison`; returns the figures, raises Trouble."""
     kind = comparison["kind"]
     command = [str(program), kind, str(picture), str(reference)]
     for name, value in comparison.items():
@@ -123,7 +122,7 @@ def compare(program, picture, reference, comparison):
 
 
 def pixel_hash(program, picture):
-    """SHA-256 of the decoded pixels, whatever the file around them says."""
+    """SHA-256 of the decoded pixels, independent of the file around them."""
     done = subprocess.run([str(program), "pixels", str(picture)], capture_output=True, check=False)
     if done.returncode != 0:
         raise Trouble("unreadable", done.stderr.decode(errors="replace").strip())

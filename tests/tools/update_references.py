@@ -22,7 +22,6 @@ ORACLE_BATCHES, ORACLE_SAMPLES, ORACLE_PROCESSES = 8, 512, 48
 
 
 def arguments():
-    """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--reason", required=True, help="why they change; kept in the manifest")
@@ -37,7 +36,7 @@ def arguments():
 
 
 def version_and_compiler(povray):
-    """What the program says about itself, and the compiler's mark in its file where it has one."""
+    """The program's version line, and the compiler's mark in its file, if any."""
     done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True,
                           text=True, check=True)
     text = done.stdout + done.stderr
@@ -60,8 +59,8 @@ def series_sha256():
 
 
 def upstream():
-    """The release of POV-Ray that the fork is made from. Debian's packaging revision is left out: all that
-    are accepted hold the same patches (docs/patching.md)."""
+    """POV-Ray's release that the fork is made from, without Debian's packaging revision: all accepted revisions hold the same patches
+    (docs/patching.md)."""
     pin = json.loads((manifest.ROOT / "povray-src" / "upstream.json").read_text())
     return " ".join(str(pin[field]) for field in ("package", "upstream_version"))
 
@@ -81,8 +80,7 @@ def make_oracle(entry, args, work):
 
 
 def make_render(entry, args, work):
-    """The fork's picture: the mean of several, each larger by a pixel all round and so with other
-    samples behind every pixel of the middle."""
+    """The fork's picture: the mean of several, each larger by a pixel all round and so with other samples in every pixel of the centre."""
     if not args.povray:
         raise SystemExit(f"{entry.name}: give --povray")
     files = []
@@ -131,7 +129,7 @@ def update(entry, args):
 
 
 def prune(records, known):
-    """Removes pictures and entries that no case and no scene stands for."""
+    """Removes pictures and entries without a case or scene."""
     for name in sorted(set(records) - set(known)):
         (manifest.FOLDER / records.pop(name)["file"]).unlink(missing_ok=True)
         print("removed", name)
