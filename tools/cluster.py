@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A private Slurm cluster on loopback: munge, one controller and some nodes, in one folder and owned by this user.
 
-The cluster does not depend on the machine's configuration. The daemons listen on the address of their host's name; they
-see a name of their own with the loopback address (libnss-wrapper), independent of /etc/hosts. Control groups, which a
-container may lack, are not used. The cluster ends only processes that it started: by their number, and only while the
-number still belongs to them.
+The cluster does not depend on the machine's configuration. The daemons listen on the address of their host's name; they see a name of their
+own with the loopback address (libnss-wrapper), independent of /etc/hosts. Control groups, which a container may lack, are not used. The
+cluster ends only processes that it started: by their number, and only while the number still belongs to them.
 """
 
 import contextlib
@@ -227,8 +226,8 @@ class Cluster:
             time.sleep(0.1)
 
     def job_processes(self, node, daemon):
-        """Numbers of the processes of jobs on a node, and of the step daemons that started them; `daemon` is
-        the number of the node's own."""
+        """Numbers of the processes of jobs on a node, and of the step daemons that started them; `daemon` is the number of the node's own.
+        """
         mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
         jobs = [
             int(name)

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Limits of a batch: units that hang, state files that crash POV-Ray, pictures changed later, two batches with the same pictures; and
-failures
-shown with their own logs."""
+failures shown with their own logs."""
 
 import shlex
 

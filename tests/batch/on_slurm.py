@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A batch on a private Slurm cluster of three nodes: a still, a film and a sweep, while a POV-Ray, a task's shell and a whole node are
-killed
-in mid-render. The pictures equal those of single renders."""
+killed in mid-render. The pictures equal those of single renders."""
 
 import os
 import signal

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The benchmark in miniature: small_run_test.py PROGRAM TOOLS. Checks that all methods of blur approach the same picture, and that
-measurements
-arrive in tables and plots; times are not tested."""
+measurements arrive in tables and plots; times are not tested."""
 
 import copy
 import dataclasses

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Parser, manual, manual page and editors have the same items of the block. Completion offers the right words, snippets render, and Vim
-colours
-the words (if Vim with its syntax files is installed)."""
+colours the words (if Vim with its syntax files is installed)."""
 
 import argparse
 import json

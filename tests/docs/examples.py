@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders each example of a page at a small size, and the scenes of its ./render commands. tools/docs/pages.py describes
-the comments that belong to examples."""
+"""Renders each example of a page at a small size, and the scenes of its ./render commands. tools/docs/pages.py describes the comments that
+belong to examples."""
 
 import argparse
 import pathlib

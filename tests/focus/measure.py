@@ -4,8 +4,7 @@
 
     /usr/bin/python3 run_module.py tests.focus.measure --povray build/bin/povray [Measure.test_times]
 
-Times are those of headless Chromium with graphics done by the processor, on this machine as it is: on a busy one they say
-little."""
+Times are those of headless Chromium with graphics done by the processor, on this machine as it is: on a busy one they say little."""
 
 import os
 import re

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Each scene of the tutorial: three clicks, the block written into a copy of the scene, and the program reports less than half a pixel of
-blur
-there."""
+blur there."""
 
 import re
 import shutil

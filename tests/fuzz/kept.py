@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The kept inputs: corpus/ has libFuzzer's inputs that reach all code reached so far, regressions/ those that once failed. Each has
-solver.json,
-bytes in base 64, parser.json, the texts of blocks, and may have prescription.json, bytes in base 64."""
+solver.json, bytes in base 64, parser.json, the texts of blocks, and may have prescription.json, bytes in base 64."""
 
 import base64
 import json

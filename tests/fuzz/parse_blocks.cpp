@@ -3,8 +3,7 @@
 
 /// @file parse_blocks.cpp
 /// Reads the texts of blocks from standard input, each ended by a zero byte, and parses each as a scene of its own. Prints one line per
-/// block at
-/// once, so that a crash can be attributed: `lens`, `none` (no tilt_lens in the end), `error WORDS` or `wrong WORDS`.
+/// block at once, so that a crash can be attributed: `lens`, `none` (no tilt_lens in the end), `error WORDS` or `wrong WORDS`.
 
 #include <iostream>
 #include <string>

@@ -3,8 +3,7 @@
 
 /// @file parse_driver.h
 /// POV-Ray's parser as a function from text to outcome, within this process: no program is started, no file is read or written, and
-/// messages to
-/// the user are caught.
+/// messages to the user are caught.
 
 #ifndef TILT_LENS_TESTS_PARSE_DRIVER_H
 #define TILT_LENS_TESTS_PARSE_DRIVER_H

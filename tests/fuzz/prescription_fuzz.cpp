@@ -3,8 +3,7 @@
 
 /// @file prescription_fuzz.cpp
 /// libFuzzer's target for the readers of prescriptions: the bytes are a file. Any bytes yield a lens that can be focused, or an error in
-/// words
-/// that names a line of the file.
+/// words that names a line of the file.
 
 #include <algorithm>
 #include <cstdint>

@@ -3,8 +3,7 @@
 
 /// @file solver_fuzz.cpp
 /// libFuzzer's target for the solver: the bytes are the numbers of a camera and a statement, bit for bit. Any bytes yield a lens whose rays
-/// are
-/// finite and have a direction, or an error in words.
+/// are finite and have a direction, or an error in words.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""`prescription` against the separate tracer of the experiments: the box scene through the same double Gauss lens, tilted by 0, 4
-or 8 degrees, at f/8 or f/2.1, or through one that focuses by its first element. The tracer takes the mean over the rays that
-pass, so that the program's picture is divided by that of an even surface through the same lens, as photographers divide by a
-flat field."""
+"""`prescription` against the separate tracer of the experiments: the box scene through the same double Gauss lens, tilted by 0, 4 or 8
+degrees, at f/8 or f/2.1, or through one that focuses by its first element. The tracer takes the mean over the rays that pass, so that the
+program's picture is divided by that of an even surface through the same lens, as photographers divide by a flat field."""
 
 import argparse
 import dataclasses
@@ -28,8 +27,7 @@ WIDTH, HEIGHT = 60, 40
 RMSE, MEAN = 0.006, 0.0005
 WRONG = 0.1
 # The lens that focuses by its first element: its movement (mm of its file) for this scene, the tilt, and the least difference from the lens
-# with
-# all glass as for infinity.
+# with all glass as for infinity.
 MOVED, MOVED_TILT, UNMOVED = 2.0, 4, 0.1
 
 

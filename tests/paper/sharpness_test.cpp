@@ -18,8 +18,7 @@ using paper::Point;
 using witness::Picture;
 
 /// A checker board turned against the grid, which is `finer` times as fine. Each pixel is the mean over its square and over a disc around
-/// it, by
-/// random points, independent of the tool's own disc.
+/// it, by random points, independent of the tool's own disc.
 Picture Checkers(double diameter, int finer = 1)
 {
     std::mt19937 random(7);

@@ -6,8 +6,7 @@
     camera { @view tilt_lens { tilt 90 } }      // <<
     --- error: part of the message | another part
 
-"<<" in a comment marks the line that the message must name. Below the scene stand lines that begin
-with "---", in this order:
+"<<" in a comment marks the line that the message must name. Below the scene stand lines that begin with "---", in this order:
 
     --- file NAME           further lines, up to the next "---", are a file that the scene includes
     --- options +A +K0.5    further options of POV-Ray

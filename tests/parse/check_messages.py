@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs POV-Ray on each case of a file, and compares its messages with the expected ones.
 
-An expected error must be the only one, name file and line, contain the expected parts in their order,
-end the program with an exit code that is not zero, and leave no picture. Where no error is expected the
-picture must be there. Warnings must be those expected, no more.
+An expected error must be the only one, name file and line, contain the expected parts in their order, end the program with an exit code
+that is not zero, and leave no picture. Where no error is expected the picture must be there. Warnings must be those expected, no more.
 """
 
 import argparse
@@ -20,8 +19,7 @@ from tests.waiting import PATIENCE
 
 PICTURE = "picture.png"
 # POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The renderer's messages follow their place
-# and
-# perhaps the lines around it.
+# and perhaps the lines around it.
 KIND = r"((?:Parse |Possible |Render |Fatal )?(?:Error|Warning)): (.*)"
 MESSAGE = re.compile(r"File '([^']*)' line (\d+): " + KIND)
 PLACE = re.compile(r"File: (.*\S) +Line: (\d+)\n(?:File Context.*\n(?:.*\n)*?)?(?=" + KIND + ")")

@@ -34,8 +34,7 @@ def declared(camera, tail=""):
 
 def moved_world(tail):
     """Objects, transformed together. They glow, because POV-Ray's shadows and reflections have absolute tolerances, which would show at
-    another
-    scale."""
+    another scale."""
     return ("#default { finish { ambient 1 diffuse 0 } }\nunion {\n"
             "  plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"
             "  sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } }\n"

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The bundle for any Linux: it loads no outside library but glibc's, contains every licence, and renders from any folder. on_fresh_debian,
-which
-needs root, tries it on systems where nothing is installed."""
+which needs root, tries it on systems where nothing is installed."""
 
 import os
 import pathlib

@@ -3,8 +3,8 @@
 """Renders one scene without tilt_lens with the unpatched program and with the fork, and compares the pixels.
 
 The decoded pixels are compared, with 16 bits in each channel, because the files contain dates and versions.
-Both run with one thread (radiosity and area lights depend on the number of threads), the same
-library path, and no settings but those given here.
+Both run with one thread (radiosity and area lights depend on the number of threads), the same library path, and no settings but those given
+here.
 """
 
 import argparse

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Text read by #include, macros of other files, loops and #read equals that of the unpatched program: both parse the scene, and all output
-by
-#debug is compared."""
+by #debug is compared."""
 
 import argparse
 import pathlib

@@ -3,8 +3,7 @@
 
 /// @file extreme_cameras.h
 /// Cameras at the limits of floating point, one set for each limit. Each starts as one of the random cameras of the unit tests and is
-/// pulled to
-/// its extreme, so that everything else stays varied.
+/// pulled to its extreme, so that everything else stays varied.
 
 #ifndef TILT_LENS_TESTS_EXTREME_CAMERAS_H
 #define TILT_LENS_TESTS_EXTREME_CAMERAS_H

@@ -150,8 +150,7 @@ def _many_spheres(count):
 
 def full_disk(folder):
     """A small file system or, if none can be mounted, a limit on the size of files; with room again, +C finishes the picture, and the tiles
-    in the
-    state file are not rendered again."""
+    in the state file are not rendered again."""
     size = {"width": 320, "height": 240}
     whole = rendering.render(QUICK, *OPTIONS, **size)
     mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=512k", "none", str(folder)], capture_output=True,
@@ -181,8 +180,7 @@ def _small_files():
 
 def read_only(folder, whole):
     """An output folder without write permission. Root first drops that power without changing user, because another user might not be able
-    to read the
-    program."""
+    to read the program."""
     powers = "-dac_override,-dac_read_search"
     through = ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.geteuid() == 0 else []
     code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", through=through)

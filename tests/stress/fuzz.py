@@ -26,8 +26,7 @@ def drop_refused(corpus):
 
 def libfuzzer(name, program, corpus, length, runs, seconds):
     """Runs libFuzzer from the kept corpus; returns runs, time, coverage, and the finding as text. Without a number of runs it runs for a
-    fixed time and
-    keeps new inputs."""
+    fixed time and keeps new inputs."""
     kept.unpack(name, corpus)
     words = corpus.parent / f"{name}.dict"
     words.write_text("".join(f'"{word}"\n' for word in (*grammar_of_blocks.WORDS, "rgb", "<", ">", "{", "}", ", ", "1e309")))

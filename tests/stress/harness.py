@@ -59,8 +59,7 @@ def load(part):
 
 def once(folder, name, made_with, make, faults):
     """The result of make(), or the stored one if the same program and scripts made it. A result with faults, listed by faults(result), is
-    not
-    stored: the next run makes it again."""
+    not stored: the next run makes it again."""
     digest = hashlib.sha256()
     for path in made_with:
         digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())

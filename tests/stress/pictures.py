@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Properties of correct pictures that do not depend on the sampler: constant surroundings, mirrors, moved worlds, noise.
 
-Independent pictures of one scene come as in tests/reference/scenes/batch.inc: the frame is made wider by whole
-pixels, so that the same film point falls into another pixel and gets other samples.
+Independent pictures of one scene come as in tests/reference/scenes/batch.inc: the frame is made wider by whole pixels, so that the same
+film point falls into another pixel and gets other samples.
 """
 
 import math

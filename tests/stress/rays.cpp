@@ -3,22 +3,17 @@
 
 /// @file rays.cpp
 /// Solver and rays against 50 digits, camera after camera: `stress_rays SET CAMERAS SEED` writes tallies as JSON. SET is `random`
-/// (photography) or
-/// one of extreme_cameras.h.
+/// (photography) or one of extreme_cameras.h.
 ///
 /// Two errors of a ray. In units of the last place: the length of the difference of the directions, relative to the direction's length,
 /// over 2^-52.
 /// In pixels of a picture 100,000 pixels wide: the distance on the film to the film point whose true ray has the computed direction. For a
-/// lens that
-/// reaches to the film that map flips (its determinant 1 - k.l passes 0), and the angle between the two directions in pixels of the chief
-/// ray counts
-/// if it is smaller.
+/// lens that reaches to the film that map flips (its determinant 1 - k.l passes 0), and the angle between the two directions in pixels of
+/// the chief ray counts if it is smaller.
 ///
 /// A direction is three doubles, and in a narrow picture their last places alone exceed a millionth of a pixel. There the error is compared
-/// with
-/// the rounding error: that of the true direction with its three numbers rounded to nearest, and the largest angle by which such a rounding
-/// can turn
-/// a direction of these numbers.
+/// with the rounding error: that of the true direction with its three numbers rounded to nearest, and the largest angle by which such a
+/// rounding can turn a direction of these numbers.
 
 #include <cstdio>
 #include <fstream>
@@ -79,8 +74,7 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
 Exact AngleBetween(const V& a, const V& b) { return a.Cross(b).Length() / (a.Length() * b.Length()); }
 
 /// The largest angle by which rounding each number to nearest turns a direction: half a last place of each. Subnormal numbers round as the
-/// least
-/// normal one.
+/// least normal one.
 Exact MostByRounding(const V& direction)
 {
     Exact sum = 0;

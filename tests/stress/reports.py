@@ -3,10 +3,8 @@
 """Parses the reports of sanitizers: the findings, whether they are ours or upstream's, and whether they are known.
 
 A finding is ours if a frame of its stacks is in one of our files. ThreadSanitizer's own suppressions match any frame of a stack, so that
-the
-name of a thread's first function would hide the whole thread. Here, a name must match the innermost function of a side of a race, and both
-sides
-must be known.
+the name of a thread's first function would hide the whole thread. Here, a name must match the innermost function of a side of a race, and
+both sides must be known.
 """
 
 import collections

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The whole program under AddressSanitizer with UndefinedBehaviorSanitizer, ThreadSanitizer and valgrind.
 
-The presets fuzz (clang's sanitizers) and tsan (gcc's) are built first. Known findings in upstream's code are suppressed by
-name in tests/stress/suppressions, each with its reason.
+The presets fuzz (clang's sanitizers) and tsan (gcc's) are built first. Known findings in upstream's code are suppressed by name in
+tests/stress/suppressions, each with its reason.
 """
 
 import os
@@ -33,8 +33,7 @@ def environment(tool_suppressions=True):
 
 def listener(program, folder, options=""):
     """A command that runs the program and keeps its standard error: not all of gcc's sanitizers support log_path, and the render tests read
-    standard
-    error themselves. Options come last, so that they take precedence."""
+    standard error themselves. Options come last, so that they take precedence."""
     script = folder / "povray"
     script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
@@ -100,8 +99,7 @@ def valgrind(setup, folder, work):
 
 def groups(tree, tool, threads, work):
     """Runs of one sanitized program: (words, commands for a program, overriding options). The first, without suppressions, shows that
-    findings are
-    detected at all."""
+    findings are detected at all."""
     return [("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
             ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
             ("parser battery", parser, f"+WT{threads}"),

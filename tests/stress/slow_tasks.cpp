@@ -3,8 +3,7 @@
 
 /// @file slow_tasks.cpp
 /// The whole program as on a busy machine: its start takes four seconds; after queueing a task a thread sleeps, so that the task runs far
-/// ahead; and
-/// every second thread sleeps before it reports its finished tile. Prints how many light sources the bounding task has copied.
+/// ahead; and every second thread sleeps before it reports its finished tile. Prints how many light sources the bounding task has copied.
 
 #include <atomic>
 #include <chrono>

@@ -3,8 +3,7 @@
 """Memory leaks: by the frames of an animation, by the tiles of a picture, and during a picture.
 
 The program's allocator, jemalloc, counts allocated bytes. The counts depend neither on time nor on load: a leak per frame or tile increases
-the
-count at the end by at least the smallest block for each.
+the count at the end by at least the smallest block for each.
 """
 
 import json
@@ -22,8 +21,7 @@ SMALLEST = 8  # bytes of jemalloc's smallest block
 WIDTH, TILE = 64, 32
 PIXEL = 20  # bytes of a stored pixel: five floats
 # jemalloc's counts as JSON on standard error: at the end, and after each allocated megabyte. Without the threads' caches, whose blocks
-# would
-# count as allocated.
+# would count as allocated.
 COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 MOVING = (HEAD + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4", samples="blur_samples 8, 32 ",

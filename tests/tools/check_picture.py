@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Renders one picture with the fork and compares it with its reference.
 
-The exit code is one of pictures.OUTCOMES. Faults are printed on standard error, and shown on a local page with the
-pictures side by side.
+The exit code is one of pictures.OUTCOMES. Faults are printed on standard error, and shown on a local page with the pictures side by side.
 """
 
 import argparse

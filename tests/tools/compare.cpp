@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 // Compares two pictures. Prints one JSON object on standard output; the exit code distinguishes the kinds of failure, so that a test can
-// tell a
-// wrong picture from a missing one.
+// tell a wrong picture from a missing one.
 
 #include <algorithm>
 #include <cmath>
@@ -225,8 +224,7 @@ void ShowError(const std::string& path)
 }
 
 /// For each picture named on a line of standard input, prints a line with a number of bytes and that many bytes of WritePixels(), or a line
-/// that
-/// begins with "failed: ".
+/// that begins with "failed: ".
 void AnswerWithPixels()
 {
     for (std::string path; std::getline(std::cin, path); std::cout.flush())

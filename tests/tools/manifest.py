@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The list of reference pictures, MANIFEST.json, and the pictures that it should list.
 
-Every case tests/oracle/cases/NAME.json makes the reference oracle/NAME.exr, rendered by the
-unpatched program. Every scene named in tests/reference/pictures.json makes renders/NAME.exr,
-rendered by the fork itself. Only update_references.py writes these files and the manifest.
+Every case tests/oracle/cases/NAME.json makes the reference oracle/NAME.exr, rendered by the unpatched program. Every scene named in
+tests/reference/pictures.json makes renders/NAME.exr, rendered by the fork itself. Only update_references.py writes these files and the
+manifest.
 """
 
 import dataclasses
@@ -20,8 +20,7 @@ SCENES = ROOT / "tests" / "reference" / "scenes"
 SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 
 # Pictures in a render's reference, each with other samples (batch.inc). With fewer, the estimated deviation of a pixel has so few degrees
-# of freedom
-# that Gaussian limits fail correct pixels.
+# of freedom that Gaussian limits fail correct pixels.
 BATCHES = 16
 # Limits against the oracle, both linear and over all channels.
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
@@ -60,8 +59,7 @@ class Entry:
 
     def sources_sha256(self):
         """Hash of each file that the reference depends on, by its path in the repository. For the oracle these are its case and the
-        objects, but not the
-        fork's scene, which is under test."""
+        objects, but not the fork's scene, which is under test."""
         files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] \
             if self.case else pictures.sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}

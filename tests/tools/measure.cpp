@@ -100,8 +100,7 @@ double SidakLimit(double significance, double count)
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings)
 {
     // the picture is another sample of the reference's pictures: its variance is `batches` times that of their mean; if unknown (one
-    // batch), the floor
-    // remains
+    // batch), the floor remains
     std::vector<double> deviation(picture.Size());
     for (std::size_t i = 0; i < picture.Size(); ++i)
         deviation[i] = std::max(settings.floor,

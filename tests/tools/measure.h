@@ -54,8 +54,7 @@ struct ZTest
 };
 
 /// The test of docs/testing.md for one picture against the mean of others of its kind. Limits are for Gaussian noise, by Sidak's correction
-/// for the
-/// number of pixels or boxes.
+/// for the number of pixels or boxes.
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings);
 
 /// Two-sided limit in standard errors that one of `count` independent Gaussian values exceeds with probability `significance`.

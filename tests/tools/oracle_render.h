@@ -3,8 +3,7 @@
 
 /// @file oracle_render.h
 /// The accumulation buffer (Haeberli and Akeley) with the unpatched program as its renderer: for one point of the lens a tilted thin lens
-/// is a linear
-/// camera, which stock POV-Ray renders exactly.
+/// is a linear camera, which stock POV-Ray renders exactly.
 
 #ifndef WITNESS_ORACLE_RENDER_H
 #define WITNESS_ORACLE_RENDER_H

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Makes reference pictures and their entries in MANIFEST.json: the only program that does.
 
-Give names (oracle/tilt), or folders (oracle, renders) for all of one kind. --prune removes what no
-case and no scene stands for any more.
+Give names (oracle/tilt), or folders (oracle, renders) for all of one kind. --prune removes what no case and no scene stands for any more.
 """
 
 import os

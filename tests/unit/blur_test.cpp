@@ -44,8 +44,7 @@ Vec3 SharedDiameter(const Lens& lens)
 }
 
 /// Frame point that light from T * chief reaches through a lens point: the lens sends light from the plane of sharp focus on parallel to
-/// the
-/// frame point's chief ray.
+/// the frame point's chief ray.
 Vec3 FramePoint(const Lens& lens, const Vec3& chief, double T, const Vec3& lensPoint)
 {
     const Vec3 path = chief - lensPoint / T;  // lensPoint is parallel to the film

@@ -63,8 +63,7 @@ TEST(FocusMap, DarkensWithBlur)
 }
 
 /// Simulation of colour blindness: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A Physiologically-based Model for Simulation of
-/// Color
-/// Vision Deficiency", 2009, in linear light.
+/// Color Vision Deficiency", 2009, in linear light.
 Rgb Seen(const Rgb& c, const double (&m)[3][3])
 {
     const double in[3] = {Light(c.red), Light(c.green), Light(c.blue)};

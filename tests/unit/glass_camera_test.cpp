@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 // Camera with a lens of glass: agreement with the ideal lens in the limit of ideal glass; sampled directions cover all that pass;
-// brightness
-// against a count of all directions.
+// brightness against a count of all directions.
 
 #include "tilt_lens/glass/glass_camera.h"
 

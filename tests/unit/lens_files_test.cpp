@@ -150,8 +150,7 @@ double SpotOfThreeColours(const Stated& stated)
 }
 
 /// Spot diagrams of the same tables by another program: spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42.
-/// Only
-/// lenses without glasses of abnormal dispersion, for which that report has the same focal length and back focus.
+/// Only lenses without glasses of abnormal dispersion, for which that report has the same focal length and back focus.
 TEST(LensFiles, SpotsMatchAnotherProgram)
 {
     const std::map<std::string, double> published = {{"nikon_nikkor_n_50.dat", 82.04}, {"angenieux_55.dat", 65.53}, {"nikon_nikkor_52.dat", 19.73}};

@@ -190,8 +190,7 @@ TEST_P(EveryFamily, HingeRule)
             EXPECT_NEAR(HingeDistanceOf(lens) * std::sin(turn) / lens.focalLength, 1.0,
                 4e-15 / std::sin(turn));
             // the hinge line lies in the plane of sharp focus and in the plane through the lens parallel to the film, on the side from
-            // which the
-            // lens leans away
+            // which the lens leans away
             const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
             const double across = std::hypot(t.x, t.y);
             const Vec3 foot{

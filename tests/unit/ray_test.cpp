@@ -147,8 +147,7 @@ TEST(Ray, LensPointThatTouchesItsFilmPointHasADirection)
 TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 {
     // the plane of focus passes 1e-7 below the lens, almost parallel to the rays of the middle row: k is large, k.D is not; the whole
-    // camera is
-    // turned, so that no component is 0
+    // camera is turned, so that no component is 0
     Random random(31);
     for (int i = 0; i < 200; i++)
     {
@@ -189,8 +188,7 @@ TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
 }
 
 /// Film point of light from a scene point through the lens point l. The image lies on the line through the lens centre, at the distance
-/// from
-/// 1/g + 1/b = 1/f.
+/// from 1/g + 1/b = 1/f.
 Vec3 FilmPointOfLight(const Lens& lens, const Vec3& point, const Vec3& l)
 {
     const double g = Dot(point, lens.normal);
@@ -229,9 +227,8 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
 
 TEST(Blur, IsTheEllipseOfTheTurnedDisc)
 {
-    // for a point Z on the axis, the film sees the disc, turned by theta, from the point's image: an ellipse with half axes
-    // v r / sqrt(1 - e^2) along the line that lens and film share and v r cos(theta) / (1 - e^2) across, where
-    // e = r sin(theta) (1/s - 1/Z + 1/Z_focus)
+    // for a point Z on the axis, the film sees the disc, turned by theta, from the point's image: an ellipse with half axes v r / sqrt(1 -
+    // e^2) along the line that lens and film share and v r cos(theta) / (1 - e^2) across, where e = r sin(theta) (1/s - 1/Z + 1/Z_focus)
     ForManyCameras(2000,
         [](const Request&, const Lens& lens, Random& random)
         {

@@ -17,8 +17,7 @@ namespace tilt_lens
 {
 
 /// Newton's method from the double's root: 53 digits, 107, 215. Boost's root is digit by digit, which would dominate the time for ten
-/// million
-/// cameras.
+/// million cameras.
 template <typename Real>
 Real Root(const Real& a)
 {
@@ -196,8 +195,7 @@ class ReferenceCamera
     }
 
     /// The smallest rotation that takes the axis to the lens normal (Rodrigues): the component along the shared line of both planes stays,
-    /// the
-    /// rest turns.
+    /// the rest turns.
     V Turned(const V& v) const
     {
         const V turn = axis.Cross(t);

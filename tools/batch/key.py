@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The key of a batch: everything that its pixels depend on, and the differences between two keys.
 
-POV-Ray lists every file that it reads and every file that it looks for in vain (TILT_LENS_FILE_LIST). The key holds those of the
-first render with a hash of each; a unit's record holds those that it needed in addition, such as an include file of one frame. A part
-is reused only if every file is unchanged and none has appeared where POV-Ray looked first."""
+POV-Ray lists every file that it reads and every file that it looks for in vain (TILT_LENS_FILE_LIST). The key holds those of the first
+render with a hash of each; a unit's record holds those that it needed in addition, such as an include file of one frame. A part is reused
+only if every file is unchanged and none has appeared where POV-Ray looked first."""
 
 import hashlib
 import json

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """From a command line to the description of a batch: scene, inputs, pictures, bands, units, tasks.
 
-A picture is one output file; a band is a range of its rows; a unit is one band of one picture, the smallest part that is rendered, kept
-and repeated. A task is a sequence of units for one worker."""
+A picture is one output file; a band is a range of its rows; a unit is one band of one picture, the smallest part that is rendered, kept and
+repeated. A task is a sequence of units for one worker."""
 
 import decimal
 import itertools
@@ -129,8 +129,7 @@ def pictures(kind, stem, extension, frames=1, sets=()):
 
 def cut_bands(height, count):
     """Rows of each band, from 1, inclusive. Up to one band per block, cuts lie between POV-Ray's blocks; beyond that anywhere, except that
-    the
-    first band has two rows, because +SR1 +ER1 means all rows to POV-Ray."""
+    the first band has two rows, because +SR1 +ER1 means all rows to POV-Ray."""
     step = BLOCK if count <= -(-height // BLOCK) else 1
     blocks = -(-height // step)
     count = max(1, min(count, blocks if step > 1 else height - 1))

@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Probes a scene before the batch: does it parse, which files does it read, how large is the picture, how long will it take, and do its
-pixels
-depend on the rows that are rendered together?
+pixels depend on the rows that are rendered together?
 
-Only the last question needs more than one small render. Radiosity and stock's jittered area lights depend on the rows; the samples of
-a tilt_lens picture never do."""
+Only the last question needs more than one small render. Radiosity and stock's jittered area lights depend on the rows; the samples of a
+tilt_lens picture never do."""
 
 import itertools
 import re

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files of a batch: where they lie in the work folder, and how they are written so that no crash can
-spoil them.
+"""Files of a batch: where they lie in the work folder, and how they are written so that no crash can spoil them.
 
 The work folder:
 

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs one task: renders its units in turn, checks each, and joins each picture whose last band it has finished. Any number of tasks
-may share a work folder; a unit that is done or locked is not started again. The death of a worker (a kill, a lost node) loses only
-the current tile: POV-Ray dies with it, and its state file is continued."""
+"""Runs one task: renders its units in turn, checks each, and joins each picture whose last band it has finished. Any number of tasks may
+share a work folder; a unit that is done or locked is not started again. The death of a worker (a kill, a lost node) loses only the current
+tile: POV-Ray dies with it, and its state file is continued."""
 
 import contextlib
 import fcntl
@@ -155,8 +155,7 @@ class Unit:
 
     def drop_state(self, status, size):
         """Removes a state file that POV-Ray crashed on or refused; returns True if so. A file that has grown was readable. A kill of
-        POV-Ray or a
-        full disk is not the file's fault."""
+        POV-Ray or a full disk is not the file's fault."""
         path = povray.state_file(self.folder)
         blameless = -status in povray.KILLED or any(little_room(self.folder))
         if path is None or blameless or path.stat().st_size > size:

@@ -6,9 +6,8 @@
     python3 -m tools.docs.gallery chess_by_swing        one
     python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time
 
-Size and options of a picture are those of the command in the scene's opening comment. The full pictures
-stay in the output folder. With --small, a picture is rendered at the size of the thumbnail, with slightly more noise; its
-line of the table has this size.
+Size and options of a picture are those of the command in the scene's opening comment. The full pictures stay in the output folder. With
+--small, a picture is rendered at the size of the thumbnail, with slightly more noise; its line of the table has this size.
 """
 
 import argparse

@@ -49,8 +49,7 @@ class Editor:
 
     async def change(self, request):
         """The file's contents, the contents with the block, which the program has checked, and the number of cameras added before the one
-        with the
-        lens."""
+        with the lens."""
         session = self.session
         await self.renew_record()
         index = self.index_to_change()

@@ -11,8 +11,7 @@ DEADLINE = 30  # seconds within which a message must be sent
 
 class Peer:
     """A page. Messages to it wait in a queue of its own, so that a slow page delays no other. One that is too slow is disconnected, and
-    asks for
-    everything again when it continues."""
+    asks for everything again when it continues."""
 
     def __init__(self, socket, transport):
         self.socket, self.transport = socket, transport

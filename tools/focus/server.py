@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The page's server: static files, and a socket for tiles and requests.
 
-It listens on the loopback address only. All addresses begin with a secret; a request without it, or for another host's name, is
-refused without information. All files are read into memory at start: no name in a request ever names a file."""
+It listens on the loopback address only. All addresses begin with a secret; a request without it, or for another host's name, is refused
+without information. All files are read into memory at start: no name in a request ever names a file."""
 
 import asyncio
 import contextlib

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Reads the tiles of a picture during the render, from the state file that POV-Ray keeps for +C.
 
-The file is 512 bytes, then messages: "POVRAYMS", a version, the size, "RAWSOBJE", the number of attributes, and the attributes: name,
-type and length of four bytes each, then the value. All numbers are big-endian."""
+The file is 512 bytes, then messages: "POVRAYMS", a version, the size, "RAWSOBJE", the number of attributes, and the attributes: name, type
+and length of four bytes each, then the value. All numbers are big-endian."""
 
 import dataclasses
 import struct
@@ -63,8 +63,7 @@ def tile_of(message):
 
 class StateFile:
     """The state file of a render that is about to start. Created here, empty, and held open: POV-Ray writes into the same file and removes
-    its
-    name at the end, when tiles may still be unread."""
+    its name at the end, when tiles may still be unread."""
 
     def __init__(self, path):
         path.unlink(missing_ok=True)

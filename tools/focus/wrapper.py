@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The scene with another camera: a short file that includes the scene and states the camera. POV-Ray takes the last camera of a scene, so
-the
-scene's own file stays unchanged."""
+the scene's own file stays unchanged."""
 
 import os
 import re

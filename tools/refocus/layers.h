@@ -4,10 +4,10 @@
 /// @file layers.h
 /// Picture and layers of a tilt_lens camera, and the blur for another plane of sharp focus.
 ///
-/// A film point's chief ray leaves the lens centre C along d, scaled to the depth 1. Its point at the depth z has the signed blur
-/// K (1/z - N.d / (D - N.C)) pixels, where N.X = D is the plane of sharp focus: the vergence of the point minus that of the plane, by the
-/// thin lens equation, which holds for a tilted lens, too. K is the same for all pixels; it follows from the layer `blur` and the
-/// plane in the file's header.
+/// A film point's chief ray leaves the lens centre C along d, scaled to the depth 1. Its point at the depth z has the signed blur K (1/z -
+/// N.d / (D - N.C)) pixels, where N.X = D is the plane of sharp focus: the vergence of the point minus that of the plane, by the thin lens
+/// equation, which holds for a tilted lens, too. K is the same for all pixels; it follows from the layer `blur` and the plane in the file's
+/// header.
 
 #ifndef REFOCUS_LAYERS_H
 #define REFOCUS_LAYERS_H

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sdl_on_demand.cpp
-/// The functions of SDL that the preview window calls. The library is loaded at the first call, not with the program, because it
-/// loads about thirty others (sound, window system), a quarter of the time before the first ray.
+/// The functions of SDL that the preview window calls. The library is loaded at the first call, not with the program, because it loads
+/// about thirty others (sound, window system), a quarter of the time before the first ray.
 
 #include <string>
 

@@ -46,8 +46,8 @@ TILT_LENS_INLINED Number SmallCos(const Number& x)
 }
 /// @}
 
-/// The concentric map in polar form. Concentric squares of [-1, 1]^2 become concentric circles. The diagonals divide the square into
-/// four quarters.
+/// The concentric map in polar form. Concentric squares of [-1, 1]^2 become concentric circles. The diagonals divide the square into four
+/// quarters.
 template<class Number>
 struct Concentric
 {
@@ -226,8 +226,8 @@ struct Aperture::Grade
     double power;
     bool rim;  ///< bright at the rim, not in the middle
 
-    /// Moves a point of the unit square along the line through the centre, so that a concentric square's squared size becomes the
-    /// share of light within it.
+    /// Moves a point of the unit square along the line through the centre, so that a concentric square's squared size becomes the share of
+    /// light within it.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;

@@ -17,8 +17,8 @@
 namespace tilt_lens
 {
 
-/// Piecewise constant distribution over [0, 1] in equal cells, inverted in constant expected time with the index table of H.-C. Chen
-/// and Y. Asau (1974).
+/// Piecewise constant distribution over [0, 1] in equal cells, inverted in constant expected time with the index table of H.-C. Chen and Y.
+/// Asau (1974).
 class CellDistribution
 {
   public:
@@ -41,8 +41,8 @@ class CellDistribution
     double Density(double position) const;
 
   private:
-    /// Cumulative weight below each cell. Single precision keeps a picture within the second-level cache; a cell with less than 1e-7
-    /// of its column is invisibly dark.
+    /// Cumulative weight below each cell. Single precision keeps a picture within the second-level cache; a cell with less than 1e-7 of its
+    /// column is invisibly dark.
     std::array<float, cells + 1> bound;
     std::array<std::uint8_t, cells> first;  ///< cell where the search for i/cells begins
 };

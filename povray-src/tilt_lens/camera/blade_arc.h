@@ -21,8 +21,7 @@ inline double Cross(const AperturePoint& p, const AperturePoint& q)
     return p.a * q.b - p.b * q.a;
 }
 
-/// Chords of the arc between the corners at the angles 0 and 2 pi/blades. Each chord spans a triangle of the same area with the
-/// origin.
+/// Chords of the arc between the corners at the angles 0 and 2 pi/blades. Each chord spans a triangle of the same area with the origin.
 inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
 {
     constexpr double kPi = 3.14159265358979323846;

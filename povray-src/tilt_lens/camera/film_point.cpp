@@ -37,8 +37,8 @@ double Factor(const Lens& lens, const Vec3& chief, const Split& split)
     return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
 
-/// The same polynomial along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4, because the nearness of the focus
-/// changes linearly with r.
+/// The same polynomial along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4, because the nearness of the focus changes
+/// linearly with r.
 struct Bend
 {
     double square, cube, fourth;
@@ -63,8 +63,8 @@ FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
     return {(Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight), y};
 }
 
-/// Solves Ideal(r) = wanted for r below the fold; negative if there is no solution. Newton's method within a bracket; a step that
-/// leaves the bracket is replaced by bisection.
+/// Solves Ideal(r) = wanted for r below the fold; negative if there is no solution. Newton's method within a bracket; a step that leaves
+/// the bracket is replaced by bisection.
 double PictureTangent(const Bend& bend, double wanted)
 {
     const double fold = std::sqrt(FoldOf(bend.square, bend.fourth, bend.cube));

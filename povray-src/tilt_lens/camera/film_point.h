@@ -4,21 +4,21 @@
 /// @file film_point.h
 /// Film points, and their images under distortion.
 ///
-/// Distortion maps the film onto itself about the lens's axis: a point of the picture shows the content of another point of an
-/// ideal lens's picture. For a turned lens the axis turns along, as if the picture were first formed on a film at right angles to it.
+/// Distortion maps the film onto itself about the lens's axis: a point of the picture shows the content of another point of an ideal lens's
+/// picture. For a turned lens the axis turns along, as if the picture were first formed on a film at right angles to it.
 /// With r the tangent of a chief ray's angle to the axis,
 ///
 ///     r_ideal = r_picture (1 + K r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance)
 ///
 /// The entrance pupil of a real lens moves with the angle, which shifts rays towards near points more than rays towards far ones.
-/// Therefore K = K1 + NEAR f/D, D being the distance of the focus along the lens's axis; for a turned lens it varies over the
-/// picture. 1/D = k.chief/(t.chief) is linear along each line through the axis.
+/// Therefore K = K1 + NEAR f/D, D being the distance of the focus along the lens's axis; for a turned lens it varies over the picture. 1/D
+/// = k.chief/(t.chief) is linear along each line through the axis.
 ///
-/// The ideal point is a polynomial of the picture's point, so that each ray computes it directly; the inverse is its root. The
-/// plane of sharp focus, blur and rays through the lens are those of the ideal point.
+/// The ideal point is a polynomial of the picture's point, so that each ray computes it directly; the inverse is its root. The plane of
+/// sharp focus, blur and rays through the lens are those of the ideal point.
 ///
-/// Source: D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering 37(8), 1971, for the polynomial and for
-/// distortion that is linear in 1/D.
+/// Source: D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering 37(8), 1971, for the polynomial and for distortion
+/// that is linear in 1/D.
 
 #ifndef TILT_LENS_FILM_POINT_H
 #define TILT_LENS_FILM_POINT_H
@@ -66,8 +66,8 @@ std::optional<FilmPoint> IdealFilmPointOf(const Lens& lens, const Vec3& along);
 /// @param magnified  relative size of this colour's image
 FilmPoint IdealFilmPoint(const Lens& lens, const FilmPoint& picture, double magnified = 1.0);
 
-/// The inverse for any lens: where the picture shows a film point of the ideal lens. None if it lies beyond the fold of a
-/// distortion with negative K1 or K2.
+/// The inverse for any lens: where the picture shows a film point of the ideal lens. None if it lies beyond the fold of a distortion with
+/// negative K1 or K2.
 std::optional<FilmPoint> PictureFilmPoint(const Lens& lens, const FilmPoint& ideal);
 
 /// Largest stretching of the ideal picture by distortion, over all directions at a point.

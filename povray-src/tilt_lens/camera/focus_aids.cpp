@@ -170,8 +170,8 @@ Vec3 FocusPlanes::Chief(double x, double y) const
     return ChiefRay(lens, FilmPointAt(x, y, width, height));
 }
 
-/// True if a grid line passes through the pixel with this upper left corner: the grid cells of its corners differ. No grid is
-/// drawn where cells are no larger than pixels.
+/// True if a grid line passes through the pixel with this upper left corner: the grid cells of its corners differ. No grid is drawn where
+/// cells are no larger than pixels.
 bool FocusPlanes::OnGridLine(double x, double y) const
 {
     double cell[3][2];

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// Drawings of the focus aids over a picture that is sharp throughout: the tint of focus_peaking, the colours and the scale of
-/// focus_map, the surfaces of show_planes. Pure functions of the pixel in the whole picture, independent of threads, tiles and
-/// sub-images.
+/// Drawings of the focus aids over a picture that is sharp throughout: the tint of focus_peaking, the colours and the scale of focus_map,
+/// the surfaces of show_planes. Pure functions of the pixel in the whole picture, independent of threads, tiles and sub-images.
 ///
-/// Colours defined here are display colours (sRGB, 0 to 1); the caller converts them to the scene's light. Blur is BlurDiameter()
-/// of optics.h: in pixels, positive before the plane of sharp focus.
+/// Colours defined here are display colours (sRGB, 0 to 1); the caller converts them to the scene's light. Blur is BlurDiameter() of
+/// optics.h: in pixels, positive before the plane of sharp focus.
 
 #ifndef TILT_LENS_FOCUS_AIDS_H
 #define TILT_LENS_FOCUS_AIDS_H
@@ -41,12 +40,12 @@ constexpr double kPeakingTint = 0.5;
 /// Largest blur on focus_map's scale, in pixels.
 constexpr double kMapLimit = 64.0;
 
-/// Position of a blur on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that both one
-/// pixel and fifty can be read: sign(b) log(1 + |b|).
+/// Position of a blur on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that both one pixel and
+/// fifty can be read: sign(b) log(1 + |b|).
 double FocusMapPosition(double blur);
 
-/// Blue behind, white in focus, orange before; darker with more blur. The hues stay apart in all common kinds of colour blindness,
-/// and brightness alone tells the amount.
+/// Blue behind, white in focus, orange before; darker with more blur. The hues stay apart in all common kinds of colour blindness, and
+/// brightness alone tells the amount.
 Rgb FocusMapColour(double blur);
 
 /// The scale that focus_map draws at the bottom of the picture, labelled in pixels.
@@ -75,8 +74,8 @@ struct Veil
     double opacity;
 };
 
-/// The surfaces of show_planes: near limit, plane of sharp focus, far limit. The limits are those of one pixel of blur. The plane of
-/// sharp focus carries a grid, which makes its slope visible.
+/// The surfaces of show_planes: near limit, plane of sharp focus, far limit. The limits are those of one pixel of blur. The plane of sharp
+/// focus carries a grid, which makes its slope visible.
 class FocusPlanes
 {
   public:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file frame_table.h
-/// Square tables of functions that vary slowly over the frame, row by row from the upper left corner to the lower right one, and
-/// bilinear in between.
+/// Square tables of functions that vary slowly over the frame, row by row from the upper left corner to the lower right one, and bilinear
+/// in between.
 
 #ifndef TILT_LENS_FRAME_TABLE_H
 #define TILT_LENS_FRAME_TABLE_H

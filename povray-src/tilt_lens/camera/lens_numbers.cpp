@@ -37,8 +37,8 @@ std::string NumberBelow(double value, double limit)
     return text == Number(limit) && value < limit ? "almost " + text : text;
 }
 
-/// A vector in camera axes, with rounding errors set to 0: a lens parallel to the film must read 0 and infinity for every
-/// orientation of the camera.
+/// A vector in camera axes, with rounding errors set to 0: a lens parallel to the film must read 0 and infinity for every orientation of
+/// the camera.
 Vec3 InCamera(const Lens& lens, const Vec3& v)
 {
     const double rounding = kRounding * Length(v);
@@ -50,8 +50,8 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
     return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
-/// True if no chief ray of the frame meets the plane of sharp focus in front of the lens. The inverse of the distance is linear over
-/// the frame, so that testing the corners suffices.
+/// True if no chief ray of the frame meets the plane of sharp focus in front of the lens. The inverse of the distance is linear over the
+/// frame, so that testing the corners suffices.
 bool IsSharpBehindOnly(const Lens& lens)
 {
     for (double x : {-0.5, 0.5})
@@ -161,8 +161,8 @@ double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
 
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
 {
-    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X; the second is proportional to the distance along the axis,
-    // which is T times the axis component of every chief ray
+    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X; the second is proportional to the distance along the axis, which
+    // is T times the axis component of every chief ray
     const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
     return lens.focus + (pixels / perDistance) * lens.axis;
 }

@@ -39,8 +39,7 @@ std::string Text(const Vec3& v)
     return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
 }
 
-/// The camera's axes: x `right`, y the part of `up` across it, z the film's normal. The solver works in this frame, about the lens
-/// centre.
+/// The camera's axes: x `right`, y the part of `up` across it, z the film's normal. The solver works in this frame, about the lens centre.
 struct Axes
 {
     RealVec right, up, axis;
@@ -70,8 +69,8 @@ Axes AxesOf(const CameraFrame& camera)
     return axes;
 }
 
-/// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis. Both turns enter alike, so that their
-/// order does not matter.
+/// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis. Both turns enter alike, so that their order
+/// does not matter.
 RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord,
                      const char* swingWord)
 {
@@ -184,8 +183,8 @@ Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
     return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
 }
 
-/// Lens turned as stated after it was focused at a distance from the film. Before the turn, that distance is the sum of the film's
-/// and the subject's distances from the lens, s + f s / (s - f).
+/// Lens turned as stated after it was focused at a distance from the film. Before the turn, that distance is the sum of the film's and the
+/// subject's distances from the lens, s + f s / (s - f).
 Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength,
                          const Real& angleFilmDistance)
 {

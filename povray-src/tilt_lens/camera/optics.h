@@ -4,11 +4,11 @@
 /// @file optics.h
 /// Solves a `tilt_lens` statement for the lens, the film and the plane of sharp focus.
 ///
-/// The folder camera/ answers: where does the ray of a film point and a lens point go? It holds the thin lens with its aberrations
-/// and vignetting, the aperture's shape, the blur, and the focus aids. It knows neither pixels' samples nor POV-Ray.
+/// The folder camera/ answers: where does the ray of a film point and a lens point go? It holds the thin lens with its aberrations and
+/// vignetting, the aperture's shape, the blur, and the focus aids. It knows neither pixels' samples nor POV-Ray.
 ///
-/// Model: a thin lens, tilted about its own centre, which is the camera's location. The film is flat and parallel to the camera's
-/// `right` and `up`. Chief rays pass the lens centre unbent, so a tilt moves no image point, and a shift moves the frame over the film.
+/// Model: a thin lens, tilted about its own centre, which is the camera's location. The film is flat and parallel to the camera's `right`
+/// and `up`. Chief rays pass the lens centre unbent, so a tilt moves no image point, and a shift moves the frame over the film.
 ///
 /// With z the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
 ///
@@ -18,8 +18,8 @@
 /// vanish. k = 0 is a plane at infinity.
 ///
 /// Sources: T. Nakane et al., "Simulating tilt-shift lens using distributed ray tracing" (equation 1 there is a special case);
-/// H. M. Merklinger, "Principles of View Camera Focus" (the hinge rule); A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model",
-/// Ray Tracing Gems II, chapter 31 (same model; the formulas here are derived anew and avoid that chapter's divisions).
+/// H. M. Merklinger, "Principles of View Camera Focus" (the hinge rule); A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model", Ray
+/// Tracing Gems II, chapter 31 (same model; the formulas here are derived anew and avoid that chapter's divisions).
 
 #ifndef TILT_LENS_OPTICS_H
 #define TILT_LENS_OPTICS_H
@@ -151,12 +151,11 @@ double FocusAngleOf(const Lens& lens);
 /// J = f / sin(tilt) (Merklinger). Infinite for a lens parallel to the film.
 double HingeDistanceOf(const Lens& lens);
 
-/// Distance from the lens centre at which the plane of sharp focus crosses the axis. Infinite or negative if it does not cross in
-/// front.
+/// Distance from the lens centre at which the plane of sharp focus crosses the axis. Infinite or negative if it does not cross in front.
 double AxisFocusOf(const Lens& lens);
 
-/// Limits of the depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide. far is infinite past the
-/// hyperfocal distance; both are infinite if nothing on the axis is sharp.
+/// Limits of the depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide. far is infinite past the hyperfocal
+/// distance; both are infinite if nothing on the axis is sharp.
 struct SharpRange
 {
     double near = 0.0, far = 0.0;  ///< scene units from the lens centre
@@ -166,11 +165,11 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 
 /// @name Blur in the picture.
 ///
-/// The circle of confusion is the patch of film that light from one surface point reaches through the whole lens. It is the outline
-/// of the lens times the vergence difference 1/T - w (ray.h): an ellipse for a tilted lens. Its longest diameter is the lens's own,
-/// because one diameter of every lens lies parallel to the film; distortion stretches it further. "Blur" is this longest diameter in
-/// pixels, throughout the program. A polygon or a bokeh picture counts as the disc around it. Blur is positive before the plane of
-/// sharp focus (nearer to the camera), negative behind it, 0 on it and for a pinhole.
+/// The circle of confusion is the patch of film that light from one surface point reaches through the whole lens. It is the outline of the
+/// lens times the vergence difference 1/T - w (ray.h): an ellipse for a tilted lens. Its longest diameter is the lens's own, because one
+/// diameter of every lens lies parallel to the film; distortion stretches it further. "Blur" is this longest diameter in pixels, throughout
+/// the program. A polygon or a bokeh picture counts as the disc around it. Blur is positive before the plane of sharp focus (nearer to the
+/// camera), negative behind it, 0 on it and for a pinhole.
 /// @{
 
 /// Diameter of the circle of confusion in pixels, per unit of vergence difference, for a frame `width` pixels wide.
@@ -181,12 +180,11 @@ double BlurPerVergence(const Lens& lens, double width);
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
 
 /// The surface of all points with the given blur, as k of the plane k.X = 1 about the lens centre: for 0, the plane of sharp focus.
-/// All of them meet in the hinge line, like the pages of a book; for a lens parallel to the film they are parallel planes. Ideal lens
-/// only, without distortion and field curvature; not for a pinhole.
+/// All of them meet in the hinge line, like the pages of a book; for a lens parallel to the film they are parallel planes. Ideal lens only,
+/// without distortion and field curvature; not for a pinhole.
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
 
-/// Inverse of the parameter T at which a chief ray meets the surface of the given blur; negative behind the lens. Any lens but a
-/// pinhole.
+/// Inverse of the parameter T at which a chief ray meets the surface of the given blur; negative behind the lens. Any lens but a pinhole.
 double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width);
 /// @}
 

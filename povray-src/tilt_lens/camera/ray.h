@@ -3,16 +3,15 @@
 
 /// @file ray.h
 /// Ray generation: film point and lens point in, ray out. The formula has no division, so that it holds where a pixel focuses at infinity
-/// or
-/// behind the lens:
+/// or behind the lens:
 ///
 ///     D = direction + x right + y up      chief ray of the film point
 ///     w = k.D                             inverse of the parameter at which D meets the plane of sharp focus
 ///     l = a lensX + b lensY               point of the tilted lens
 ///     ray: from l, along D - w l
 ///
-/// For w > 0 the ray meets the chief ray in front of the lens at D/w; for w < 0 it comes from that point behind the lens; for w = 0 it
-/// is parallel to the chief ray.
+/// For w > 0 the ray meets the chief ray in front of the lens at D/w; for w < 0 it comes from that point behind the lens; for w = 0 it is
+/// parallel to the chief ray.
 ///
 /// Distortion replaces D by the chief ray of another film point (film_point.h). Field curvature has w = k.D + c a^2/b for a D that lies a
 /// across the lens's axis and b along it.
@@ -100,8 +99,8 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
 inline bool HasColours(const Lens& lens) { return lens.lateralColour != 0.0 || lens.axialColour != 0.0 || lens.glassOfColours; }
 
 /// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is no such ray, or if it reaches P
-/// from beyond the focus of its film point. On the ray, P = l + s (D - w l), so that Y = s D solves Y = P - l + w(Y) l with
-/// w(Y) = k.Y + c a^2/b. Y equals P along the lens's axis, so that the equation is quadratic in w(Y).
+/// from beyond the focus of its film point. On the ray, P = l + s (D - w l), so that Y = s D solves Y = P - l + w(Y) l with w(Y) = k.Y + c
+/// a^2/b. Y equals P along the lens's axis, so that the equation is quadratic in w(Y).
 inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const Vec3& l)
 {
     const double divisor = 1.0 - Dot(lens.focus, l);
@@ -120,9 +119,8 @@ inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const V
     return way + (2.0 * constant / (linear + std::sqrt(root))) * l;
 }
 
-/// Vergence difference 1/T - w of the surface point at parameter T of a chief ray. The circle of confusion is the lens outline times
-/// this, in units of `right` and `up` divided by their lengths. Zero in focus, positive before the plane of sharp focus, finite for
-/// infinite T.
+/// Vergence difference 1/T - w of the surface point at parameter T of a chief ray. The circle of confusion is the lens outline times this,
+/// in units of `right` and `up` divided by their lengths. Zero in focus, positive before the plane of sharp focus, finite for infinite T.
 inline double BlurVergence(const Lens& lens, const Vec3& chief, double T)
 {
     return 1.0 / T - FocusVergence(lens, chief);

@@ -16,8 +16,8 @@ namespace tilt_lens
 namespace
 {
 
-/// Entries in a row and in a column of the table. The second derivative of the share is about 2 over the frame; linear interpolation
-/// errs by 1/8 of that over the squared number of steps, less than 1/10000.
+/// Entries in a row and in a column of the table. The second derivative of the share is about 2 over the frame; linear interpolation errs
+/// by 1/8 of that over the squared number of steps, less than 1/10000.
 constexpr int kTableSide = 65;
 
 /// Lens points in a row and in a column from which the shares are counted.

@@ -4,20 +4,20 @@
 /// @file vignetting.h
 /// Light fall-off towards the edges of the picture. The centre keeps its brightness.
 ///
-/// Natural vignetting is geometry: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's
-/// side, z the film's normal and t the lens's, irradiance falls with
+/// Natural vignetting is geometry: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's side,
+/// z the film's normal and t the lens's, irradiance falls with
 ///
 ///     (z.C) (t.C) / |C|^4
 ///
 /// which is cos^4 if both are parallel, and right for a tilted lens or a shifted frame.
 ///
-/// Optical vignetting is a second stop: a rim before the lens that hides part of the aperture from film points off the axis. A ray
-/// meets the plane of the rim, at the distance h along the lens's axis, at m l + e, with
+/// Optical vignetting is a second stop: a rim before the lens that hides part of the aperture from film points off the axis. A ray meets
+/// the plane of the rim, at the distance h along the lens's axis, at m l + e, with
 ///
 ///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h)
 ///
-/// so that a film point sees a disc of the aperture through the rim. Samples are drawn in the open part and weighted with its share
-/// of the aperture, so that a uniform surface stays free of noise.
+/// so that a film point sees a disc of the aperture through the rim. Samples are drawn in the open part and weighted with its share of the
+/// aperture, so that a uniform surface stays free of noise.
 
 #ifndef TILT_LENS_VIGNETTING_H
 #define TILT_LENS_VIGNETTING_H
@@ -44,8 +44,8 @@ class Vignetting
 
     bool None() const { return natural == 0.0 && rimDistance == 0.0; }
 
-    /// Brightness at a film point relative to the centre: natural fall-off and exposure, without the rim's share. The exposure makes up
-    /// for the light that the rim takes in the centre.
+    /// Brightness at a film point relative to the centre: natural fall-off and exposure, without the rim's share. The exposure makes up for
+    /// the light that the rim takes in the centre.
     double Brightness(const FilmPoint& film) const;
 
     /// Share of the aperture's light that passes the rim: bilinear in a table over the frame, to within 0.001.

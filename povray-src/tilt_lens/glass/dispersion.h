@@ -5,8 +5,8 @@
 /// Dispersion of glass.
 ///
 /// A glass's index n at the d line (587.6 nm) and its Abbe number V = (n - 1) / (nF - nC) fix two points of its dispersion curve.
-/// The third is that of a normal glass: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. Cauchy's equation of three terms,
-/// n = A + B/w^2 + C/w^4 for the wavelength w, is fitted to all three.
+/// The third is that of a normal glass: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. Cauchy's equation of three terms, n = A + B/w^2 +
+/// C/w^4 for the wavelength w, is fitted to all three.
 ///
 /// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (the line of normal glasses); M. Born, E. Wolf,
 /// Principles of Optics, section 2.3.4 (Cauchy's equation).

@@ -4,12 +4,11 @@
 /// @file glass_camera.h
 /// Camera rays through a lens of glass that is tilted, swung and shifted as a whole about its front principal point.
 ///
-/// The film point of the picture's point (x, y) is that of an ideal lens, moved along the lens's axis by the separation of the
-/// principal points. So the plane of sharp focus, tilt, swing and shift agree with the ideal lens to first order.
+/// The film point of the picture's point (x, y) is that of an ideal lens, moved along the lens's axis by the separation of the principal
+/// points. So the plane of sharp focus, tilt, swing and shift agree with the ideal lens to first order.
 ///
-/// Samples are uniform over the directions that pass (pupil_view.h): drawn from an ellipse around them, tabulated over the frame,
-/// and drawn again if the lens blocks them. The share of directions left open is in the sample's weight, so that a uniform surface
-/// has no noise.
+/// Samples are uniform over the directions that pass (pupil_view.h): drawn from an ellipse around them, tabulated over the frame, and drawn
+/// again if the lens blocks them. The share of directions left open is in the sample's weight, so that a uniform surface has no noise.
 
 #ifndef TILT_LENS_GLASS_CAMERA_H
 #define TILT_LENS_GLASS_CAMERA_H
@@ -69,8 +68,8 @@ class GlassCamera
     /// @param u, v, seed  see FourGlassPoints
     GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(*glass, film, u, v, seed); }
 
-    /// Light of one colour, for a lens with dispersion. The share that the rims block is that of the d line, so that a uniform grey
-    /// surface has no colour.
+    /// Light of one colour, for a lens with dispersion. The share that the rims block is that of the d line, so that a uniform grey surface
+    /// has no colour.
     /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end)
     GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
     {

@@ -4,15 +4,15 @@
 /// @file glass_lens.h
 /// A lens of glass: cardinal points by paraxial rays, and real rays through its surfaces by Snell's law.
 ///
-/// The folder glass/ holds real lenses: reading prescriptions, tracing their surfaces, sampling their pupils. Its lenses stand in
-/// for the thin lens of camera/.
+/// The folder glass/ holds real lenses: reading prescriptions, tracing their surfaces, sampling their pupils. Its lenses stand in for the
+/// thin lens of camera/.
 ///
-/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear principal point H' lies at
-/// z = -separation. An ideal lens is this lens without the space between H and H'; so formulas of the ideal lens hold with the film
-/// moved by the separation along the axis.
+/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear principal point H' lies at z =
+/// -separation. An ideal lens is this lens without the space between H and H'; so formulas of the ideal lens hold with the film moved by
+/// the separation along the axis.
 ///
-/// Sources: W. J. Smith, Modern Optical Engineering, chapters 2 and 10 (paraxial equations; a transfer to a surface that needs no
-/// special case for planes).
+/// Sources: W. J. Smith, Modern Optical Engineering, chapters 2 and 10 (paraxial equations; a transfer to a surface that needs no special
+/// case for planes).
 
 #ifndef TILT_LENS_GLASS_LENS_H
 #define TILT_LENS_GLASS_LENS_H
@@ -62,8 +62,8 @@ enum class Passage
     Missed      ///< met no surface
 };
 
-/// Point of the stop relative to its radius: right and up as the camera sees it, which means left and down in the lens if the stop's
-/// image is inverted.
+/// Point of the stop relative to its radius: right and up as the camera sees it, which means left and down in the lens if the stop's image
+/// is inverted.
 struct StopPoint
 {
     double a, b;

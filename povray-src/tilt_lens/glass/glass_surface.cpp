@@ -15,8 +15,8 @@ namespace
 constexpr int kMostSteps = 30;
 constexpr double kNearEnough = 1e-13;
 
-/// Moves the ray's origin to the conic. The normal, of any length, points to the scene. False if there is no intersection, or if it
-/// lies beyond the point where the surface turns back.
+/// Moves the ray's origin to the conic. The normal, of any length, points to the scene. False if there is no intersection, or if it lies
+/// beyond the point where the surface turns back.
 bool IntersectConic(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_surface.h
-/// One surface of a lens of glass: intersection and Snell's law. Spheres and planes, the most common surfaces, are written once for
-/// one ray and for rays side by side (simd.h), with equal results to the last bit.
+/// One surface of a lens of glass: intersection and Snell's law. Spheres and planes, the most common surfaces, are written once for one ray
+/// and for rays side by side (simd.h), with equal results to the last bit.
 ///
-/// Frame: see glass_lens.h. Source: W. J. Smith, Modern Optical Engineering, chapter 10 (a transfer to a surface that needs no special
-/// case for planes).
+/// Frame: see glass_lens.h. Source: W. J. Smith, Modern Optical Engineering, chapter 10 (a transfer to a surface that needs no special case
+/// for planes).
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H
@@ -77,8 +77,8 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
 }
 
 /// Sphere or plane: c |p|^2 = 2 p.z for p relative to the vertex, so that c t^2 - 2 half t + constant = 0 along the ray. The root near the
-/// vertex counts. The square root is the cosine between the ray and the normal (-c p.x, -c p.y, 1 - c p.z). Beyond the point where a
-/// sphere turns back, it is not met.
+/// vertex counts. The square root is the cosine between the ray and the normal (-c p.x, -c p.y, 1 - c p.z). Beyond the point where a sphere
+/// turns back, it is not met.
 /// @param ray  becomes the refracted ray, if the surface is met and refracts
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)

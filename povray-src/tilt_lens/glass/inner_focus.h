@@ -8,9 +8,9 @@
 /// Between two states each distance is interpolated linearly. Real cams differ there, and so does the sharpness, but not the focus:
 /// the state is solved for the wanted focus.
 ///
-/// The film stands at the image of infinity of state 0, plus the difference of the last row's thickness between the state and
-/// infinity. Files state that back focus in few digits; with the traced one, state 0 is focused at infinity exactly. For a focus
-/// nearer than the last state, or beyond infinity, as a tilted plane may need, the film moves, as in a lens on bellows.
+/// The film stands at the image of infinity of state 0, plus the difference of the last row's thickness between the state and infinity.
+/// Files state that back focus in few digits; with the traced one, state 0 is focused at infinity exactly. For a focus nearer than the last
+/// state, or beyond infinity, as a tilted plane may need, the film moves, as in a lens on bellows.
 
 #ifndef TILT_LENS_INNER_FOCUS_H
 #define TILT_LENS_INNER_FOCUS_H

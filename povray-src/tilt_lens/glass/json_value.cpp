@@ -22,8 +22,8 @@ using Kind = JsonValue::Kind;
 /// Greatest nesting of lists and objects; a collection of lenses has five levels.
 constexpr std::size_t kDeepest = 64;
 
-/// Iterates over the text and counts its lines. The parser has read one character past a number when it reports it; so the line is
-/// that of the last character read.
+/// Iterates over the text and counts its lines. The parser has read one character past a number when it reports it; so the line is that of
+/// the last character read.
 struct LineCounter
 {
     using iterator_category = std::input_iterator_tag;

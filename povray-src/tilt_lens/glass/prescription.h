@@ -10,11 +10,11 @@
 ///   one is chosen by its name;
 /// - JSON of the ISET toolboxes: an object with `surfaces`.
 ///
-/// The JSON forms may state how groups move to focus nearer: `object-distance`, a list of distances from the first surface that
-/// begins with infinity, and thicknesses with one value for each.
+/// The JSON forms may state how groups move to focus nearer: `object-distance`, a list of distances from the first surface that begins with
+/// infinity, and thicknesses with one value for each.
 ///
-/// Order and signs are the file's: rows run from the scene to the film, and a radius is positive if the centre of the sphere lies on
-/// the side of the film.
+/// Order and signs are the file's: rows run from the scene to the film, and a radius is positive if the centre of the sphere lies on the
+/// side of the film.
 
 #ifndef TILT_LENS_PRESCRIPTION_H
 #define TILT_LENS_PRESCRIPTION_H

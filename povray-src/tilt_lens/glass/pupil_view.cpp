@@ -25,8 +25,8 @@ constexpr int kSurfaceGrid = 64;
 /// Ratio of the longest to the shortest spoke beyond which spokes are measured again from the centre of the area.
 constexpr double kRound = 1.3;
 
-/// Enlargement of the ellipse, for borders between spokes and between entries of the table. The second adds to it where rims
-/// cut the pupil, because its shape then varies more over the frame.
+/// Enlargement of the ellipse, for borders between spokes and between entries of the table. The second adds to it where rims cut the pupil,
+/// because its shape then varies more over the frame.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
 

@@ -5,8 +5,8 @@
 /// The view from a film point through a lens of glass: its exit pupil, cut by the rims.
 ///
 /// A direction is given by its cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles,
-/// cos(angle to the axis) dw, so that light of a uniform scene is uniform in them. A lens without coma maps them to areas of its
-/// entrance pupil, over which the samples of an ideal lens are uniform.
+/// cos(angle to the axis) dw, so that light of a uniform scene is uniform in them. A lens without coma maps them to areas of its entrance
+/// pupil, over which the samples of an ideal lens are uniform.
 
 #ifndef TILT_LENS_PUPIL_VIEW_H
 #define TILT_LENS_PUPIL_VIEW_H

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_hierarchy.h
-/// A bounding volume hierarchy of axis-aligned boxes, eight children per node, for finding the nearest intersection. It is built by
-/// the binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller
-/// defines the items and intersects rays with them.
+/// A bounding volume hierarchy of axis-aligned boxes, eight children per node, for finding the nearest intersection. It is built by the
+/// binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller defines the
+/// items and intersects rays with them.
 ///
-/// The folder hierarchy/ only makes POV-Ray faster: it finds the boxes that a ray enters, for scenes with a tilt_lens camera. It
-/// knows no camera and includes math/ alone.
+/// The folder hierarchy/ only makes POV-Ray faster: it finds the boxes that a ray enters, for scenes with a tilt_lens camera. It knows no
+/// camera and includes math/ alone.
 
 #ifndef TILT_LENS_BOX_HIERARCHY_H
 #define TILT_LENS_BOX_HIERARCHY_H
@@ -45,8 +45,8 @@ class BoxHierarchy
         unsigned int entered = 0;  ///< boxes among them that the ray met
     };
 
-    /// Calls test(item) for each item whose box the ray enters at or before `limit`. Nearer children of a node come first. The order
-    /// does not depend on Vector.
+    /// Calls test(item) for each item whose box the ray enters at or before `limit`. Nearer children of a node come first. The order does
+    /// not depend on Vector.
     /// @tparam Vector  see BoxRay: Float8 inside functions for AVX2, else Float4
     /// @param origin, direction  three numbers each, in the boxes' frame and unit; the direction may have any length but 0
     /// @param limit  ray parameter, in lengths of the direction; read again after each test, which may lower it

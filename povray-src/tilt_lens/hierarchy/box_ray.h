@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_ray.h
-/// Intersection of a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded conservatively, so
-/// that it reports every box that the ray meets in exact arithmetic (T. Ize, "Robust BVH Ray Traversal", JCGT 2013).
+/// Intersection of a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded conservatively, so that it
+/// reports every box that the ray meets in exact arithmetic (T. Ize, "Robust BVH Ray Traversal", JCGT 2013).
 
 #ifndef TILT_LENS_BOX_RAY_H
 #define TILT_LENS_BOX_RAY_H

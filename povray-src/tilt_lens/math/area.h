@@ -4,8 +4,8 @@
 /// @file area.h
 /// Rectangles of pixels.
 ///
-/// The folder math/ holds types and small functions that know neither lens nor film: vectors, colours, pixel rectangles and
-/// windows, vector registers, number parsing, POV-Ray's lattice noise. It includes no other folder of the library.
+/// The folder math/ holds types and small functions that know neither lens nor film: vectors, colours, pixel rectangles and windows, vector
+/// registers, number parsing, POV-Ray's lattice noise. It includes no other folder of the library.
 
 #ifndef TILT_LENS_AREA_H
 #define TILT_LENS_AREA_H

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lattice_noise.h
-/// POV-Ray's scalar noise (generators 1 and 2) and vector noise for processors with AVX2: gradient noise on a lattice (K. Perlin,
-/// "An Image Synthesizer", 1985). Axes, components or corners are computed side by side, each with the operations of POV-Ray's own
-/// functions in their order, so that the values are equal to the last bit.
+/// POV-Ray's scalar noise (generators 1 and 2) and vector noise for processors with AVX2: gradient noise on a lattice (K. Perlin, "An Image
+/// Synthesizer", 1985). Axes, components or corners are computed side by side, each with the operations of POV-Ray's own functions in their
+/// order, so that the values are equal to the last bit.
 
 #ifndef TILT_LENS_LATTICE_NOISE_H
 #define TILT_LENS_LATTICE_NOISE_H

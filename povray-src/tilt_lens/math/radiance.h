@@ -70,8 +70,8 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// Divisor that makes a variance relative: 1 up to white, the squared mean above, because the eye and every tone curve see errors
-/// of bright pixels relative to their brightness.
+/// Divisor that makes a variance relative: 1 up to white, the squared mean above, because the eye and every tone curve see errors of bright
+/// pixels relative to their brightness.
 inline double SquaredScale(double mean) { return mean > 1.0 ? mean * mean : 1.0; }
 
 /// Each channel of a variance divided by SquaredScale() of its mean.

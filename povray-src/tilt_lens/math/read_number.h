@@ -14,8 +14,8 @@
 namespace tilt_lens
 {
 
-/// Sets value to the double nearest to the decimal number in [begin, end), which a zero byte must follow. The result equals that
-/// of sscanf and takes a tenth of the time.
+/// Sets value to the double nearest to the decimal number in [begin, end), which a zero byte must follow. The result equals that of sscanf
+/// and takes a tenth of the time.
 /// @return  false if there is no number; value is then unchanged
 inline bool ReadNumber(const char* begin, const char* end, double* value)
 {

@@ -4,9 +4,9 @@
 /// @file simd.h
 /// Vector registers of 16 and 32 bytes. Memory needs no alignment.
 ///
-/// A vectorised function is written once as an always-inlined template and compiled twice: for every processor with 16 bytes, and
-/// for AVX2 with 32. Multiplications and additions are never contracted, so both give the same results. A function that takes or
-/// returns a 32-byte register must be inlined, because the two builds pass it differently.
+/// A vectorised function is written once as an always-inlined template and compiled twice: for every processor with 16 bytes, and for AVX2
+/// with 32. Multiplications and additions are never contracted, so both give the same results. A function that takes or returns a 32-byte
+/// register must be inlined, because the two builds pass it differently.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vec3.h
-/// Three-dimensional vectors. The library has its own type so that it can be built and tested without POV-Ray's headers. The frame
-/// and the unit of a vector stand at its declaration. Rays use doubles; the solver, which runs once per camera, uses a longer type.
+/// Three-dimensional vectors. The library has its own type so that it can be built and tested without POV-Ray's headers. The frame and the
+/// unit of a vector stand at its declaration. Rays use doubles; the solver, which runs once per camera, uses a longer type.
 
 #ifndef TILT_LENS_VEC3_H
 #define TILT_LENS_VEC3_H

@@ -127,8 +127,7 @@ export function describe(model, form, place = model.place) {
 }
 
 /// The request to write: text for the camera, and a block for a camera of the same identifier without transformations, which takes no
-/// camera
-/// items.
+/// camera items.
 export function change(model, form) {
     const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
     return { ...describe(model, form), behind: { block, expect } };

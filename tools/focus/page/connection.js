@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// The connection to the program that serves this page. A broken connection, for example after the machine has slept, is opened once more;
-/// the
-/// program then sends everything again.
+/// the program then sends everything again.
 
 const HEAD = 24; // bytes before the values of a tile: kind, number, left, top, width, height
 const FOR_GOOD = [1000, 1001, 1008]; // codes with which the program closes a connection for good

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// Solves a camera and a `tilt_lens` block for the lens, its film and its plane of sharp focus. The formulas are those of docs/optics.md
-/// and
-/// povray-src/tilt_lens/camera/optics.cpp, in doubles; tests/focus compares the two. Lengths are in scene units unless a name says mm,
-/// angles
-/// in degrees, vectors in world coordinates.
+/// and povray-src/tilt_lens/camera/optics.cpp, in doubles; tests/focus compares the two. Lengths are in scene units unless a name says mm,
+/// angles in degrees, vectors in world coordinates.
 ///
 ///     camera   { location, direction, right, up }
 ///     block    { family: "lensTurn" | "focusTurn" | "plane" | "points", filmWidth, focalLength (mm, or null: the

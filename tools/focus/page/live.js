@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// The live picture: receives the preview, schedules drawing and refinement, and requests a new preview when the frame has moved away from
-/// the
-/// current one.
+/// the current one.
 
 import { dot, length, subtract } from "./vector.js";
 import { pointAt, solve } from "./lens.js";

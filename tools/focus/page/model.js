@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// The user's choices: camera, block, points. Knobs and points change the same block, so that they always agree. A change that no lens
-/// fulfils
-/// keeps the last lens and sets `error`.
+/// fulfils keeps the last lens and sets `error`.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
 import {

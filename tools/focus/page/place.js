@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// Conversion between world coordinates and those of a camera's items before its transformations. Matrices are the program's: four rows,
-/// for
-/// row vectors.
+/// for row vectors.
 
 import { add, dot, length, times } from "./vector.js";
 

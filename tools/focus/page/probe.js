@@ -19,8 +19,7 @@ export function buildProbe(model, blur, complete) {
         describe: form => describe(model, form),
 
         /// The live picture, or null before the first: size, preview's location, completeness of the preview, averaged passes, pending
-        /// passes, and
-        /// milliseconds of the last drawing.
+        /// passes, and milliseconds of the last drawing.
         get live() {
             const { frame, pass, unfinished, work } = blur;
             return blur.values && frame ? { size: size(), location: frame.location, complete: complete(), passes: pass, smooth: !unfinished, work } : null;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// Reach of blur: for each tile of the preview, the largest blur of a surface that may reach it, so that the shader searches for blurred
-/// surfaces
-/// only near them.
+/// surfaces only near them.
 
 import { dot } from "./vector.js";
 import { blurPerVergence, frameMap } from "./lens.js";

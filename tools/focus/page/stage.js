@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// The clickable picture: points that can be picked and dragged by mouse, finger or keys, and the wipe between the live picture and the
-/// true
-/// one.
+/// true one.
 
 import { project } from "./lens.js";
 

@@ -4,10 +4,10 @@
 /// @file
 /// The list of files that a render depends on, for programs that detect outdated pictures.
 ///
-/// If the environment variable `TILT_LENS_FILE_LIST` names a file, every file that the program opens for reading is appended to it,
-/// every file that it looked for in vain (its presence could change the picture), and every picture or layers' file that was
-/// completely written. An entry is `+` (read), `-` (missing) or `=` (written), the name as used (relative to the current folder), and a
-/// zero byte, which allows any name. Each name is listed once per run.
+/// If the environment variable `TILT_LENS_FILE_LIST` names a file, every file that the program opens for reading is appended to it, every
+/// file that it looked for in vain (its presence could change the picture), and every picture or layers' file that was completely written.
+/// An entry is `+` (read), `-` (missing) or `=` (written), the name as used (relative to the current folder), and a zero byte, which allows
+/// any name. Each name is listed once per run.
 ///
 /// The files read by the current scene are also kept for the key of its state file.
 

@@ -25,8 +25,7 @@ struct ViewData;
 class LayerPicture
 {
   public:
-    /// Layers of the picture with these options, all zero; NULL if none are asked for. Removes an older file, unless a render is
-    /// continued.
+    /// Layers of the picture with these options, all zero; NULL if none are asked for. Removes an older file, unless a render is continued.
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 

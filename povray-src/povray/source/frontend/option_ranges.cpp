@@ -65,8 +65,8 @@ struct Span
     const char *firstName, *lastName, *many;
 };
 
-/// Checks columns or rows of a partial render, read as in View::StartRender(): numbers below 1 are fractions of the picture, others
-/// count from 1.
+/// Checks columns or rows of a partial render, read as in View::StartRender(): numbers below 1 are fractions of the picture, others count
+/// from 1.
 std::string SpanProblem(POVMS_Object& options, const Span& span, int size)
 {
     const double first = options.TryGetFloat(span.firstKey, 1.0f);

@@ -119,8 +119,8 @@ std::string Declared(POVMS_Object& options)
     return text;
 }
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo) of a file's bytes, in hexadecimal: detects changes, not attacks. "unknown" for a pipe or device,
-/// which cannot be read twice.
+/// 64-bit FNV-1a (Fowler, Noll, Vo) of a file's bytes, in hexadecimal: detects changes, not attacks. "unknown" for a pipe or device, which
+/// cannot be read twice.
 std::string Hash(const std::string& name)
 {
     std::error_code ignored;

@@ -4,8 +4,8 @@
 /// @file state_key.h
 /// The key of a state file, from which `+C` continues: it identifies the render that the file's tiles belong to.
 ///
-/// The key is text, one `name=value` per line: the program, the options that change pixels or the numbering of tiles, and a hash of
-/// each file read while parsing. It is the first message of the file.
+/// The key is text, one `name=value` per line: the program, the options that change pixels or the numbering of tiles, and a hash of each
+/// file read while parsing. It is the first message of the file.
 
 #ifndef POVRAY_FRONTEND_STATE_KEY_H
 #define POVRAY_FRONTEND_STATE_KEY_H
@@ -39,8 +39,8 @@ std::string CannotCreateState(const pov_base::Path& file);
 /// @throws pov_base::Exception  it could not be written
 void WriteStateKey(pov_base::OStream& file, const std::string& key);
 
-/// Compares a state file with the render that is to continue it. Removes a file without tiles, which a program that was stopped at
-/// once leaves.
+/// Compares a state file with the render that is to continue it. Removes a file without tiles, which a program that was stopped at once
+/// leaves.
 /// @param refuse  differences are errors (scenes with `tilt_lens`), else remarks
 /// @return        a remark for the user, or an empty string
 /// @throws pov_base::Exception  the file belongs to another render, or to none; always if that picture was larger

@@ -4,9 +4,9 @@
 /// @file
 /// The folders of the installation, relative to the program's place at run time.
 ///
-/// Stock POV-Ray compiles them in, as the string literals POVLIBDIR and POVCONFDIR. This header, which the build includes ahead of
-/// vfe's files, defines these macros as expressions of type `const char*` that also work before a literal such as "/include". No line
-/// of upstream changes, and a program that was moved still finds its files.
+/// Stock POV-Ray compiles them in, as the string literals POVLIBDIR and POVCONFDIR. This header, which the build includes ahead of vfe's
+/// files, defines these macros as expressions of type `const char*` that also work before a literal such as "/include". No line of upstream
+/// changes, and a program that was moved still finds its files.
 
 #ifndef POVRAY_TILT_LENS_INSTALL_FOLDERS_H
 #define POVRAY_TILT_LENS_INSTALL_FOLDERS_H

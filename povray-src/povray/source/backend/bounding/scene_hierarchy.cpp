@@ -115,8 +115,8 @@ TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR 
     }
 }
 
-/// Mesh::intersect_mesh_triangle() with the same operations, and so the same results, except that it rejects depths of `nearest` and
-/// beyond first, and reads only the two coordinates that count.
+/// Mesh::intersect_mesh_triangle() with the same operations, and so the same results, except that it rejects depths of `nearest` and beyond
+/// first, and reads only the two coordinates that count.
 /// @param[out] depth  ray parameter at the triangle's plane
 TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin,
                                      const VECTOR direction, DBL nearest, DBL& depth)

@@ -3,9 +3,9 @@
 
 /// @file scene_hierarchy.h
 /// Bounding hierarchies of a scene with `tilt_lens`, in place of stock's: one of its objects, and one of the triangles of each mesh.
-/// They find the same nearest intersection. Of objects at exactly the same depth, they find the one that comes first in the scene,
-/// as POV-Ray does without bounding (-MB); stock's hierarchies find the first in their queue. Scenes without `tilt_lens` therefore
-/// keep stock's.
+/// They find the same nearest intersection. Of objects at exactly the same depth, they find the one that comes first in the scene, as
+/// POV-Ray does without bounding (-MB); stock's hierarchies find the first in their queue. Scenes without `tilt_lens` therefore keep
+/// stock's.
 
 #ifndef SCENE_HIERARCHY_H
 #define SCENE_HIERARCHY_H

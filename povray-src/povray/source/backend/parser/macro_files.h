@@ -3,8 +3,7 @@
 
 /// @file macro_files.h
 /// Text files kept open for macros. A macro of another file is read from that file at each invocation, and to open it the parser must ask
-/// the
-/// frontend for its place.
+/// the frontend for its place.
 
 #ifndef POVRAY_BACKEND_MACRO_FILES_H
 #define POVRAY_BACKEND_MACRO_FILES_H

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forget_rays.cpp
-/// Clears the caches that a thread keeps from ray to ray, where they may change the next ray's result. Pixels of pictures with
-/// `tilt_lens` depend on the scene alone, so each of their camera rays starts without these caches. Random numbers are seeded by
-/// the sample instead.
+/// Clears the caches that a thread keeps from ray to ray, where they may change the next ray's result. Pixels of pictures with `tilt_lens`
+/// depend on the scene alone, so each of their camera rays starts without these caches. Random numbers are seeded by the sample instead.
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file light_path.h
-/// Length of a camera ray's path through flat mirrors and panes. A flat mirror preserves vergences: a lamp seen in it is blurred as
-/// at the end of the whole path. A curved surface changes them, so the path ends there.
+/// Length of a camera ray's path through flat mirrors and panes. A flat mirror preserves vergences: a lamp seen in it is blurred as at the
+/// end of the whole path. A curved surface changes them, so the path ends there.
 
 #ifndef TILT_LENS_LIGHT_PATH_H
 #define TILT_LENS_LIGHT_PATH_H
@@ -13,8 +13,8 @@
 namespace pov
 {
 
-/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the ray's light, or with any if all
-/// are black.
+/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the ray's light, or with any if all are
+/// black.
 class LightPath
 {
   public:

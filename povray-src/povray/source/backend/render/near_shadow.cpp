@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file near_shadow.cpp
-/// Shadows near their casters. POV-Ray ignores objects nearer than 0.001 units to a point in shadow, except the one that it cached
-/// as last in the light's way. Pictures with `tilt_lens` cache nothing from ray to ray (forget_rays.cpp), and test all objects that
-/// could be in that cache.
+/// Shadows near their casters. POV-Ray ignores objects nearer than 0.001 units to a point in shadow, except the one that it cached as last
+/// in the light's way. Pictures with `tilt_lens` cache nothing from ray to ray (forget_rays.cpp), and test all objects that could be in
+/// that cache.
 
 #include <algorithm>
 

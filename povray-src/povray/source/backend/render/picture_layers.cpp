@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture_layers.cpp
-/// The renderer's part of `Output_Layers`: first hits along the rays through pixels' centres, effort of a finished tile, and the
-/// camera's numbers. See base/picture_layers.h.
+/// The renderer's part of `Output_Layers`: first hits along the rays through pixels' centres, effort of a finished tile, and the camera's
+/// numbers. See base/picture_layers.h.
 
 #include "base/picture_layers.h"
 

@@ -3,8 +3,7 @@
 
 /// @file tilt_lens_colours.cpp
 /// TiltLensTracer's part in colour fringes. A sample takes three rays, each with one wavelength of its third of the spectrum, for red,
-/// green
-/// and blue. All three draw the same random numbers, so that a uniform grey surface has no noise of colour.
+/// green and blue. All three draw the same random numbers, so that a uniform grey surface has no noise of colour.
 
 #include <algorithm>
 

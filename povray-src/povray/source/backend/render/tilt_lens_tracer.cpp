@@ -29,8 +29,8 @@ Colour ToColour(const Radiance& v)
     return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
 }
 
-/// The point of an area light's row for x in (0, 1), with POV-Ray's weights: POV-Ray bisects the row recursively, and both halves of an
-/// odd row include its middle point.
+/// The point of an area light's row for x in (0, 1), with POV-Ray's weights: POV-Ray bisects the row recursively, and both halves of an odd
+/// row include its middle point.
 int PointOfRow(int points, double x)
 {
     int first = 0, last = points - 1;
@@ -204,9 +204,9 @@ void TiltLensTracer::FindCircles(const tilt_lens::CameraRays& rays, unsigned int
     }
 }
 
-/// A pixel averages over many rays, so that one random point of an area light per ray has the mean of the whole grid for one shadow
-/// ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", 1984). Radiosity, which reuses its samples, and focus aids,
-/// which take one ray per pixel, get the whole grid.
+/// A pixel averages over many rays, so that one random point of an area light per ray has the mean of the whole grid for one shadow ray (R.
+/// L. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", 1984). Radiosity, which reuses its samples, and focus aids, which take one
+/// ray per pixel, get the whole grid.
 bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v)
 {
     if (trace.pretrace || radiosityDepth > 0)
@@ -248,8 +248,8 @@ void TiltLensTracer::BeginNumbers()
         SeedSubsurface(Seed());
 }
 
-/// Creates the sequences of subsurface light, one per recursion level, which Trace would create when first needed: so the sample
-/// determines their first numbers, too.
+/// Creates the sequences of subsurface light, one per recursion level, which Trace would create when first needed: so the sample determines
+/// their first numbers, too.
 void TiltLensTracer::SeedSubsurface(unsigned int seed)
 {
     const size_t levels = 3, length = 32767;  // as deep and as long as Trace makes them

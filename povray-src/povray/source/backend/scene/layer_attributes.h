@@ -23,8 +23,8 @@ struct LayerAttribute
     std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (a matrix for row vectors, row by row)
 };
 
-/// True for perspective and orthographic cameras, whose depth is measured along the axis. For others, which see in all directions, depth
-/// is the length of the ray.
+/// True for perspective and orthographic cameras, whose depth is measured along the axis. For others, which see in all directions, depth is
+/// the length of the ray.
 bool HasDepthAxis(const Camera& camera);
 
 /// The unit normal of the film, into the scene.

@@ -85,8 +85,8 @@ struct TiltLensCamera
     /// False if FindFocus() (focus_target.h) must still set points of the statement.
     bool HasPoints() const;
 
-    /// The solved lens. Set at the end of a camera statement, or before the render if the focus must be found; NULL before that and
-    /// after a transformation.
+    /// The solved lens. Set at the end of a camera statement, or before the render if the focus must be found; NULL before that and after a
+    /// transformation.
     shared_ptr<const tilt_lens::Lens> lens;
 
     /// Transforms plane, points and scale with the camera.

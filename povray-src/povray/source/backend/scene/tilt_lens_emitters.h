@@ -19,8 +19,8 @@ class Camera;
 class SceneData;
 
 /// Finite objects whose own finish (`emission` and `ambient`, with the pigment) is brighter than lit surfaces. Parts of unions count
-/// separately, other CSG as a whole. Relative to the camera's location. The brightness is that of the brightest layer of a plain
-/// texture; texture maps are ignored. An error of it does no harm: it only decides how many samples emitters get.
+/// separately, other CSG as a whole. Relative to the camera's location. The brightness is that of the brightest layer of a plain texture;
+/// texture maps are ignored. An error of it does no harm: it only decides how many samples emitters get.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 } // namespace pov

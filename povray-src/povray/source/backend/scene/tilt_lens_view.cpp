@@ -149,8 +149,8 @@ void TiltLensView::Add(const tilt_lens::SamplingStatistics& tile)
     statistics.Add(tile);
 }
 
-/// Prepares the threads' common data of a camera with `tilt_lens`, sends its report, and replaces anti-aliasing. Other cameras are
-/// only recorded, for TILT_LENS_PREVIEW.
+/// Prepares the threads' common data of a camera with `tilt_lens`, sends its report, and replaces anti-aliasing. Other cameras are only
+/// recorded, for TILT_LENS_PREVIEW.
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;

@@ -73,8 +73,7 @@ class TiltLensView
     const tilt_lens::SamplingLimits limits;
 
     /// True if samples also serve the pixels of their circles of confusion, in a denoised picture. The footprint describes these circles
-    /// only
-    /// for a lens that images planes onto planes, to scale, and whose whole aperture is visible from everywhere.
+    /// only for a lens that images planes onto planes, to scale, and whose whole aperture is visible from everywhere.
     const bool samplesSpread;
 
     /// Of the sampling pattern.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_seeds.h
-/// Seeds random generators by the current sample, so that a picture does not depend on the order of tracing. Most samples draw no
-/// number; a seed is computed at the first draw.
+/// Seeds random generators by the current sample, so that a picture does not depend on the order of tracing. Most samples draw no number; a
+/// seed is computed at the first draw.
 
 #ifndef POVRAY_BACKEND_SAMPLE_SEEDS_H
 #define POVRAY_BACKEND_SAMPLE_SEEDS_H

@@ -28,8 +28,8 @@ typedef std::function<void(unsigned int row, std::vector<std::vector<float> >& c
 /// Attributes of the file: 1, 2, 3 or 16 numbers (a matrix row by row).
 typedef std::map<std::string, std::vector<float> > FloatAttributes;
 
-/// Writes channels of 32 bits, requesting one row after the other, which keeps memory small. `screenWindowWidth` and
-/// `screenWindowCenter` become the header's own fields.
+/// Writes channels of 32 bits, requesting one row after the other, which keeps memory small. `screenWindowWidth` and `screenWindowCenter`
+/// become the header's own fields.
 /// @throws pov_base::Exception  the file cannot be written
 void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels,
                  const FloatRows& rows, const FloatAttributes& attributes);
