@@ -1,0 +1,122 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The library's #include lines obey the table of docs/architecture.md, and README.md and docs/patching.md name every folder."""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from tools.repository import ROOT
+
+LIBRARY = ROOT / "povray-src" / "tilt_lens"
+PAGE = ROOT / "docs" / "architecture.md"
+SOURCES_ONLY = "from `.cpp` files"
+
+
+def read_table(page):
+    """{folder: {included folder or header: the suffixes of files that may include it}} of a page's table."""
+    table = {}
+    for row in re.findall(r"^\| `(\w+)/` \|.*\| (.*?) ?\|$", page, re.MULTILINE):
+        allowed = {row[0]: (".h", ".cpp")}
+        for part in row[1].split(";"):
+            suffixes = (".cpp",) if SOURCES_ONLY in part else (".h", ".cpp")
+            allowed.update({name: suffixes for name in re.findall(r"`(\w+)/`|`(\w+\.h)`", part.replace(SOURCES_ONLY, "")) for name in name if name})
+        table[row[0]] = allowed
+    return table
+
+
+def faults(library, table):
+    """Violations of the table by files of the library, as sentences."""
+    found = [f"{folder.name}/: no row of the table" for folder in library.iterdir() if folder.is_dir() and folder.name not in table]
+    found += [f"{folder}/: a row of the table, but no folder" for folder in table if not (library / folder).is_dir()]
+    for path in sorted(library.rglob("*.*")):
+        folder = path.parent.name if path.parent != library else None
+        for header in re.findall(r'^\s*#\s*include\s*"([^"]+)"', path.read_text(encoding="utf-8"), re.MULTILINE):
+            root, *rest = header.split("/")
+            if root != "tilt_lens" or not rest:
+                found.append(f"{path.relative_to(library)} includes {header}, which is no header of the library")
+            elif path.suffix not in table.get(folder, {}).get(rest[0], ()):
+                found.append(f"{path.relative_to(library)} includes {header}, which its row does not allow")
+    return found
+
+
+class Includes(unittest.TestCase):
+    def test_obey_the_table(self):
+        self.assertEqual(faults(LIBRARY, read_table(PAGE.read_text(encoding="utf-8"))), [])
+
+    def test_the_optics_do_not_depend_on_the_sampler(self):
+        table = read_table(PAGE.read_text(encoding="utf-8"))
+        for folder in ("math", "hierarchy", "camera", "glass"):
+            self.assertFalse({"sampling", "reconstruction", "settings.h"} & set(table[folder]), folder)
+
+
+class Checker(unittest.TestCase):
+    """Each kind of fault is found."""
+
+    TABLE = ("| folder | answers | may include |\n| --- | --- | --- |\n| `low/` | a | |\n"
+             "| `high/` | b | `low/`, `settings.h`; `aside/` from `.cpp` files |\n| `aside/` | c | `low/` |\n")
+
+    def found(self, path, text):
+        with tempfile.TemporaryDirectory() as folder:
+            library = pathlib.Path(folder)
+            for name in ("low", "high", "aside"):
+                (library / name).mkdir()
+            (library / path).parent.mkdir(exist_ok=True)
+            (library / path).write_text(text + "\n")
+            return faults(library, read_table(self.TABLE))
+
+    def test_allowed(self):
+        for path, header in (("low/a.h", "low/b.h"), ("high/a.h", "low/b.h"), ("high/a.cpp", "settings.h"), ("high/a.cpp", "aside/b.h")):
+            self.assertEqual(self.found(path, f'#include "tilt_lens/{header}"\n#include <cmath>'), [])
+
+    def test_upward(self):
+        self.assertIn("low/a.h includes tilt_lens/high/b.h", self.found("low/a.h", '#include "tilt_lens/high/b.h"')[0])
+
+    def test_header_where_sources_alone_may(self):
+        self.assertIn("high/a.h includes tilt_lens/aside/b.h", self.found("high/a.h", '  # include "tilt_lens/aside/b.h"')[0])
+
+    def test_file_beside_the_folders(self):
+        self.assertIn("settings.h includes", self.found("settings.h", '#include "tilt_lens/low/b.h"')[0])
+
+    def test_header_of_pov_ray(self):
+        self.assertIn("no header of the library", self.found("low/a.cpp", '#include "backend/frame.h"')[0])
+
+    def test_folder_without_a_row(self):
+        self.assertIn("new/: no row", self.found("new/a.h", "")[0])
+
+    def test_row_without_a_folder(self):
+        table = read_table(self.TABLE + "| `gone/` | d | |\n")
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertIn("gone/: a row of the table, but no folder", faults(pathlib.Path(folder), table))
+
+
+def folders_of(folder):
+    """Folders of a folder, as paths in the repository: those under version control, or all of an unpacked archive."""
+    if (ROOT / ".git").exists() and shutil.which("git"):
+        listed = subprocess.run(["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=True)
+        return sorted(listed.stdout.split())
+    return sorted(str(path.relative_to(ROOT)) for path in (ROOT / folder).iterdir() if path.is_dir() and path.name != "__pycache__")
+
+
+class Maps(unittest.TestCase):
+    def check(self, page, heading, folders):
+        text = (ROOT / page).read_text(encoding="utf-8").split(heading, 1)[1].split("\n## ", 1)[0]
+        missing = [folder for folder in folders if f"`{folder}/`" not in text]
+        self.assertEqual(missing, [], f"{page}, {heading}")
+
+    def library(self):
+        return sorted(path.name for path in LIBRARY.iterdir() if path.is_dir())
+
+    def test_readme(self):
+        shown = [folder for folder in folders_of(".") if folder[0] != "." and folder not in ("build", "povray-src", "tools")]
+        self.check("README.md", "## Where things are", shown + folders_of("tools") + folders_of("povray-src") + self.library())
+
+    def test_patching(self):
+        self.check("docs/patching.md", "# Patching POV-Ray", folders_of("povray-src") + folders_of("patches") + self.library())
+
+
+if __name__ == "__main__":
+    unittest.main()
