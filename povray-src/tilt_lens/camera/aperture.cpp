@@ -152,7 +152,6 @@ struct Aperture::Outline
         return PointAt(position, radius);
     }
 
-    /// @param position, radius  see FindPosition()
     AperturePoint PointAt(double position, double radius) const
     {
         // rounding may yield a whole turn: the end of the last edge
@@ -212,7 +211,6 @@ struct Aperture::Outline
     }
 };
 
-/// An aperture scaled in width and height.
 struct Aperture::Oval
 {
     Aperture shape;

@@ -96,17 +96,17 @@ class Aperture
         Squeezed,
         Graded
     };
-    struct Outline;  ///< polygon
-    struct Oval;     ///< scaled aperture
-    struct Grade;    ///< aperture of varying brightness
+    struct Outline;
+    struct Oval;
+    struct Grade;
 
     explicit Aperture(Shape itsShape) : shape(itsShape) {}
 
     Shape shape;
-    std::shared_ptr<const Outline> outline;  ///< Shape::Polygon only
-    std::shared_ptr<const AperturePicture> picture;  ///< Shape::Picture only
-    std::shared_ptr<const Oval> oval;        ///< Shape::Squeezed only
-    std::shared_ptr<const Grade> grade;      ///< Shape::Graded only
+    std::shared_ptr<const Outline> outline;
+    std::shared_ptr<const AperturePicture> picture;
+    std::shared_ptr<const Oval> oval;
+    std::shared_ptr<const Grade> grade;
 
     double Size(const AperturePoint& point) const;
     void MapOneByOne(const double* u, const double* v, double* a, double* b, int count) const;

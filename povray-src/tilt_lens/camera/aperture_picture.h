@@ -37,7 +37,6 @@ class CellDistribution
     /// @param u  in [0, 1)
     Place Invert(double u) const;
 
-    /// Probability density.
     double Density(double position) const;
 
   private:
@@ -47,7 +46,6 @@ class CellDistribution
     std::array<std::uint8_t, cells> first;  ///< cell where the search for i/cells begins
 };
 
-/// See Aperture::Picture().
 class AperturePicture
 {
   public:

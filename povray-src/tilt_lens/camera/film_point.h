@@ -42,7 +42,6 @@ inline Vec3 IdealChiefRay(const Lens& lens, const FilmPoint& ideal)
     return lens.direction + ideal.x * lens.right + ideal.y * lens.up;
 }
 
-/// Calls use(corner) for the four corners of the frame.
 template <typename Use>
 void ForCorners(const Use& use)
 {

@@ -24,7 +24,6 @@ struct Rgb
     double red = 0.0, green = 0.0, blue = 0.0;
 };
 
-/// `focus_peaking`, `focus_map` and `show_planes` of a `tilt_lens` block.
 struct FocusAids
 {
     bool peaking = false, map = false, planes = false;

@@ -58,7 +58,7 @@ struct LensRayOf
 {
     VecOf<Number> origin;     ///< relative to the lens centre, world axes, scene units
     VecOf<Number> direction;  ///< not normalised: the plane of sharp focus is at the parameter 1/w
-    Number w;                 ///< see above
+    Number w;
 };
 
 using LensRay = LensRayOf<double>;

@@ -45,7 +45,6 @@ void RequireAbbeNumbers(const Prescription& prescription);
 class GlassOfColours
 {
   public:
-    /// @param prescription  that of the lens
     GlassOfColours(const GlassLens& lens, const Prescription& prescription);
 
     /// @param hue  from -1 to 1

@@ -65,7 +65,6 @@ class GlassCamera
     /// At the d line.
     void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(*glass, points, samples); }
 
-    /// @param u, v, seed  see FourGlassPoints
     GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(*glass, film, u, v, seed); }
 
     /// Light of one colour, for a lens with dispersion. The share that the rims block is that of the d line, so that a uniform grey surface
@@ -76,7 +75,6 @@ class GlassCamera
         return DrawThrough(lens.glassOfColours->Of(hue), film, u, v, seed);
     }
 
-    /// True if rays of several colours must be traced.
     bool HasColours() const { return lens.glassOfColours != nullptr; }
 
     /// Ray through the centre of the film point's view; none if that is blocked.
@@ -91,7 +89,6 @@ class GlassCamera
     /// Lens frame, mm.
     Vec3 FilmInLens(const FilmPoint& film) const { return filmMiddle + film.x * filmRight + film.y * filmUp; }
 
-    /// Ellipse around the directions that a film point sees.
     PupilEllipse BoundsAt(const FilmPoint& film) const;
 
   private:
@@ -114,7 +111,7 @@ class GlassCamera
     double natural;
     Vec3 axisX, axisY;                      ///< of the lens, world, unit length
     Vec3 filmMiddle, filmRight, filmUp;     ///< lens frame, mm
-    std::vector<Node> nodes;                ///< row by row
+    std::vector<Node> nodes;
     double middleOpen = 1.0, middleNatural = 1.0;
 
     void PlaceFilm();
@@ -123,7 +120,6 @@ class GlassCamera
     Node NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const;
     Node Between(const FilmPoint& film) const;
     PupilEllipse BoundsOf(const Node& node, const Vec3& place) const;
-    /// @param open, natural  of a Node
     template<class Number>
     TILT_LENS_INLINED Number BrightnessOf(const Number& open, const Number& itsNatural) const
     {

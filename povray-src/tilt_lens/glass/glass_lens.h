@@ -46,13 +46,11 @@ struct CardinalPoints
 /// @throws PrescriptionError  a lens that does not collect light
 CardinalPoints CardinalPointsOf(const Prescription& prescription);
 
-/// Four rays side by side.
 struct FourGlassRays
 {
     double origin[3][4], direction[3][4];
 };
 
-/// Fate of a ray.
 enum class Passage
 {
     Passed,
@@ -69,7 +67,6 @@ struct StopPoint
     double a, b;
 };
 
-/// Points of four rays.
 struct FourStopPoints
 {
     double a[4], b[4];

@@ -105,7 +105,6 @@ TILT_LENS_INLINED MaskOf<Number> CrossStop(const GlassSurface& surface, GlassRay
     return SquaredHeight(ray) <= surface.squaredRim;
 }
 
-/// A conic or an aspherical surface.
 template<bool towardsScene>
 Crossing<double> CrossAsphere(const GlassSurface& surface, GlassRay& ray);
 

@@ -53,7 +53,6 @@ struct LineCounter
     }
 };
 
-/// Builds the tree from the parser's events.
 class Builder : public nlohmann::json_sax<nlohmann::json>
 {
   public:

@@ -29,7 +29,6 @@ struct JsonValue
     /// Null if there is no such member, or if its value is null.
     const JsonValue* Find(const std::string& wanted) const;
 
-    /// Description for an error.
     std::string Words() const;
 };
 

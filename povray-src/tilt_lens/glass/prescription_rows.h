@@ -25,7 +25,7 @@ struct ReadRow
 struct ReadLens
 {
     std::vector<ReadRow> rows;
-    std::vector<double> objectDistances;  ///< see Prescription
+    std::vector<double> objectDistances;
     int objectDistanceLine = 0;           ///< line that states them
 };
 

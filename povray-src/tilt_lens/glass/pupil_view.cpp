@@ -77,7 +77,6 @@ struct Seen
         return std::clamp(size, 1e-6, 1.0);
     }
 
-    /// The mean of the passing directions of a grid.
     std::optional<PupilPoint> MeanOf(const PupilPoint& middle, double half, int side) const
     {
         PupilPoint sum{0.0, 0.0};

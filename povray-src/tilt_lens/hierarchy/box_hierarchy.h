@@ -41,7 +41,7 @@ class BoxHierarchy
 
     struct Count
     {
-        unsigned int tested = 0;   ///< boxes tested
+        unsigned int tested = 0;
         unsigned int entered = 0;  ///< boxes among them that the ray met
     };
 

@@ -31,7 +31,6 @@ typedef float Float8 __attribute__((vector_size(32)));
 typedef int Mask8 __attribute__((vector_size(32)));
 typedef decltype(Double4() < Double4()) LongMask4;
 
-/// Number of lanes.
 template<class Vector>
 constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector&>()[0]);
 

@@ -12,7 +12,6 @@
 namespace pov_frontend
 {
 
-/// Error text with the word and the allowed values.
 std::string WordProblem(const std::string& word);
 
 /// @param line  of the file, from 1

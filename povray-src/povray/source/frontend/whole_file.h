@@ -26,7 +26,6 @@ class WholeFile
   public:
     explicit WholeFile(const pov_base::UCS2String& filename);
 
-    /// Removes an unfinished file.
     ~WholeFile();
 
     WholeFile(const WholeFile&) = delete;
@@ -39,7 +38,6 @@ class WholeFile
     /// @throws pov_base::Exception  it could not be completely written
     void Finish(boost::scoped_ptr<pov_base::OStream>& file);
 
-    /// Throws an error with the file's name, the reason and the remedy.
     [[noreturn]] void Fail(const pov_base::Exception& cause) const;
 
   private:

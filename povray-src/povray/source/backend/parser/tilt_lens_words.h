@@ -22,7 +22,6 @@ struct TiltLensItem
     const char* family;  ///< words of its focus family, or NULL
     const char* distance; ///< the word itself if it states the distance of the focus, or NULL
     const char* example; ///< the word with a value
-    /// Parses the value.
     void (*parse)(TiltLensParser& parser, const std::string& word, TiltLensCamera& lens);
 };
 
@@ -32,7 +31,6 @@ struct TiltLensItems
     static const TiltLensItem kAll[32];
 };
 
-/// NULL if there is none.
 const TiltLensItem* FindTiltLensItem(const std::string& word);
 
 /// The nearest item by Levenshtein distance, ignoring case.
@@ -41,7 +39,6 @@ const TiltLensItem& NearestTiltLensItem(const std::string& word);
 /// True if a word was probably meant to begin the block.
 bool LooksLikeTiltLens(const std::string& word);
 
-/// All items, for a message.
 std::string TiltLensItemNames();
 
 /// True for an item of the camera that users expect inside the block.

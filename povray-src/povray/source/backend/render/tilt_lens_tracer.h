@@ -26,7 +26,6 @@ namespace pov
 class Ray;
 class TracePixel;
 
-/// Cost and noise of a pixel.
 struct TiltLensEffort
 {
     unsigned int samples;

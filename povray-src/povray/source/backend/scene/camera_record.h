@@ -36,7 +36,6 @@ namespace pov
 
 class SceneData;
 
-/// True if TILT_LENS_PREVIEW is set.
 bool CamerasAreRecorded();
 
 /// Records a camera statement, if TILT_LENS_PREVIEW is set.

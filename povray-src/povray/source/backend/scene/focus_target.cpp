@@ -51,7 +51,6 @@ std::string Text(const Vec3& v)
     return text;
 }
 
-/// Traces rays from the lens centre.
 class Finder
 {
   public:

@@ -50,7 +50,7 @@ struct WrittenItems
 /// Items of the camera before the block, for a block that follows a camera's identifier.
 struct CameraItems
 {
-    bool angle = false, aperture = false;  ///< written
+    bool angle = false, aperture = false;
     bool focalPoint = false;               ///< `focal_point` or `look_at` is written: it is the statement's focalPoint
 };
 
@@ -58,7 +58,7 @@ struct CameraItems
 struct FocusTarget
 {
     enum Kind { NotUsed, Object, Picture } kind = NotUsed;
-    std::string name;              ///< of the object
+    std::string name;
     shared_ptr<ObjectBase> object; ///< a copy
     double x = 0.0, y = 0.0;       ///< in the picture: from the lower left corner, 0 to 1
     tilt_lens::Vec3 found;         ///< world

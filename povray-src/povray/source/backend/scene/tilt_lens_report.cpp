@@ -46,7 +46,6 @@ std::string Distance(double units, double scale)
 
 double Degrees(double radians) { return radians * (180.0 / M_PI); }
 
-/// Removes the rounding error of an untilted lens.
 double Tidy(double degrees)
 {
     return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;

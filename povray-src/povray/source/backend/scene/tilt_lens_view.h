@@ -88,7 +88,6 @@ class TiltLensView
     /// All objects with an interior, for the report.
     const std::size_t objectsWithInterior;
 
-    /// Small bright objects, for emitter sampling.
     const tilt_lens::EmitterSampler emitters;
 
     tilt_lens::ProgressEstimator progress;

@@ -13,7 +13,6 @@
 namespace pov
 {
 
-/// Interface of the tracer of samples.
 class SampleSeedSource
 {
   public:
