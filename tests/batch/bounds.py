@@ -14,14 +14,14 @@ LIMIT = 30  # seconds for a sleeping program: a hundred times a picture's time, 
 
 
 class Limits(BatchTest):
-    def test_a_frame_that_hangs_is_ended_and_named(self):
+    def test_hanging_frame_is_ended_and_named(self):
         self.stand_in(f'case "$*" in *+SF2*) exec sleep 3600 ;; esac; exec {shlex.quote(SETTINGS.povray)} "$@"')
         said = self.batch("film", self.scene(LENS), "--frames", 3, "--limit", LIMIT, "--workers", 1, *SIZE, code=1)
         self.assertIn(f"'scene0002.png' rows [1, 40]: povray was ended after {LIMIT} s, as --limit says", said)
         self.assertIn("2 of 3 pictures", said)
         self.assert_nothing_runs(str(self.folder))
 
-    def test_a_first_look_that_hangs(self):
+    def test_hanging_probe(self):
         self.stand_in(f'[ "$1" = --version ] || exec sleep 3600; exec {shlex.quote(SETTINGS.povray)} "$@"')
         said = self.batch("still", self.scene(LENS), "--limit", LIMIT, *SIZE, code=1)
         self.assertIn("first look at the scene: 5 s so far; log: ", said)
@@ -60,7 +60,7 @@ class Results(BatchTest):
         self.assertNotIn("frame 3 is broken", second)
         self.assertIn("frame 3 is broken", third)
 
-    def test_a_picture_that_was_changed_is_made_again(self):
+    def test_changed_picture_is_rendered_again(self):
         words = ("film", self.scene(LENS), "--frames", 2, *SIZE)
         self.batch(*words)
         picture = self.folder / "scene_film" / "scene0002.png"

@@ -36,7 +36,7 @@ class Chosen(BatchTest):
         for n in range(1, 7):
             self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
 
-    def test_frames_that_are_not_in_the_film(self):
+    def test_frames_outside_the_film(self):
         for text in ("0", "7", "3-2", "1-7", "a", "", "1,,2"):
             said = self.batch("film", self.scene(LENS), "--frames", 6, f"--only={text}", *SIZE, code=2)
             self.assertIn("expected frames from 1 to 6", said, text)
@@ -85,7 +85,7 @@ class Longer(BatchTest):
         (self.folder / "c.ini").write_text("Final_Clock=3\n")
         self.assertIn("options of POV-Ray", self.refused("--frames", 4, "c.ini"))
 
-    def test_a_scene_that_tells_its_length(self):
+    def test_scene_depending_on_its_length(self):
         (self.folder / "length.inc").write_text("#declare Length = final_frame; // clock\n")
         self.scene(self.FRAME + '#include "length.inc"\n')
         self.batch(*self.FILM, "--frames", 2)

@@ -53,7 +53,7 @@ class FileList(BatchTest):
         self.assertIn(b"-maybe.inc", entries)
         self.assertEqual(len(entries), len(set(entries)), "each name once")
 
-    def test_a_list_that_cannot_be_written_is_an_error(self):
+    def test_unwritable_list_is_an_error(self):
         said = self.render("no/such/folder/files", code=1)
         self.assertIn("TILT_LENS_FILE_LIST", " ".join(said.split()))
 

@@ -31,7 +31,7 @@ class OutputLock(unittest.TestCase):
         with output_lock(self.lock, work, has_jobs) as other:
             return other
 
-    def test_a_call_holds_it_and_removes_it(self):
+    def test_call_holds_and_removes_the_lock(self):
         with output_lock(self.lock, "first", none) as other:
             self.assertIsNone(other)
             self.assertEqual(self.lock.read_text(), "first")

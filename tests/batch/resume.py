@@ -14,7 +14,7 @@ SIZE = ("+W48", "+H40", "+WT1")
 
 
 class Again(BatchTest):
-    def test_only_what_is_missing(self):
+    def test_only_missing_units(self):
         scene = self.scene(LENS)
         self.batch("film", scene, "--frames", 4, *SIZE)
         work, film = self.folder / "scene_film.batch", self.folder / "scene_film"
@@ -97,7 +97,7 @@ class Changed(BatchTest):
             program.write(b"\0")
         self.refused("program povray")
 
-    def test_a_file_that_would_be_found_first(self):
+    def test_file_earlier_in_the_search_path(self):
         self.scene("#declare Own = 1;\n", "deep/own.inc")
         scene = self.scene('#include "own.inc"\n' + LENS)
         words = (*SIZE, f"+L{self.folder}/deep")

@@ -31,7 +31,7 @@ class Bands(unittest.TestCase):
                 if len(bands) > 1:
                     self.assertGreater(bands[0][1], 1, "+SR1 +ER1 means all rows")
 
-    def test_as_many_as_asked(self):
+    def test_requested_number(self):
         self.assertEqual(len(plan.cut_bands(100, 7)), 7)
         self.assertEqual(len(plan.cut_bands(320, 10)), 10)
         self.assertEqual(plan.cut_bands(1, 5), [[1, 1]])
@@ -150,7 +150,7 @@ class StateFile(unittest.TestCase):
         black = self.head + message(b"\0" * 20000) + message(b"\0" * 20000)
         self.assertEqual(povray.whole_messages(black, True), len(black))
 
-    def test_pages_that_never_reached_the_disk_end_it(self):
+    def test_unwritten_pages_end_it(self):
         first = self.head + message(b"a" * 9000)
         lost = bytearray(first + message(b"b" * 30000) + message(b"c" * 9000))
         lost[12288:16384] = bytes(4096)
@@ -296,7 +296,7 @@ class ProgressLine(unittest.TestCase):
                 line.show(final=True)
         return stream.getvalue()
 
-    def test_one_line_that_is_overwritten(self):
+    def test_overwritten_line(self):
         text = "1 of 5 pictures done, 1 running, 1 failed, 28 s left: frame 2 (5 min, 33%)"
         self.assertEqual(self.told(80, Terminal()), f"\r\033[K{text}\r\033[K{text}\n")
         self.assertEqual(self.told(20, Terminal()), f"\r\033[K{text[:19]}\r\033[K{text[:19]}\n")
@@ -305,7 +305,7 @@ class ProgressLine(unittest.TestCase):
         text = "1 of 5 pictures done, 1 running, 1 failed, 28 s left: frame 2 (5 min, 33%)\n"
         self.assertEqual(self.told(80, io.StringIO()), text)
 
-    def test_a_hint_where_one_unit_takes_very_long(self):
+    def test_hint_for_a_very_long_unit(self):
         with unittest.mock.patch.object(progress, "LONG", 5):
             self.assertIn("frame 2 has been running for 5 min; log: ", self.told(80, io.StringIO()))
 

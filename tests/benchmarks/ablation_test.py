@@ -26,7 +26,7 @@ class Ratios(unittest.TestCase):
     def test_leave_errors_of_zero_out(self):
         self.assertEqual(ablation.ratio(curve(0.1), curve(0.0)), 1.0)
 
-    def test_the_contract_is_that_of_the_worst_picture(self):
+    def test_contract_is_the_worst_pictures(self):
         records = [{"mse": 1e-3, "variance": 1e-3, "beyond": 0.01}, {"mse": 6e-3, "variance": 2e-3, "beyond": 0.0},
                    {"mse": 1.0, "variance": ablation.LEAST_KEPT/2, "beyond": 1.0}]
         self.assertEqual(ablation.kept(records), (6e-3/2e-3, 0.01))

@@ -11,7 +11,7 @@ from benchmarks.front import error_after, geometric_mean, pareto, seconds_for
 class Front(unittest.TestCase):
     POINTS = [(1.0, 0.1), (100.0, 0.01), (2.0, 0.2), (50.0, 0.05)]
 
-    def test_settings_that_another_beats_do_not_count(self):
+    def test_dominated_settings_do_not_count(self):
         self.assertEqual(pareto(self.POINTS), [(1.0, 0.1), (50.0, 0.05), (100.0, 0.01)])
         self.assertEqual(pareto([(1.0, 0.1), (1.0, 0.05)]), [(1.0, 0.05)])
 
@@ -21,10 +21,10 @@ class Front(unittest.TestCase):
         self.assertAlmostEqual(seconds_for(points, 0.01), 100.0)
         self.assertAlmostEqual(seconds_for(points, 10**-1.5), 10.0)
 
-    def test_a_better_fastest_setting_costs_what_it_costs(self):
+    def test_fastest_setting_keeps_its_own_time(self):
         self.assertEqual(seconds_for(self.POINTS, 0.5), 1.0)
 
-    def test_an_error_that_is_not_reached_has_no_time(self):
+    def test_unreached_error_has_no_time(self):
         self.assertIsNone(seconds_for(self.POINTS, 0.009))
         self.assertIsNone(seconds_for([], 0.1))
 
@@ -53,7 +53,7 @@ class Comparison(unittest.TestCase):
         line, = versus_stock.compare(suite.SCENES[0], records)
         self.assertEqual((line["target"], line["rmse"], line["ratio"]), (100, 0.02, 2.0))
 
-    def test_an_error_that_tilt_lens_does_not_reach_is_no_ratio(self):
+    def test_error_unreached_by_tilt_lens_has_no_ratio(self):
         records = [self.record("stock", "100", 10.0, 0.02), self.record("tilt_lens", "8 0.001", 2.0, 0.03)]
         self.assertIsNone(versus_stock.compare(suite.SCENES[0], records)[0]["ratio"])
 

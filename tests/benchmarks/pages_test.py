@@ -42,13 +42,13 @@ class Pages(unittest.TestCase):
         self.assertEqual(changed, ["notebook.md"])
         self.assertIn("| a function of the test | 1234.5 |\n\nMeasured with a program, on ", self.text()["notebook.md"])
 
-    def test_a_summary_names_all_programs_that_it_is_of(self):
+    def test_summary_names_all_its_programs(self):
         kept = self.docs / "benchmarks" / "tilted.json"
         kept.write_text(json.dumps({**json.loads(kept.read_text()), "program": "another program"}))
         pages.update(self.docs)
         self.assertIn("; and with another program, on ", self.text()["benchmarks.md"])
 
-    def test_missing_double_and_unknown_places_are_told(self):
+    def test_missing_double_and_unknown_places_are_reported(self):
         page = self.docs / "notebook.md"
         text = page.read_text()
         place = "<!-- benchmark: {} -->\n<!-- end of benchmark -->\n"

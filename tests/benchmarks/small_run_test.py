@@ -84,7 +84,7 @@ class SmallRun(unittest.TestCase):
             wrong = accumulation.measure(mistaken, SCENE, tilt)
             self.assertGreater(wrong[-1]["mse"] - records[-1]["mse"], 0.25*self.apart(), f"tilted {tilt}")
 
-    def test_a_part_is_that_part_of_the_whole(self):
+    def test_part_equals_the_part_of_the_whole(self):
         """For all programs: the picture of a part differs from the whole picture's reference by no more than its noise."""
         scene = dataclasses.replace(SCENE, part=LARGE)
         whole = self.lab.reference(dataclasses.replace(scene.shot(TILT_LENS), size=(200, 150), part=None), 2, 256)
@@ -100,7 +100,7 @@ class SmallRun(unittest.TestCase):
         moved = self.lab.run(self.lab.ours, dataclasses.replace(scene, part=wrong).shot(TILT_LENS, declare=many), cut)
         self.assertGreater(moved["mse"], 1e-2)
 
-    def test_gallery_at_the_size_that_people_look_at(self):
+    def test_gallery_at_viewing_size(self):
         """The camera of a gallery scene in all its forms: shifted, with swing."""
         folder = gallery.copy(self.lab, "city_lights")
         scene = dataclasses.replace(suite.of_gallery("city_lights", folder), reference=(2, 128), size=(24, 16), targets=(16, 37),

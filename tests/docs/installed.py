@@ -102,7 +102,7 @@ class Installed(unittest.TestCase):
         for part in (r"location <[^>]*>", r"angle \d+", r"shift <[^>]*>"):
             self.assertIn(re.search(part, facade)[0], answer)
 
-    def test_denoise_is_told_as_in_the_manual(self):
+    def test_denoise_is_described_as_in_the_manual(self):
         text = " ".join(formatted(ROOT / "docs" / "man" / "povray-tilt-lens.7")[0].split())
         manual = (ROOT / "docs" / "manual.md").read_text().split("### denoise", 1)[1].split("\n## ", 1)[0]
         for words in ("noise is removed from the picture by filters", "A number works too, 0 is off.", "the mean of its own rays alone",

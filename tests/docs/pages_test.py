@@ -72,7 +72,7 @@ class Commands(unittest.TestCase):
         for command in ("./render SCENE.pov", "./render page.pov", "./check -L unit", "./render", "ls a.pov"):
             self.assertIsNone(examples.rendered_command(command, ["page.pov"]), command)
 
-    def test_a_program_that_is_not_there(self):
+    def test_missing_program(self):
         self.assertEqual(list(links.check_commands("    ./render\n    cmake/setup.sh\n", "p")),
                          ["line 2: 'cmake/setup.sh' runs cmake/setup.sh, which is not a program here"])
         self.assertEqual(len(list(links.check_commands("    experiments/nothing --all\n", "p"))), 1)

@@ -19,7 +19,7 @@ class Changes(PageTest):
         """The error on the page, if any."""
         return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
-    def test_an_error_has_its_line_and_goes_when_it_is_mended(self):
+    def test_error_has_its_line_and_disappears_when_mended(self):
         scene = self.scene(SCENE.replace("angle 45", "angle forty"))
         self.browser.get(self.start(scene, *harness.SMALL))
         self.until("the error", self.message)
@@ -72,7 +72,7 @@ class Changes(PageTest):
                 self.assertEqual([p.name for p in self.folder.iterdir() if "before-focus" in p.name], [])
                 self.end()
 
-    def test_items_that_the_page_does_not_write_stay_in_the_block(self):
+    def test_other_items_stay_in_the_block(self):
         scene = self.with_lens("tilt_lens { f_stop 2 denoise off focus_peaking rgb <1, 0, 0>, 2 }")
         self.open(scene)
         self.set_number("tilt", 3)
@@ -107,7 +107,7 @@ class Changes(PageTest):
         self.until("its preview", lambda: self.run("return focusPage.live.location[2]") == -7)
         self.assertEqual(self.console(), [])
 
-    def test_a_camera_that_is_gone_is_no_longer_shown(self):
+    def test_removed_camera_disappears(self):
         second = "camera { location <6, 2, -6> look_at <0, 0.5, 0> right x*image_width/image_height angle 50 }\n"
         scene = self.scene(SCENE + second)
         self.open(scene)
@@ -125,7 +125,7 @@ class Changes(PageTest):
         self.choose("clock", 1)
         self.until("the moved scene", lambda: abs(self.run("return focusPage.previewSum()") - before) > 10)
 
-    def test_a_camera_without_a_lens_is_told(self):
+    def test_camera_without_lens_has_a_message(self):
         self.browser.get(self.start(self.scene(SCENE.replace("camera {", "camera { orthographic")), *harness.SMALL))
         self.until("the message", lambda: "not perspective" in self.message())
 
@@ -155,7 +155,7 @@ class Changes(PageTest):
         self.open(self.with_lens("tilt_lens { f_stop 1 } bokeh { pigment { rgb 1 } } normal { bumps 0.1 }"))
         self.assertIn("the camera's bokeh picture and normal; a render", self.text("left-out"))
 
-    def test_ended_program_is_told(self):
+    def test_ended_program_has_a_message(self):
         self.open(self.scene())
         self.end()
         self.until("the message", lambda: "has ended" in self.message())

@@ -19,7 +19,7 @@ class Command(harness.FocusTest):
         script.chmod(0o755)
         return str(script), opened
 
-    def test_it_opens_the_browser_where_there_is_a_screen(self):
+    def test_opens_the_browser_with_a_display(self):
         browser, opened = self.stand_in()
         # webbrowser splits its words, as a shell does
         variables = {"BROWSER": f"'{browser}' %s", "DISPLAY": ":99"}
@@ -36,7 +36,7 @@ class Command(harness.FocusTest):
             self.end()
             self.assertFalse(opened.exists(), words)
 
-    def test_it_listens_where_it_is_told(self):
+    def test_listens_at_the_given_port(self):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]

@@ -43,7 +43,7 @@ class Keyboard(PageTest):
                 return
         self.fail(f"Tab does not reach {name}")
 
-    def test_tab_reaches_all_and_one_sees_where_it_is(self):
+    def test_tab_reaches_all_controls_visibly(self):
         self.open(self.scene())
         self.true_picture(160)  # adds a slider and a link
         wanted = self.run(WANTED)

@@ -92,7 +92,7 @@ class Knobs(PageTest):
         self.assertIn("f/3.5", self.run(said, "fStop"))
         self.assertEqual(self.console(), [])
 
-    def test_a_plane_through_the_lens_is_said_beside_the_points(self):
+    def test_plane_through_the_lens_has_a_remark_beside_the_points(self):
         self.open(self.scene())
         self.press("input[name=mode][value=three]")
         self.choose("third", "upright")
@@ -128,7 +128,7 @@ class Knobs(PageTest):
             self.assertEqual(self.run(f"return document.getElementById('{name}').value"), str(value))
         self.assertAlmostEqual(self.run("return focusPage.model.numbers().focalLength"), 24, places=9)
 
-    def test_nothing_is_asked_of_another_host(self):
+    def test_page_contacts_no_other_host(self):
         address = self.open(self.scene())
         names = self.run("return performance.getEntriesByType('resource').map(e => e.name)")
         self.assertGreater(len(names), 5)
@@ -138,7 +138,7 @@ class Knobs(PageTest):
             addresses = set(re.findall(r"(?:https?|wss?):?//[\w.]+", path.read_text()))
             self.assertLessEqual(addresses, {"http://www.w3.org"}, path.name)
 
-    def test_the_program_itself_asks_nothing_of_another_host(self):
+    def test_program_contacts_no_other_host(self):
         clients = r"^\s*(?:import|from) (?:urllib|http|socket|ssl|requests|ftplib|smtplib)\b|ClientSession|open_connection|create_connection"
         for path in (ROOT / "tools" / "focus").glob("*.py"):
             text = path.read_text()

@@ -106,7 +106,7 @@ class Moved(PageTest):
         self.check(scene, places)
         self.assertEqual(self.console(), [])
 
-    def test_a_camera_that_has_a_name(self):
+    def test_declared_camera(self):
         text = SCENE.replace("camera {", "#declare Cam = camera {").replace("light_source", "camera { Cam rotate 9*y scale 2 }\nlight_source")
         scene = self.scene(text)
         self.open(scene)

@@ -72,7 +72,7 @@ class Overlays(PageTest):
         self.assertFalse(self.run("return document.getElementById('legend').hidden"))
         self.assertEqual(self.pixels([NEAR, MIDDLE, FAR]), [near, middle, far])
 
-    def test_the_plane_covers_what_lies_behind_it(self):
+    def test_plane_covers_objects_behind_it(self):
         self.focus_on(MIDDLE)
         plain, planes = self.pixels([NEAR, FAR]), self.pixels([NEAR, FAR], planes=True)
         self.assertEqual(plain[0], planes[0])

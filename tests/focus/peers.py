@@ -69,7 +69,7 @@ class Messages(ClientTest):
         self.assertEqual(asyncio.run(render())["state"], "done")
         self.assertEqual(self.evidence(), "")
 
-    def test_after_a_render_that_failed_the_next_one_is_made(self):
+    def test_next_render_after_a_failed_one(self):
         scene = self.scene()
         address = self.start(scene, *WORDS)
 
@@ -105,7 +105,7 @@ class Peers(ClientTest):
                 self.assertRegex(line, rb"^HTTP/1.1 40[04] ")
         self.assertEqual(self.evidence(), "")
 
-    def test_requests_that_never_end_keep_nobody_out(self):
+    def test_endless_requests_block_no_other(self):
         limits = resource.getrlimit(resource.RLIMIT_NOFILE)
         self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, limits)
         resource.setrlimit(resource.RLIMIT_NOFILE, (1024, limits[1]))  # of the program
@@ -128,7 +128,7 @@ class Peers(ClientTest):
         self.assertEqual(asyncio.run(ask())["state"], "done")
         self.assertEqual(self.evidence(), "")
 
-    def test_a_page_that_does_not_read_holds_nobody_up(self):
+    def test_slow_page_delays_no_other(self):
         address = self.start(self.scene(), "+W1200", "+H675")  # more than the buffers between the two programs hold
         deaf = socket.create_connection(urllib.parse.urlsplit(address).netloc.split(":"), timeout=60)
         self.addCleanup(deaf.close)

@@ -29,7 +29,7 @@ class Record(FocusTest):
         told = subprocess.run(["oiiotool", "--info", "--hash", str(picture)], capture_output=True, text=True, check=True).stdout
         return told.split("SHA-1: ")[1].split()[0], json.loads(record.read_text()) if preview else None
 
-    def test_the_preview_is_that_of_a_pinhole_whatever_blurs_the_picture(self):
+    def test_preview_is_a_pinholes_for_any_blur(self):
         sharp, _ = self.render("", False)
         shifted, _ = self.render(PINHOLE, False)
         self.assertNotEqual(sharp, shifted)

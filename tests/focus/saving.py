@@ -113,7 +113,7 @@ class Replacing(unittest.TestCase):
         """Replaces the file's contents."""
         replacing.replace(str(self.path), before, b"after")
 
-    def test_an_owner_that_cannot_be_given_away_stays(self):
+    def test_owner_stays_without_the_right_to_change_it(self):
         number = self.path.stat().st_ino
         with mock.patch("os.chown", side_effect=PermissionError(1, "Operation not permitted")):
             self.replace()
@@ -147,7 +147,7 @@ class Replacing(unittest.TestCase):
             SceneFile(str(scene)).replace(SCENE.encode(), b"after")
         self.assertEqual(scene.read_text(), SCENE)
 
-    def test_a_full_disk_leaves_the_file_as_it_was(self):
+    def test_full_disk_leaves_the_file_unchanged(self):
         os.link(self.path, self.path.with_name("second"))
         with mock.patch("os.posix_fallocate", side_effect=OSError(28, "No space left on device")):
             with self.assertRaisesRegex(EditError, "cannot be written: No space left"):

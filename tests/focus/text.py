@@ -54,7 +54,7 @@ class SceneText(unittest.TestCase):
             with self.subTest(text), self.assertRaises(EditError):
                 with_block(text, line, BLOCK, items)
 
-    def test_an_item_that_the_page_does_not_write_is_kept(self):
+    def test_other_items_are_kept(self):
         before = "camera {\n  tilt_lens {\n    tilt 3 denoise off // quick\n    focus_peaking\n      rgb <1, 0, 0>, 2 f_stop Stop\n  }\n}\n"
         after = "camera {\n  tilt_lens {\n    f_stop 2\n    denoise off\n    focus_peaking rgb <1, 0, 0>, 2\n  }\n}\n"
         self.assertEqual(with_block(before, 7, BLOCK, {}), after)
@@ -84,7 +84,7 @@ class Messages(unittest.TestCase):
         error = povray.error_in(said % (70 * "a", 70 * "b"))
         self.assertEqual((error.file, error.line, error.message), (f"/a long name/{70 * 'a'}{70 * 'b'}.pov", 7, "Missing }"))
 
-    def test_anything_else_is_told_by_its_end(self):
+    def test_other_output_is_shown_by_its_end(self):
         self.assertIn("three", povray.error_in("one\ntwo\nthree\n").message)
 
     def test_names_with_blanks_stay_whole(self):

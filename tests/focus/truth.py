@@ -41,7 +41,7 @@ class Truth(PageTest):
         self.smooth()
         return self.run(harness.DIFFERENCE)
 
-    def test_live_and_true_picture_show_one_lens_in_the_tutorial(self):
+    def test_live_and_true_picture_agree_in_the_tutorial(self):
         for name, sharp in (("three_points", 0.08), ("tilt", 0.03), ("swing", 0.02)):
             with self.subTest(name):
                 self.open(ROOT / "scenes" / "tutorial" / f"{name}.pov", "+W320", "+H180")
@@ -139,7 +139,7 @@ class Truth(PageTest):
         self.press("#hide")
         self.assertEqual(self.run(shown), "")
 
-    def test_a_scene_that_breaks_meanwhile_is_told(self):
+    def test_scene_broken_meanwhile_has_a_message(self):
         scene = self.scene()
         self.open(scene, *harness.SMALL)
         scene.write_text(SCENE.replace("rgb 1 }", "rgb one }", 1))

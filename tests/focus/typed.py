@@ -63,7 +63,7 @@ class Typed(PageTest):
         self.until("a proposed focus", lambda: self.run("return focusPage.model.picks.length"))
         self.assertEqual(self.browser.execute_async_script(EARLY_CLICK), [True, False, True, 1])
 
-    def test_a_reason_ends_with_one_point(self):
+    def test_reason_ends_with_one_full_stop(self):
         scene = self.scene()
         self.open(scene)
         scene.write_text(scene.read_text().replace("angle 45", "angle 45 tilt_lens { f_stop 2 } tilt_lens { f_stop 3 }"))

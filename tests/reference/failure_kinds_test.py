@@ -132,7 +132,7 @@ class FailureKinds(unittest.TestCase):
         self.save(self.record)
         self.expect("stale reference", self.copy_of(self.entry.width, self.entry.height, 30000))
 
-    def test_expected_difference_that_is_none(self):
+    def test_missing_expected_difference(self):
         right = self.copy_of(self.entry.width, self.entry.height, 30000)
         code, message = self.check(right, "--expect", "different")
         self.assertEqual(code, pictures.OUTCOMES["failure"], message)

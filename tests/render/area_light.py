@@ -43,7 +43,7 @@ class AreaLight(rendering.RenderTest):
                 self.assert_near(lens, pinhole, 0.003, name)
                 self.assert_different(hard, pinhole, 0.01, name)
 
-    def test_takes_one_shadow_ray_where_the_grid_takes_many(self):
+    def test_takes_one_shadow_ray_in_place_of_the_grids(self):
         world = FLOOR + THINGS
         samples = "blur_samples 16, 16 variance 0 "
         told = {}

@@ -99,7 +99,7 @@ class Distortion(rendering.RenderTest):
                 self.assertAlmostEqual(values["position.X"], 20 * HALF * own[0] * factor, places=4)
                 self.assertAlmostEqual(values["position.Y"], 20 * HALF * own[1] * factor, places=4)
 
-    def test_a_light_is_where_its_layers_say(self):
+    def test_light_is_at_its_position_in_the_layers(self):
         """A small light in focus, found by emitter sampling."""
         for k1, shift in ((0.1, (0, 0)), (-0.05, (3 / 18, 2 / 18))):
             picture = rendering.render(camera(f"distortion {k1} shift <{18 * shift[0]}, {18 * shift[1]}>") + "sphere { <2.2, -1.4, 10>, 0.1 pigment { rgb 1 } finish { emission 20 } }\n", **SIZE)

@@ -50,7 +50,7 @@ class FloatColour(rendering.RenderTest):
             for a, b in zip(many.values, few.values):
                 self.assertAlmostEqual(a, b, delta=1e-7 + 6e-4 * abs(a))
 
-    def test_other_formats_stay_as_they_are(self):
+    def test_other_formats_are_unchanged(self):
         """Upstream treats 32 as 16 there; existing command lines must still work, with a warning."""
         wanted = rendering.render(SQUARES, "+FN16", **SIZE)
         self.assertEqual(rendering.render(SQUARES, "+FN32", **SIZE).values, wanted.values)
@@ -61,7 +61,7 @@ class FloatColour(rendering.RenderTest):
                 self.assertEqual(code, 0, said)
                 self.assertEqual(said.count("Bits_Per_Color=32 with a file type other than OpenEXR"), 1, said)
 
-    def test_nothing_is_said_elsewhere(self):
+    def test_no_message_elsewhere(self):
         for options in (("+FE32",), ("+FN16",), ("+FN32", "-F")):
             with self.subTest(options=options), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 code, said = rendering.Job(SQUARES, options, **SIZE).attempt(pathlib.Path(name))

@@ -128,7 +128,7 @@ class Map(rendering.RenderTest):
         seen, _ = wall(10.0, "focus_map")
         self.assertGreater(min(seen.pixel(5, 5)), 0.9, seen.told)
 
-    def test_colour_is_that_of_its_scale(self):
+    def test_colour_matches_the_scale(self):
         """The colour of a wall is in the scale's bar at the position of its blur."""
         for distance, name in ((7.0, "before"), (16.0, "behind")):
             with self.subTest(distance=distance):
@@ -158,7 +158,7 @@ class Map(rendering.RenderTest):
 
 
 class Planes(rendering.RenderTest):
-    def test_hidden_behind_what_is_nearer(self):
+    def test_hidden_behind_nearer_surfaces(self):
         """Where the scene is nearer than all three surfaces, the picture is a pinhole's; elsewhere it differs."""
         lens = "tilt 0 "
         near = "sphere { <0.4, 1.5, -4> + 0.6*(<0, 0.5, 0.5> - <0.4, 1.5, -4>), 0.3 pigment { rgb 0.6 } }\n"
@@ -211,7 +211,7 @@ class Cost(rendering.RenderTest):
 
 
 class Report(rendering.RenderTest):
-    def test_says_what_is_drawn(self):
+    def test_reports_the_drawn_aid(self):
         for aid, words in ((PEAKING, "focus_peaking: tinted where blurred under 1.5 pixels"),
                            ("focus_map", "focus_map: blue behind the sharp plane, orange before it"),
                            ("show_planes", "show_planes: the sharp plane's grid has 0*\\.?0*[125]0* units")):

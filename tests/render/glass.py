@@ -161,7 +161,7 @@ class Dispersion(rendering.RenderTest):
         for a, b in zip(plain, coloured):
             self.assertAlmostEqual(a, b, delta=0.01)
 
-    def test_colours_focus_where_their_closed_form_says(self):
+    def test_colours_focus_as_in_the_closed_form(self):
         """For each colour, the disc of a point is as wide as the film's distance from the image implies."""
         film, radius = 0.5, 0.001  # mm, width of the film; units, of the point at 10
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:

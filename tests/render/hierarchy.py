@@ -85,7 +85,7 @@ TILTED = ("camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> focal_point <0, 
 
 
 class Hierarchy(rendering.RenderTest):
-    def test_shows_what_is_there_without_boxes(self):
+    def test_equals_the_picture_without_boxes(self):
         for name, camera in {**CAMERAS, "tilt_lens": TILTED}.items():
             with self.subTest(name):
                 self.assert_same(rendering.render(camera + WORLD, **SIZE), rendering.render(camera + WORLD, "-MB", **SIZE),
@@ -103,7 +103,7 @@ class Hierarchy(rendering.RenderTest):
         for name in ("passed over", "all wanted"):
             self.assert_same(pictures[name], pictures["one by one"], name)
 
-    def test_of_meshes_whatever_asks_them(self):
+    def test_of_meshes_by_every_query(self):
         for name, camera in {**CAMERAS, "tilt_lens": TILTED}.items():
             walked = rendering.render(camera + LIGHT + ASKED % "hierarchy off", "-MB", "+WT1", **SIZE)
             for options in ("-MB",), ("+MB1",), ("+BM2",), ("+MB1", "+WT4"):

@@ -238,7 +238,7 @@ class Cameras(rendering.RenderTest):
 
 
 class Files(rendering.RenderTest):
-    def test_only_where_asked_for(self):
+    def test_only_on_request(self):
         for options in ((), ("-N",), ("Output_Layers=off",)):
             with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 rendering.Job(scenes.TILTED, options).run(pathlib.Path(name))
@@ -288,11 +288,11 @@ class Files(rendering.RenderTest):
         said = self.refused("-F")
         self.assertEqual(said.count("Output_Layers without a picture file"), 1, said)
 
-    def test_file_that_cannot_be_written(self):
+    def test_unwritable_file(self):
         said = self.refused(prepare=lambda folder: (folder / "out" / "picture.layers.exr").mkdir())
         self.assertIn("Cannot write the layers 'out/picture.layers.exr' (Is a directory)", said)
 
-    def test_continued_where_it_could_not_be_written(self):
+    def test_continued_after_a_write_error(self):
         """The state file is kept, and its tiles need not be rendered again."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)

@@ -88,7 +88,7 @@ class Report(rendering.RenderTest):
         said = rendering.render_and_listen(scenes.camera(samples="blur_samples 30 variance 0 ") + scenes.WORLD)[1]
         self.assertIn("mean 30.0, 99% 30, most 30", said)
 
-    def test_one_sample_tells_no_error(self):
+    def test_one_sample_gives_no_error(self):
         for variance in "0", "1/1000":
             said = rendering.render_and_listen(scenes.camera(samples=f"blur_samples 1, 1 variance {variance} ") + scenes.WORLD)[1]
             self.assertIn("Standard error.......unknown", said)

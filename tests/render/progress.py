@@ -99,7 +99,7 @@ class Summary(rendering.RenderTest):
         self.assertEqual(rays[1], re.search(r"^Rays: +(\d+)", said, re.MULTILINE)[1], said)
         self.assertGreater(int(rays[1]), 8 * 128 * 96)
 
-    def test_error_and_what_was_asked_for(self):
+    def test_error_and_target(self):
         said = rendering.render_and_listen(HALVES, **SIZE)[1]
         self.assertRegex(said, r"Standard error\.+[\d.e-]+ of white \(estimated\), 0\.0071 asked for")
         said = rendering.render_and_listen(HALVES.replace("variance 1/20000", "variance 0").replace("8, 256", "9"), **SIZE)[1]

@@ -32,7 +32,7 @@ class Skipped(rendering.RenderTest):
         self.assertGreaterEqual(ended[0], 64 * 16)  # the blocks above the horizon
         self.assertLess(ended[0], 64 * 24)          # no more than the sky
 
-    def test_first_round_is_longer_where_many_pixels_of_a_block_need_more(self):
+    def test_first_round_is_longer_if_many_pixels_of_a_block_need_more(self):
         """The horizon is in the first row of blocks, so that its pixels of sky exceed the minimum, too."""
         self.assertEqual(numbers("Ended at the minimum", said_of(FLOOR + EVEN))[0], 0)
 
@@ -80,7 +80,7 @@ class Skipped(rendering.RenderTest):
         self.assertGreater(asked, 64 * 48 * 3)
         self.assertIsNone(numbers("Area lights", said_of(EVEN)))
 
-    def test_emitters_are_sampled_only_where_they_may_be_seen(self):
+    def test_emitters_are_sampled_only_where_visible(self):
         samples, lamps = numbers("Emitter samples", said_of(LAMP, "blur_samples 8, 8 variance 1/1000 "))
         self.assertEqual(lamps, 1)
         self.assertGreater(samples, 0)
@@ -129,7 +129,7 @@ class Skipped(rendering.RenderTest):
         self.assert_same(known, asked)
         self.assertLess(sum(known.values), 0.8*sum(without.values))
 
-    def test_pinhole_takes_one_ray_a_pixel(self):
+    def test_pinhole_takes_one_ray_per_pixel(self):
         said = said_of(FLOOR + EVEN, aperture=0)
         self.assertNotIn("Tilt Lens Sampling", said)
         self.assertRegex(said, r"Rays:\s+3072\b")

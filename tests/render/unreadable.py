@@ -45,7 +45,7 @@ class Folders(rendering.RenderTest):
 
 
 class Pictures(unittest.TestCase):
-    def test_one_that_is_torn(self):
+    def test_truncated_picture(self):
         """It is distinguished from pictures read before and after it."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)

@@ -38,21 +38,21 @@ class Unwritable(unittest.TestCase):
         self.assertRegex(said, ".*".join(map(re.escape, parts)))
         self.assertEqual(said.count(parts[0]), 1, said)
 
-    def test_a_folder_that_does_not_exist(self):
+    def test_missing_folder(self):
         said = self.refused("+Onowhere/a.png")
         self.assert_once(said, "Cannot write '", "nowhere/a.pov-state' (No such file or directory)", "nothing was rendered")
         self.assertNotIn("Rendered", said)
 
-    def test_a_folder_that_is_not_mine(self):
+    def test_folder_without_permission(self):
         (self.folder / "locked").mkdir(mode=0o555)
         self.assert_once(self.refused("+Olocked/a.png"), "Cannot write '", "locked/a.pov-state' (Permission denied)")
 
-    def test_a_picture_that_is_a_folder(self):
+    def test_folder_in_place_of_the_picture(self):
         (self.folder / "picture.png").mkdir()
         (self.folder / "picture.png" / "used").touch()
         self.assert_once(self.refused(), "Cannot write the picture '", "picture.png'", "directory)", "+C")
 
-    def test_a_state_file_that_cannot_grow(self):
+    def test_state_file_beyond_the_size_limit(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
         said = self.refused("+W64", "+H64", "+BS8", "+WT1", preexec_fn=limit)
@@ -63,7 +63,7 @@ class Unwritable(unittest.TestCase):
         again = rendering.Job(scenes.TILTED, ("+W64", "+H64", "+BS8", "+C"), width=16, height=12).attempt(self.folder)
         self.assertEqual(again[0], 0, again[1])
 
-    def test_a_state_file_that_is_refused(self):
+    def test_refused_state_file(self):
         (self.folder / "picture.pov-state").write_bytes(b"garbage" * 100)
         self.assert_once(self.refused("+C"), "is not one of POV-Ray's")
 

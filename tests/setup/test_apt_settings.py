@@ -80,7 +80,7 @@ class AptSettings(SetupTest):
             lines = self.source_list(main=f"deb http://mirror.invalid/debian {suite} main\n")
             self.assertIn(f"Suites: {suite}", lines)
 
-    def test_other_entries_only_where_none_is_of_the_release(self):
+    def test_other_entries_only_if_none_is_of_the_release(self):
         vendor = "deb https://vendor.invalid/apt amber free\ndeb https://flat.invalid/apt ./\n"
         self.assertEqual(self.source_list(main=vendor + ONE_LINE), EXPECTED)
         self.assertEqual(self.source_list(main=vendor), ["Types: deb-src", "URIs: https://vendor.invalid/apt", "Suites: amber", "Components: free"])

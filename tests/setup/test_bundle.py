@@ -78,7 +78,7 @@ class Bundle(SetupTest):
     def test_it_is_not_built_again(self):
         self.assert_fails_saying(self.bare(self.bundle / "render", "--source", "."), "this bundle is built")
 
-    def test_licences_of_all_that_is_in_it(self):
+    def test_licences_of_all_contents(self):
         names = {file.name for file in (self.bundle / "licences").iterdir()}
         self.assertLessEqual({"povray", "libjemalloc-dev", "zlib1g", "GPL-2"}, names)
         for file in (self.bundle / "lib").iterdir():
@@ -90,13 +90,13 @@ class Bundle(SetupTest):
         self.assertRegex(source, r"SHA-256 [0-9a-f]{64}\n")
         self.assertRegex(source, r"\n   jemalloc \S+ \(libjemalloc-dev\)\n")
 
-    def test_tells_the_glibc_that_it_needs(self):
+    def test_names_the_required_glibc(self):
         said = re.search(r"glibc (\d+)\.(\d+) or later", (self.bundle / "READ-ME-FIRST").read_text(encoding="utf-8"))
         here = os.confstr("CS_GNU_LIBC_VERSION").split()[1].split(".")
         self.assertLessEqual((2, 17), tuple(map(int, said.groups())))
         self.assertLessEqual(tuple(map(int, said.groups())), tuple(map(int, here)))
 
-    def test_no_file_names_where_it_was_built(self):
+    def test_no_file_names_the_build_folder(self):
         for path in self.bundle.rglob("*"):
             if path.is_file():
                 self.assertNotIn(str(BUILD).encode(), path.read_bytes(), path)

@@ -141,7 +141,7 @@ class RenderCommand(CommandTest):
         self.assert_succeeds(process)
         self.assertIn(f'+I"{self.folder}/{name}"', self.arguments(process))
 
-    def test_names_that_cannot_be(self):
+    def test_impossible_names(self):
         (self.folder / "a\"b'.pov").write_text("", encoding="utf-8")
         for word, said in (("", "the name of the scene is empty"), ("a\"b'.pov", "holds both \" and '")):
             process = self.render(word)
@@ -158,7 +158,7 @@ class RenderCommand(CommandTest):
         self.assertEqual(process.returncode, 3)
         self.assertNotIn("Picture:", process.stderr)
 
-    def test_says_where_the_picture_is(self):
+    def test_reports_the_pictures_place(self):
         process = self.render(self.scene)
         self.assertEqual(process.stderr.splitlines()[-1],
                          f"Picture: {self.folder}/a picture.png")
@@ -206,7 +206,7 @@ class CheckCommand(CommandTest):
             echo; echo "{self.CLOSING}"; echo "Total Test time (real) =   3.70 sec"; printf "  2 - unit.two (Failed)"
             exit 8''')
 
-    def test_lines_come_as_ctest_says_them_and_the_closing_one_last(self):
+    def test_lines_keep_ctests_order_except_the_closing_one(self):
         with subprocess.Popen([self.copy / "check", "--all", "-L", "unit"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                               stdin=subprocess.DEVNULL, env={**os.environ, **self.environment()}) as check:
             ready, _, _ = select.select([check.stdout], [], [], PATIENCE)
@@ -227,7 +227,7 @@ class CheckCommand(CommandTest):
         self.assert_succeeds(process)
         return re.findall("^option (.+)$", process.stdout, re.MULTILINE)
 
-    def test_slow_tests_are_left_out_unless_they_are_asked_for(self):
+    def test_slow_tests_run_only_on_request(self):
         self.assertEqual(self.chosen(), ["-LE", "^slow$"])
         self.assertEqual(self.chosen("-N", "-E", "x"), ["-LE", "^slow$", "-N", "-E", "x"])
         self.assertEqual(self.chosen("--all"), [])
@@ -312,7 +312,7 @@ class SetupStep(CommandTest):
         self.assert_fails_saying(process, "packages are missing", "apt-get install --no-install-recommends tilt-lens-missing")
         self.assertFalse((self.folder / "apt.log").exists())
 
-    def test_render_does_not_install_what_check_needs(self):
+    def test_render_does_not_install_packages_of_check(self):
         self.tool("id", "echo 0")
         self.command(self.copy / "render", APT_EXIT="100")
         log = (self.folder / "apt.log").read_text(encoding="utf-8")
@@ -350,7 +350,7 @@ class SetupStep(CommandTest):
         self.tool("dpkg-query", 'echo installed tilt-a other; echo installed tilt-b all; echo "installed tilt-c $(dpkg --print-architecture)"')
         self.assertEqual(self.installed_of("render  tilt-a\nrender  tilt-b\nrender  tilt-c\n"), ["tilt-a"])
 
-    def test_cmake_that_is_too_old(self):
+    def test_old_cmake(self):
         self.have_all_packages()
         self.tool("cmake", "echo cmake version 3.22.1")
         process = self.command(self.copy / "render")
@@ -428,7 +428,7 @@ class OtherSystems(CommandTest):
         self.command(self.copy / "render", "--source", "the source", cwd=self.folder)
         self.assertEqual(self.configured_with(), ["--preset", "release", f"-DPOVRAY_TARBALL={self.source}"])
 
-    def test_source_that_was_downloaded_before(self):
+    def test_source_downloaded_before(self):
         self.have_build_tools()
         (self.copy / "build" / "downloads").mkdir(parents=True)
         (self.copy / "build" / "downloads" / "povray_1.orig.tar.gz").touch()

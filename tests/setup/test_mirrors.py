@@ -157,7 +157,7 @@ class Mirrors(SourcePackageTest):
                                  "./render --source FOLDER")
         self.assertEqual(list(self.downloads.iterdir()), [])
 
-    def test_signed_by_a_key_that_the_system_does_not_have(self):
+    def test_signed_by_an_unknown_key(self):
         system = SYSTEMS["Ubuntu jammy"]
         mirror = self.mirror(system.suite, system.component, [system.revision])
         self.assert_fails_saying(self.prepare(env=self.environment(system, mirror, "")), "not signed by a key that this system knows")
@@ -165,7 +165,7 @@ class Mirrors(SourcePackageTest):
     def test_expired_index(self):
         self.assert_downloaded(self.prepare_on(SYSTEMS["sid"], made=-20*DAY), "4")
 
-    def test_clock_that_is_behind(self):
+    def test_slow_clock(self):
         self.assert_downloaded(self.prepare_on(SYSTEMS["sid"], made=20*DAY), "4")
 
     def test_the_good_one_of_two_revisions(self):
@@ -187,7 +187,7 @@ class Mirrors(SourcePackageTest):
         self.pin.write_text(self.pin.read_text(encoding="utf-8").replace('"upstream_version": "1"', '"upstream_version": "2"'), encoding="utf-8")
         self.assert_fails_saying(self.prepare_on(SYSTEMS["sid"]), "hold povray in the version 1:1-4, not in 2", "./render --source FOLDER")
 
-    def test_package_that_the_mirror_does_not_hold(self):
+    def test_package_missing_on_the_mirror(self):
         self.pin.write_text(self.pin.read_text(encoding="utf-8").replace('"package": "povray"', '"package": "povray-nowhere"'), encoding="utf-8")
         self.assert_fails_saying(self.prepare_on(SYSTEMS["sid"]), "hold no source package povray-nowhere")
 

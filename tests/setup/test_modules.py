@@ -42,7 +42,7 @@ class Modules(SetupTest):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("no such folder", done.stdout + done.stderr)
 
-    def test_each_module_finds_what_it_imports(self):
+    def test_each_module_finds_its_imports(self):
         names = [name for name in modules() if not name.startswith("tests.setup.")]
         self.assertGreater(len(names), 90)
         text = "import importlib, sys\nsys.path[0] = sys.argv.pop(1)\nfor name in sys.argv[1:]: importlib.import_module(name)"

@@ -40,7 +40,7 @@ class OnFreshDebian(SetupTest):
     def test_only_root(self):
         self.assert_fails_saying(self.call("trixie", FAKE_USER="1000"), "only root can make a system")
 
-    def test_suite_that_the_mirror_does_not_have(self):
+    def test_suite_missing_on_the_mirror(self):
         work = self.folder / "work"
         self.assert_fails_saying(self.call("--work", work, "nowhere", "render"), "debootstrap failed", "no such suite")
         self.assertFalse((work / "minimal-nowhere").exists())

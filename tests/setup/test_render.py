@@ -86,7 +86,7 @@ class FileNames(RenderTest):
         (self.place / "\u00fc.ini").write_text('Output_File_Name="\u00e4.png"\n', encoding="utf-8")
         self.assertEqual(self.render("szene \u00f6.pov", "\u00fc.ini"), f"Picture: {self.place}/\u00e4.png")
 
-    def test_bytes_that_are_not_utf_8(self):
+    def test_bytes_outside_utf_8(self):
         scene = os.fsdecode(b"latin\xe4.pov")
         self.scene(scene)
         self.render(scene)

@@ -41,14 +41,14 @@ class Upstream(SourcePackageTest):
         self.assert_fails_saying(self.prepare(self.archives), f"{PACKAGING}: debian/patches/fix-more.patch has SHA-256",
                                  "Take another packaging", "./render --source FOLDER")
 
-    def test_revision_that_lacks_files(self):
+    def test_revision_with_missing_files(self):
         self.write_packaging(PACKAGING, without=("debian/patches/fix-main.patch", "debian/copyright"))
         process = self.prepare(self.archives)
         self.assert_fails_saying(process, f"{PACKAGING}: debian/patches/fix-main.patch is missing",
                                  f"{PACKAGING}: debian/copyright is missing")
         self.assertNotIn("fix-more.patch", process.stderr)
 
-    def test_the_one_good_revision_of_several_is_taken(self):
+    def test_good_revision_among_several_is_taken(self):
         self.write_packaging("povray_1-10.debian.tar.xz", fix_more="another text\n")
         (self.archives / "povray_1-9.debian.tar.xz").write_bytes(b"no archive")
         self.write_packaging("povray_1-1.debian.tar.xz", fix_more="another text\n")
@@ -84,7 +84,7 @@ class Upstream(SourcePackageTest):
         archive.write_bytes(archive.read_bytes()[:-40])
         self.assert_fails_saying(self.prepare(self.archives), f"{PACKAGING} could not be unpacked", "damaged")
 
-    def test_damaged_download_is_dropped_and_no_network_is_told(self):
+    def test_damaged_download_is_dropped_and_missing_network_reported(self):
         config = self.folder / "apt.conf"
         config.write_text(f'Acquire::http::Proxy "{NO_NETWORK}";\nAcquire::https::Proxy "{NO_NETWORK}";\n',
                           encoding="utf-8")
@@ -94,7 +94,7 @@ class Upstream(SourcePackageTest):
         self.assert_fails_saying(process, "could not be downloaded", "could not be reached", "-DPOVRAY_TARBALL=")
         self.assertEqual(list(self.downloads.iterdir()), [])
 
-    def test_interrupted_unpacking_is_told_and_leaves_no_tree(self):
+    def test_interrupted_unpacking_is_reported_and_leaves_no_tree(self):
         # a tar that stops half-way imitates a full disk
         tools = self.folder / "tools"
         tools.mkdir()
@@ -116,7 +116,7 @@ class Upstream(SourcePackageTest):
         self.assert_prepared()
         self.assertFalse(self.prepared("source/left_over.cpp").exists())
 
-    def test_changed_patch_touches_only_what_it_changes(self):
+    def test_changed_patch_touches_only_its_files(self):
         self.assert_succeeds(self.prepare(self.archives))
         untouched = self.prepared("changes.txt")
         os.utime(untouched, (1, 1))
@@ -131,12 +131,12 @@ class Upstream(SourcePackageTest):
         self.assert_succeeds(self.prepare(self.archives))
         self.assert_succeeds(self.prepare(self.folder / "nowhere"))
 
-    def test_patch_that_needs_fuzz_is_refused(self):
+    def test_patch_needing_fuzz_is_refused(self):
         patch = self.series / "add-line.patch"
         patch.write_text(patch.read_text(encoding="utf-8").replace("GENERAL", "PARTICULAR"), encoding="utf-8")
         self.assert_fails_saying(self.prepare(self.archives), "add-line.patch does not apply", "docs/patching.md")
 
-    def test_listed_patch_that_is_missing(self):
+    def test_missing_listed_patch(self):
         (self.series / "series").write_text("add-other.patch\n", encoding="utf-8")
         self.assert_fails_saying(self.prepare(self.archives), "lists add-other.patch, which does not exist")
 

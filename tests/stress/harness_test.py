@@ -127,7 +127,7 @@ class Runs(unittest.TestCase):
         self.assertEqual([run.quickly(self.setup, ["part"]) for _ in range(3)], [["part: broken"], [], ["part: broken again"]])
         self.assertIsNone(harness.load("part"))
 
-    def test_long_forms_keep_what_is_without_faults(self):
+    def test_long_forms_store_results_without_faults(self):
         self.assertEqual(run.at_length(self.setup, ["part"]), ["part: broken"])
         self.assertIsNone(harness.load("part"))
         self.assertEqual([run.at_length(self.setup, ["part"]) for _ in range(2)], [[], []])

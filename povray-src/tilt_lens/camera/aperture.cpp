@@ -224,8 +224,8 @@ struct Aperture::Grade
     double power;
     bool rim;  ///< bright at the rim, not in the middle
 
-    /// Moves a point of the unit square along the line through the centre, so that a concentric square's squared size becomes the share of
-    /// light within it.
+    /// Moves a point of the unit square along the line through the centre. The concentric square with a share of the area becomes the one
+    /// with the same share of the light.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;

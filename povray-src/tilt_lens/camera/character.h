@@ -16,7 +16,7 @@ namespace tilt_lens
 struct Character
 {
     double naturalVignetting = 0.0;  ///< share of the natural light fall-off, 0 to 1
-    double opticalVignetting = 0.0;  ///< distance, in lens diameters, of a rim before the lens that vignettes the film's corners
+    double opticalVignetting = 0.0;  ///< shift of a rim before the lens over the aperture, seen from the film's corners; rim diameters
     std::optional<double> rimStop;   ///< f-number of that rim; if absent, it is as wide as the aperture
     double edgeLight = 0.0;          ///< brighter at the rim of the aperture (above 0) or in its middle (below 0)
     double distortion1 = 0.0;        ///< coefficient of r^2, r being the distance from the lens's axis in half widths of the film

@@ -112,7 +112,7 @@ struct Lens
     double distortionNear = 0.0;   ///< coefficient of the squared tangent over the axial distance of the focus; scene units
     double fieldCurvature = 0.0;   ///< c: the surface of sharp focus is k.X + c a^2/b = 1, X being a across the lens's axis
                                    ///< and b along it; 1/(scene units)
-    double lateralColour = 0.0;    ///< relative size of the red end's image minus that of mid-spectrum
+    double lateralColour = 0.0;    ///< size of the red end's image over that of mid-spectrum, minus 1
     double axialColour = 0.0;      ///< reduction of the vergence at the red end; 1/(scene units)
     std::shared_ptr<const GlassLens> glass;  ///< traced in place of the thin lens (glass_camera.h), stopped down
     double groups = 0.0;           ///< position of the focusing groups (inner_focus.h); 0: infinity
