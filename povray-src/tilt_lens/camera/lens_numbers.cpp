@@ -22,7 +22,7 @@ namespace
 const double kPi = 3.14159265358979323846;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Degrees. Real lenses stop at about 10; beyond this, little of the lens's own picture is left.
+/// Degrees. Real lenses stop at about 10; a larger turn is probably a mistake.
 const double kUnusualTilt = 15.0;
 
 /// Film widths. Real lenses stop at a third.

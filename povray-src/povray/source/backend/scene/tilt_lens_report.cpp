@@ -84,7 +84,7 @@ double DarkestCorner(const tilt_lens::Lens& lens, const tilt_lens::Aperture& dis
     return darkest;
 }
 
-/// Aberrations of an ideal lens made real, one line each.
+/// The lens's aberrations, one line each.
 std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character& character)
 {
     std::string text;
