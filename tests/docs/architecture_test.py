@@ -96,8 +96,9 @@ class Checker(unittest.TestCase):
 def folders_of(folder):
     """Folders of a folder, as paths in the repository: those under version control, or all of an unpacked archive."""
     if (ROOT / ".git").exists() and shutil.which("git"):
-        listed = subprocess.run(["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=True)
-        return sorted(listed.stdout.split())
+        listed = subprocess.run(["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=False)
+        if listed.returncode == 0:  # git refuses a repository of another user
+            return sorted(listed.stdout.split())
     return sorted(str(path.relative_to(ROOT)) for path in (ROOT / folder).iterdir() if path.is_dir() and path.name != "__pycache__")
 
 
