@@ -80,9 +80,14 @@ struct Settings
 
     /// @name Undetected error (section 4)
     /// @{
-    /// A converged pixel is reactivated for an undetected error of so many times its target: what its neighbours hit is
-    /// as uncertain as their samples are few.
-    double reactivationFactor = 4.0;
+    /// Samples of other pixels that a pixel's circles must bring, so that its own variance and the mean over the 3 by 3 pixels around
+    /// count alike for whether it has converged.
+    double samplesToDecideTogether = 8.0;
+    /// Factor of the variance that single pixels of a block and of its neighbours have met, as that of all others that may have missed the
+    /// like. With 0 nothing is searched for.
+    double loneVarianceFactor = 1.0;
+    /// Variance that a converged pixel has missed, over `variance`, from which on it takes further rounds.
+    double missedVariance = 1.0;
     /// @}
 
     /// @name Confidence factor (section 5)
@@ -134,7 +139,7 @@ struct Settings
     /// Risk over noise of the 3 by 3 pixels around one that may be chance.
     float chanceRisk = 2.0f;
     /// Weight of a spread estimate that is wholly made of other pixels' samples, over that of a filter with the same risk.
-    float spreadWeight = 16.0f;
+    float spreadWeight = 8.0f;
     /// How many times more it weighs where other pixels' samples tell all of the noise, and the pixel's own none of it.
     float missedWeight = 100.0f;
     /// Mean variance of a row of a block, over `variance`, below which the row is not reconstructed.

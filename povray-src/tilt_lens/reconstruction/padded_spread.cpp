@@ -9,10 +9,10 @@
 namespace tilt_lens
 {
 
-std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent, std::uint32_t samples)
+std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent, std::uint32_t weight)
 {
     const bool any = std::any_of(sent.begin(), sent.end(), [](const SpreadSums* one) { return one != nullptr; });
-    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent, samples)) : nullptr;
+    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent, weight)) : nullptr;
 }
 
 namespace
@@ -32,7 +32,7 @@ static_assert(kBorder + kReach <= kSide, "samples of the neighbours must be all 
 
 } // namespace
 
-PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t samples)
+PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t weight)
 {
     const auto received = std::make_unique<Received>();
     ownShare.fill(1.0f);
@@ -40,16 +40,17 @@ PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t samples)
     {
         if (sent[i] == nullptr)
             continue;
-        const float weight = samples / sent[i]->SamplesOfPixel();
+        const float factor = weight / sent[i]->PixelWeight();
         const int left = (i % 3 - 1) * kSide, top = (i / 3 - 1) * kSide;
         const int begin = std::max(-kBorder, left - kReach), end = std::min(kSide + kBorder, left + kSide + kReach);
         for (int y = std::max(-kBorder, top - kReach); y < std::min(kSide + kBorder, top + kSide + kReach); y++)
             for (int sum = 0; sum < SpreadSums::kSums; sum++)
-                AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin, weight, &(*received)[sum][PaddedBlock::At(begin, y)]);
+                AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin, sum == SpreadSums::kSamples ? 1.0f : factor,
+                       &(*received)[sum][PaddedBlock::At(begin, y)]);
         for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
             for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
-                if (sent[i]->OwnSamples(x - left, y - top) > 0.0f)
-                    ownShare[PaddedBlock::At(x, y)] = sent[i]->OwnShare(x - left, y - top) / sent[i]->OwnSamples(x - left, y - top);
+                if (sent[i]->OwnWeight(x - left, y - top) > 0.0f)
+                    ownShare[PaddedBlock::At(x, y)] = sent[i]->OwnShare(x - left, y - top) / sent[i]->OwnWeight(x - left, y - top);
     }
     for (std::size_t at = 0; at < share.size(); at += 4)
         Finish(*received, at);
@@ -61,6 +62,7 @@ void PaddedSpread::Finish(const Received& received, std::size_t at)
     const Float4 none{}, shares = Load<Float4>(&received[SpreadSums::kShare][at]);
     const Mask4 known = shares > none;
     Store(&share[at], shares);
+    Store(&samples[at], Load<Float4>(&received[SpreadSums::kSamples][at]));
     Float4 squares = known ? Load<Float4>(&received[SpreadSums::kSquares][at]) / shares : none;
     for (int c = 0; c < 3; c++)
     {

@@ -26,23 +26,24 @@ class PaddedSpread
     using Sent = std::array<const SpreadSums*, 9>;
 
     /// @param sent  by the pixels of the block, which is in the middle, and of its eight neighbours, row by row; null: nothing
-    /// @param samples  of a pixel in the first round of the block. Those of neighbours count as if they had taken as many: a surface is
-    ///     not seen more where more rays have met it.
+    /// @param weight  of a pixel's samples, as many as those of the block's first round. Those of neighbours count as if they had the same: a
+    ///     surface is not seen more where more rays have met it.
     /// @return null where nothing was sent at all
-    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t samples);
+    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t weight);
 
     std::array<Plane, 3> mean;  ///< of what other pixels' samples have sent; 0: nothing
     Plane variance;  ///< of one of these samples, summed over the channels
-    Plane share;     ///< that these samples have sent
+    Plane share;     ///< that these samples have sent, times their weights
+    Plane samples;   ///< the same without their weights
     Plane ownShare;  ///< that a sample of the pixel keeps for it, on average, [0, 1]
 
     /// Number of other pixels' samples that have reached a pixel, about.
-    float SamplesAt(std::size_t at) const { return share[at] > 0.0f && ownShare[at] > 0.0f ? share[at] / ownShare[at] : 0.0f; }
+    float SamplesAt(std::size_t at) const { return share[at] > 0.0f && ownShare[at] > 0.0f ? samples[at] / ownShare[at] : 0.0f; }
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;
 
-    PaddedSpread(const Sent& sent, std::uint32_t samples);
+    PaddedSpread(const Sent& sent, std::uint32_t weight);
     void Finish(const Received& received, std::size_t at);
 };
 

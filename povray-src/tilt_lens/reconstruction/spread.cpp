@@ -105,7 +105,33 @@ struct Extent
     }
 };
 
+/// The matrix of a circle of confusion, of pixels squared.
+struct Ellipse
+{
+    float xx = 0.0f, yy = 0.0f, lean = 0.0f, determinant = 0.0f;
+
+    explicit Ellipse(const CircleOfConfusion& circle)
+    {
+        if (circle.lens == nullptr)
+            return;
+        const float scale = circle.lens->BoundingRadius() * circle.lens->BoundingRadius();
+        xx = scale * (circle.xa * circle.xa + circle.xb * circle.xb);
+        yy = scale * (circle.ya * circle.ya + circle.yb * circle.yb);
+        const float xy = scale * (circle.xa * circle.ya + circle.xb * circle.yb);
+        lean = xy / yy;
+        determinant = std::isfinite(circle.x) ? xx * yy - xy * xy : 0.0f;
+    }
+
+    /// Whether it is wider than a pixel.
+    bool IsWide() const { return std::min(xx, yy) >= 1.0f && determinant >= 1.0f && std::isfinite(determinant); }
+};
+
 } // namespace
+
+bool ServesOthers(const CircleOfConfusion& circle)
+{
+    return Ellipse(circle).IsWide();
+}
 
 /// The pixels of a circle of confusion that are at most kReach away from the sample's own, row by row.
 struct CirclePixels
@@ -117,33 +143,20 @@ struct CirclePixels
     template<class Vector>
     TILT_LENS_INLINED void Find(const CircleOfConfusion& circle, int column, int row)
     {
-        if (circle.lens == nullptr)
-            return;
-        // the ellipse's matrix
-        const float scale = circle.lens->BoundingRadius() * circle.lens->BoundingRadius();
-        const float xx = scale * (circle.xa * circle.xa + circle.xb * circle.xb);
-        const float xy = scale * (circle.xa * circle.ya + circle.xb * circle.yb);
-        const float yy = scale * (circle.ya * circle.ya + circle.yb * circle.yb);
-        const float determinant = xx * yy - xy * xy;
-        // smaller than a pixel: it serves its own alone
-        if (!(std::min(xx, yy) >= 1.0f && determinant >= 1.0f && std::isfinite(determinant + circle.x)))
+        const Ellipse ellipse(circle);
+        if (!ellipse.IsWide())
             return;
         for (int i = 0; i < kLanes; i += kWidth<Vector>)
-            FindRows<Vector>(i, circle, column, float(row), {xy / yy, yy, determinant});
+            FindRows<Vector>(i, circle, column, float(row), ellipse);
         begin[kRows] = end[kRows] = 0;
         rows &= (1u << kRows) - 1;
         for (int i = 0; i < kRows; i++)
             count += end[i] - begin[i];
-        across = {circle.x, std::sqrt(xx)};
-        down = {circle.y, std::sqrt(yy)};
+        across = {circle.x, std::sqrt(ellipse.xx)};
+        down = {circle.y, std::sqrt(ellipse.yy)};
     }
 
   private:
-    struct Ellipse
-    {
-        float lean, yy, determinant;
-    };
-
     template<class Vector>
     TILT_LENS_INLINED void FindRows(int i, const CircleOfConfusion& circle, int column, float row, const Ellipse& ellipse)
     {
@@ -218,8 +231,9 @@ struct RowShares
 /// @param first  place of column 0 in a plane
 /// @param value  that they get shares of
 /// @param square  of the colour, summed over the channels
+/// @param samples  as many as the sample counts for
 template<class Vector, class Planes>
-TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square)
+TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square, float samples)
 {
     const auto add = [first](auto& plane, int x, const Vector& part) TILT_LENS_INLINED_LAMBDA
         { Store(&plane[first + x], Load<Vector>(&plane[first + x]) + part); };
@@ -229,6 +243,7 @@ TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares
         for (int c = SpreadSums::kRed; c <= SpreadSums::kShare; c++)
             add(planes[c], x, share * value[c]);
         add(planes[SpreadSums::kSquares], x, share * square);
+        add(planes[SpreadSums::kSamples], x, share * samples);
     }
 }
 
@@ -241,10 +256,8 @@ SpreadSums::SpreadSums(const Area& block, double width, double height) :
 
 template<class Vector>
 TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, const CircleOfConfusion& circle,
-                                         const Radiance& radiance)
+                                         const Radiance& radiance, float weight)
 {
-    Own& itself = own[row * int(settings.blockSide) + column];
-    itself.samples += 1.0f;
     const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};
     CirclePixels pixels;
     if (std::isfinite(SquareOf(value)))
@@ -253,17 +266,15 @@ TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, const CircleOfConf
     float sum = float(pixels.count);
     const std::vector<float> densities = shaped ? DensitiesOf(circle, pixels, row, sum) : std::vector<float>();
     if (pixels.count <= 1 || !(sum > 0.0f))
-    {
-        itself.share += 1.0f;
-        return;
-    }
+        return AddSharp(column, row, weight);
     spread = true;
-    Send<Vector>(pixels, shaped ? densities.data() : nullptr, sum, value, column, row);
+    own[row * int(settings.blockSide) + column].weight += weight;
+    Send<Vector>(pixels, shaped ? densities.data() : nullptr, sum, value, weight, column, row);
 }
 
 template<class Vector>
-TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column,
-                                        int row)
+TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
+                                        int column, int row)
 {
     LaneNumbers ofColumns, ofRows;  // shares: of columns relative to the sample's own, of rows those of the value
     pixels.across.FindSenders<Vector>(column, columns, ofColumns);
@@ -281,29 +292,37 @@ TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float*
         const int i = __builtin_ctz(rest);
         const RowShares shares{(i == kReach ? ofOthers : ofColumns).of - (column - kReach), pixels.begin[i], pixels.end[i], density};
         if (i == kReach && column >= shares.begin && column < shares.end)
-            own[row * int(settings.blockSide) + column].share += shares.DensityAt(column) * ofRows.of[i];
-        AddRow<Vector>(sums, PlaceOf(0, row + i - kReach), shares, ofRows.of[i] * value, ofRows.of[i] * SquareOf(value));
+            own[row * int(settings.blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
+        const float weighted = weight * ofRows.of[i];
+        AddRow<Vector>(sums, PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value), ofRows.of[i]);
         if (density != nullptr)
             density += shares.end - shares.begin;
     }
 }
 
-void SpreadSums::AddPlain(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance)
+void SpreadSums::AddSharp(int column, int row, float weight)
 {
-    AddBy<Float4>(column, row, circle, radiance);
+    Own& itself = own[row * int(settings.blockSide) + column];
+    itself.share += weight;
+    itself.weight += weight;
 }
 
-void SpreadSums::AddByAvx2(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance)
+void SpreadSums::AddPlain(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight)
 {
-    AddBy<Float8>(column, row, circle, radiance);
+    AddBy<Float4>(column, row, circle, radiance, weight);
 }
 
-void SpreadSums::Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance)
+void SpreadSums::AddByAvx2(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight)
+{
+    AddBy<Float8>(column, row, circle, radiance, weight);
+}
+
+void SpreadSums::Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight)
 {
     if (HasAvx2())
-        AddByAvx2(column, row, circle, radiance);
+        AddByAvx2(column, row, circle, radiance, weight);
     else
-        AddPlain(column, row, circle, radiance);
+        AddPlain(column, row, circle, radiance, weight);
 }
 
 } // namespace tilt_lens

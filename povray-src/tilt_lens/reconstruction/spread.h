@@ -79,7 +79,10 @@ struct PictureSpan
     float begin, end;
 };
 
-/// Of the pixels of a block: what the samples of their first round send to the pixels at most kReach away.
+/// Whether the circle holds the centre of a pixel other than the sample's own.
+bool ServesOthers(const CircleOfConfusion& circle);
+
+/// The samples that the pixels of a block send to the pixels at most kReach away.
 class SpreadSums
 {
   public:
@@ -89,8 +92,9 @@ class SpreadSums
     /// Pixels that the widest vector holds.
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
-    /// Sums of shares of samples: of red, green, blue, of 1, and of the squared colours, summed over the channels.
-    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSums };
+    /// Sums of the shares of samples times their weights: of red, green, blue, of 1, and of the squared colours, summed over the channels.
+    /// The last one is of the shares alone.
+    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSamples, kSums };
 
     /// @param block  whose pixels send, in the whole picture
     /// @param width, height  of the whole picture, pixels
@@ -98,24 +102,28 @@ class SpreadSums
 
     /// @param column, row  of the sample's pixel in the block
     /// @param circle  with a centre relative to the block's upper left corner
-    void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
+    /// @param weight  of the sample; the weights of each pixel's samples have the same sum, so that a surface does not count more where
+    ///     more rays have met it
+    void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
     /// The same on processors without AVX2, with the same sums to the last bit.
-    void AddPlain(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
+    void AddPlain(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
+    /// Samples that serve their own pixel alone.
+    void AddSharp(int column, int row, float weight);
 
     /// A sum that pixel (x, y), -kReach <= x, y < blockSide + kReach, and those to the right of it have received from other pixels.
     const float* From(Sum sum, int x, int y) const { return &sums[sum][PlaceOf(x, y)]; }
-    /// Shares that the samples of a pixel of the block kept for it, summed; and the number of these samples.
+    /// Shares that the samples of a pixel of the block kept for it, times their weights, summed; and the sum of these weights.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
-    float OwnSamples(int x, int y) const { return own[y * int(settings.blockSide) + x].samples; }
-    /// Samples of each pixel of the block.
-    float SamplesOfPixel() const { return own[0].samples; }
+    float OwnWeight(int x, int y) const { return own[y * int(settings.blockSide) + x].weight; }
+    /// Sum of the weights of the samples of each pixel of the block.
+    float PixelWeight() const { return own[0].weight; }
     /// Whether any sample has served another pixel.
     bool IsSpread() const { return spread; }
 
   private:
     struct Own
     {
-        float share = 0.0f, samples = 0.0f;
+        float share = 0.0f, weight = 0.0f;
     };
 
     /// A number of each pixel; what fills the last vector of the last row is not used.
@@ -130,12 +138,13 @@ class SpreadSums
 
     // Written once and compiled for each kind of processor.
     template<class Vector>
-    void AddBy(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
+    void AddBy(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight);
     /// @param density  of the lens at each of the pixels; null: the same at all
     /// @param sum      of these
+    /// @param value    red, green, blue and 1
     template<class Vector>
-    void Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, int column, int row);
-    TILT_LENS_FOR_AVX2 void AddByAvx2(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance);
+    void Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight, int column, int row);
+    TILT_LENS_FOR_AVX2 void AddByAvx2(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight);
 };
 
 } // namespace tilt_lens

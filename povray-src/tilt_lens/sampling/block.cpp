@@ -7,7 +7,6 @@
 
 #include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/denoiser_forecast.h"
-#include "tilt_lens/sampling/neighbourhood.h"
 #include "tilt_lens/sampling/variance_ratio.h"
 
 namespace tilt_lens
@@ -16,31 +15,39 @@ namespace tilt_lens
 namespace
 {
 
-/// Sends a sample to the pixels of its circle of confusion.
-void Spread(const SampleId& id, const SampleResult& result, const Area& block, SpreadSums& spread)
-{
-    CircleOfConfusion circle = result.circle;
-    circle.x -= block.left;
-    circle.y -= block.top;
-    spread.Add(id.x - block.left, id.y - block.top, circle, result.radiance);
-}
-
 /// A round of one pixel.
 /// @param results  place for those of a run
-void TakeRound(PixelStatistics& pixel, const Area& area, std::uint32_t x, std::uint32_t y, std::uint32_t until, bool ofFirstRound,
-               SpreadSums* spread, const Tracer& tracer, SampleResult* results)
+void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::uint32_t until, SentSamples* sent, const Tracer& tracer,
+               SampleResult* results)
 {
     pixel.BeginRound(until);
-    SampleRun run{{x, y, pixel.Samples()}, 0, ofFirstRound};
+    SampleRun run{{x, y, pixel.Samples()}, 0};
     for (; run.first.index < until; run.first.index += run.count)
     {
         run.count = std::min(settings.cameraRaysOfBatch - run.first.index % settings.cameraRaysOfBatch, until - run.first.index);
         tracer.Trace(run, results);
         pixel.Add(results, run.count);
-        for (std::uint32_t i = 0; spread != nullptr && i < run.count; i++)
-            Spread(run[i], results[i], area, *spread);
+        for (std::uint32_t i = 0; sent != nullptr && i < run.count; i++)
+            sent->Add(run[i], results[i]);
     }
     pixel.EndRound();
+}
+
+/// Takes the samples of active pixels that are missing up to number `until`. A pixel that was made active again catches up by the rounds
+/// that it left out, so that its buffers are as those of others.
+/// @param sent  takes those that serve other pixels; may be null
+void TakeSamples(BlockEstimate& estimate, std::uint32_t until, SentSamples* sent, const Tracer& trace)
+{
+    const Area& area = estimate.area;
+    std::array<SampleResult, settings.cameraRaysOfBatch> results;
+    for (std::uint32_t y = area.top; y < area.Bottom(); y++)
+        for (std::uint32_t x = area.left; x < area.Right(); x++)
+        {
+            PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
+            PixelStatistics& own = pixel.statistics;
+            while (pixel.active && own.Samples() < until)
+                TakeRound(own, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), sent, trace, results.data());
+        }
 }
 
 /// Whether so many pixels will take several more rounds that the first may as well be longer. What is seen of it by others, and what
@@ -58,71 +65,56 @@ bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& l
     return pixels >= settings.farShare * estimate.pixels.size();
 }
 
-} // namespace
-
-/// A pixel that was made active again catches up by the rounds that it left out, so that its buffers are as those of others.
-void Block::TakeSamples(BlockEstimate& estimate, std::uint32_t until, SpreadSums* spread, const Tracer& trace)
+std::vector<std::uint32_t> SamplesOf(const BlockEstimate& estimate)
 {
-    const Area& area = estimate.area;
-    std::array<SampleResult, settings.cameraRaysOfBatch> results;
-    for (std::uint32_t y = area.top; y < area.Bottom(); y++)
-        for (std::uint32_t x = area.left; x < area.Right(); x++)
-        {
-            PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
-            PixelStatistics& own = pixel.statistics;
-            while (pixel.active && own.Samples() < until)
-                TakeRound(own, area, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until),
-                          until <= estimate.firstSamples, spread, trace, results.data());
-        }
+    std::vector<std::uint32_t> samples;
+    for (const PixelEstimate& pixel : estimate.pixels)
+        samples.push_back(pixel.statistics.Samples());
+    return samples;
 }
 
-template<class Step>
-bool Block::Take(Phase before, Phase during, Phase after, const Step& step)
+} // namespace
+
+bool Block::TakeStep(int stepsTaken, const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
 {
-    if (!phase.compare_exchange_strong(before, during))
+    int before = 2 * stepsTaken;
+    if (!phase.compare_exchange_strong(before, before + 1))
         return false;
     try
     {
-        step();
+        if (stepsTaken == 0)
+            Look(limits, trace);
+        else if (stepsTaken == 1)
+            Converge(neighbours, limits, trace);
+        else
+            Finish(neighbours, limits, trace);
     }
     catch (...)
     {
         phase = before;
         throw;
     }
-    phase = after;
+    phase = before + 2;
     return true;
 }
 
-bool Block::TakeFirstRound(const SamplingLimits& limits, const Tracer& trace)
+void Block::Look(const SamplingLimits& limits, const Tracer& trace)
 {
-    return Take(Phase::Unsampled, Phase::InFirstRound, Phase::FirstRoundTaken, [&] { FirstStep(limits, trace); });
-}
-
-bool Block::TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
-{
-    return Take(Phase::FirstRoundTaken, Phase::InFurtherRounds, Phase::Converged, [&] { SecondStep(neighbours, limits, trace); });
-}
-
-void Block::FirstStep(const SamplingLimits& limits, const Tracer& trace)
-{
-    auto estimate = std::make_unique<BlockEstimate>(area);
-    std::uint32_t& samples = estimate->firstSamples;
-    const std::shared_ptr<SpreadSums> spread =
-        limits.variance > 0.0 ? std::make_shared<SpreadSums>(area, width, height) : nullptr;
+    auto first = std::make_unique<BlockEstimate>(area);
+    std::uint32_t& samples = first->firstSamples;
+    sent.Clear();  // of a step that was broken off
     do
     {
         samples = samples == 0 ? limits.FirstRound() : 2 * samples;
-        TakeSamples(*estimate, samples, spread.get(), trace);
-        UpdateVarianceRatios(*estimate, samples);
+        TakeSamples(*first, samples, limits.variance > 0.0 ? &sent : nullptr, trace);
+        UpdateVarianceRatios(*first, samples);
     }
-    while (2 * samples <= std::min(limits.max, settings.mostFirstSamples) && IsFarFromConvergence(*estimate, limits));
-    auto round = std::make_unique<FirstRound>(*estimate);
+    while (2 * samples <= std::min(limits.max, settings.mostFirstSamples) && IsFarFromConvergence(*first, limits));
+    auto round = std::make_unique<FirstRound>(*first);
     if (limits.Denoises())
-        round->statistics = StatisticsOf(*estimate);
-    if (spread && spread->IsSpread())
-        round->spread = spread;
-    afterFirstRound = std::move(estimate);
+        round->statistics = StatisticsOf(*first);
+    round->spread = sent.Spread(SamplesOf(*first), samples);
+    estimate = std::move(first);
     firstRound = std::move(round);
 }
 
@@ -134,39 +126,104 @@ FirstRounds Block::FirstRoundsOf(const Neighbours& neighbours) const
     return rounds;
 }
 
-void Block::SecondStep(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
+void Block::TakeRounds(BlockEstimate& current, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
+                       SentSamples* sent, const Tracer& trace) const
 {
-    const Neighbourhood around(FirstRoundsOf(neighbours), limits);
-    BlockEstimate estimate = *afterFirstRound;
-    estimate.spread = around.Spread();
-    std::uint32_t samples = estimate.firstSamples;
-    while (UpdateConvergence(estimate, around, limits, samples))
+    do
     {
         samples = std::min(2 * samples, limits.max);
-        TakeSamples(estimate, samples, nullptr, trace);
-        UpdateVarianceRatios(estimate, samples);
-        Reactivate(estimate, around);
+        TakeSamples(current, samples, sent, trace);
+        UpdateVarianceRatios(current, samples);
     }
+    while (UpdateConvergence(current, around, limits, samples));
     if (limits.Denoises())
-        UpdateBlockStatistics(estimate, samples);
+        UpdateBlockStatistics(current, samples);
+}
 
-    results.reserve(estimate.pixels.size());
-    for (const PixelEstimate& pixel : estimate.pixels)
+void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
+{
+    const Neighbourhood around(FirstRoundsOf(neighbours), limits);
+    auto converged = std::make_unique<BlockEstimate>(*estimate);
+    SentSamples all = sent;
+    converged->spread = around.Spread();
+    const std::uint32_t samples = converged->firstSamples;
+    if (UpdateConvergence(*converged, around, limits, samples))
+        TakeRounds(*converged, around, limits, samples, limits.variance > 0.0 ? &all : nullptr, trace);
+    else if (limits.Denoises())
+        UpdateBlockStatistics(*converged, samples);
+    statistics = converged->statistics;
+    spread = all.Spread(SamplesOf(*converged), samples);
+    estimate = std::move(converged);
+    sent.Clear();
+}
+
+std::shared_ptr<const PaddedSpread> Block::ReceivedFrom(const Neighbours& neighbours) const
+{
+    PaddedSpread::Sent received;
+    std::transform(neighbours.begin(), neighbours.end(), received.begin(), [](const Block* block)
+        { return block != nullptr ? block->spread.get() : nullptr; });
+    return PaddedSpread::Of(received, firstRound->samples);
+}
+
+void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
+{
+    const std::shared_ptr<const PaddedSpread> received = ReceivedFrom(neighbours);
+    BlockEstimate last = *estimate;
+    if (const std::uint32_t samples = received ? ActivateWhereMissed(last, *received, limits) : 0)
+    {
+        last.spread = received;
+        last.statisticsSamples = 0;
+        TakeRounds(last, Neighbourhood(FirstRoundsOf(neighbours), limits), limits, samples, nullptr, trace);
+    }
+    SetResults(last);
+    if (last.statistics)
+        ReconstructResults(neighbours, limits, last.statistics.get(), received.get());
+    estimate.reset();
+}
+
+void Block::SetResults(const BlockEstimate& last)
+{
+    results.clear();
+    results.reserve(last.pixels.size());
+    for (const PixelEstimate& pixel : last.pixels)
     {
         const PixelStatistics& own = pixel.statistics;
         results.push_back({pixel.variance, pixel.undetected, own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
     }
-    statistics = estimate.statistics;
-    afterFirstRound.reset();
+}
+
+/// @param own  statistics after the last sample; of neighbours those of the step before are read
+void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own, const PaddedSpread* received)
+{
+    const Rows rows = NoisyRows(limits);
+    if (rows.IsEmpty() || (limits.max == 1 && received == nullptr))
+        return;
+    std::array<const BlockStatistics*, 9> known;
+    std::transform(neighbours.begin(), neighbours.end(), known.begin(), [](const Block* block)
+        { return block != nullptr ? block->statistics.get() : nullptr; });
+    known[4] = own;
+    const PaddedBlock padded(known);
+    const ReconstructedBlock reconstructed =
+        limits.max == 1 ? SpreadEstimates(padded, *received) : Reconstruct(padded, received, rows);
+    for (std::size_t i = 0; i < results.size(); i++)
+    {
+        PixelResult& pixel = results[i];
+        const int row = int(i / area.width);
+        const std::size_t place = row * settings.blockSide + i % area.width;
+        const Radiance mean = reconstructed.MeanOf(place);
+        if (!rows.Has(row) || !IsFinite(mean))  // beside what a float cannot hold
+            continue;
+        pixel.mean = mean;
+        pixel.variance = pixel.undetected + reconstructed.residualVarianceRatio[place] * (pixel.variance - pixel.undetected);
+        pixel.reconstructed = true;
+    }
 }
 
 Rows Block::NoisyRows(const SamplingLimits& limits) const
 {
-    Rows rows{int(area.height), 0};
-    if (!statistics)
-        return rows;
     if (limits.max == 1)  // nothing tells their noise
         return {0, int(area.height)};
+    Rows rows{int(area.height), 0};
     for (int y = 0; y < int(area.height); y++)
     {
         double variance = 0.0;

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block.h
-/// The rounds of samples of a square of pixels, on a grid fixed to the whole picture: docs/sampling.md, section 1.
+/// A square of pixels on a grid fixed to the whole picture: docs/sampling.md, section 1.
 ///
-/// A block is sampled in two steps: the first round, which its neighbours look at, and all further rounds. What a block sees
-/// depends on places in the picture alone, so that neither threads nor tiles nor sub-images change a value (section 10).
+/// A block is made in three steps, each of which reads only what the step before has left of the block and of its eight neighbours:
+///
+///     look      a first round of samples
+///     converge  further rounds, until the stop rule is content with the block's own samples and its neighbours' first rounds
+///     finish    further rounds where the samples of all rounds around tell that pixels have missed something, then the reconstruction
+///
+/// Values depend on places in the picture alone, so that neither threads nor tiles nor sub-images change one (section 10).
 /// Threads may ask for any step at any time: each is taken once, by the first that asks, and nobody waits for it here. A step that is
 /// broken off by an exception of the tracer leaves the block as it was.
 
@@ -21,8 +26,10 @@
 #include "tilt_lens/math/area.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
 #include "tilt_lens/sampling/block_estimate.h"
+#include "tilt_lens/sampling/neighbourhood.h"
 #include "tilt_lens/sampling/sample.h"
 #include "tilt_lens/sampling/sampling_limits.h"
+#include "tilt_lens/sampling/sent_samples.h"
 
 namespace tilt_lens
 {
@@ -43,51 +50,60 @@ class Block
     /// The block and its eight neighbours, row by row; null outside the picture.
     using Neighbours = std::array<const Block*, 9>;
 
+    static constexpr int kSteps = 3;
+
     /// @param width, height  of the whole picture
-    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), width(width), height(height) {}
+    Block(const Area& area, std::uint32_t width, std::uint32_t height) :
+        area(area), width(width), height(height), sent(area, width, height)
+    {
+    }
 
     const Area area;
 
+    /// Steps that have been taken, 0 to kSteps.
+    int StepsTaken() const { return phase / 2; }
+    /// Takes the next step, after the block and its neighbours have taken so many.
     /// @return  false, with nothing done, where another thread has begun it
-    bool TakeFirstRound(const SamplingLimits& limits, const Tracer& trace);
-    /// The neighbours have taken their first rounds.
-    /// @return  false, with nothing done, where another thread has begun it
-    bool TakeFurtherRounds(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
-    bool HasFirstRound() const { return phase >= Phase::FirstRoundTaken; }
-    bool IsConverged() const { return phase == Phase::Converged; }
+    bool TakeStep(int stepsTaken, const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
-    /// @name Of a converged block.
-    /// @{
-    /// (x, y) is in the whole picture.
+    /// Of a block that has taken all steps; (x, y) is in the whole picture.
     const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
-    /// Rows whose noise is noticed beside the `variance` asked for; with one sample a pixel all.
-    Rows NoisyRows(const SamplingLimits& limits) const;
-    /// Null where nothing is denoised.
-    const BlockStatistics* Statistics() const { return statistics.get(); }
-    /// What the samples of its first round have sent to other pixels; null: nothing.
-    const SpreadSums* Spread() const { return firstRound->spread.get(); }
-    std::uint32_t FirstSamples() const { return firstRound->samples; }  ///< of each pixel in the first round
-    /// @}
 
   private:
-    enum class Phase { Unsampled, InFirstRound, FirstRoundTaken, InFurtherRounds, Converged };
-
     const std::uint32_t width, height;
-    std::atomic<Phase> phase{Phase::Unsampled};
-    std::unique_ptr<const BlockEstimate> afterFirstRound;  ///< until the block has converged
-    std::unique_ptr<const FirstRound> firstRound;          ///< from the first round on
-    std::shared_ptr<const BlockStatistics> statistics;     ///< the last
-    std::vector<PixelResult> results;
+    std::atomic<int> phase{0};  ///< twice the steps taken, and one more during a step
 
-    /// Takes a step where the block is in phase `before`, whose results are then seen by all threads.
-    template<class Step>
-    bool Take(Phase before, Phase during, Phase after, const Step& step);
-    void FirstStep(const SamplingLimits& limits, const Tracer& trace);
-    void SecondStep(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
+    /// @name Left by the first step
+    /// @{
+    std::unique_ptr<const FirstRound> firstRound;
+    /// @}
+    /// @name Left by the second step
+    /// @{
+    std::shared_ptr<const BlockStatistics> statistics;  ///< null where nothing is denoised
+    std::shared_ptr<const SpreadSums> spread;           ///< of the samples of all rounds so far; null: nothing
+    /// @}
+    /// @name Of the block alone
+    /// @{
+    std::unique_ptr<const BlockEstimate> estimate;  ///< after the last step, until the last but one
+    SentSamples sent;                               ///< until the second step
+    std::vector<PixelResult> results;
+    /// @}
+
+    void Look(const SamplingLimits& limits, const Tracer& trace);
+    void Converge(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
+    void Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
+
     FirstRounds FirstRoundsOf(const Neighbours& neighbours) const;
-    /// Takes the samples of active pixels that are missing up to number `until`.
-    /// @param spread  takes what they send; may be null
-    static void TakeSamples(BlockEstimate& estimate, std::uint32_t until, SpreadSums* spread, const Tracer& trace);
+    /// Samples that all rounds of the neighbours and of the block have sent; null: none.
+    std::shared_ptr<const PaddedSpread> ReceivedFrom(const Neighbours& neighbours) const;
+    /// Takes further rounds of active pixels until all have converged.
+    /// @param samples  of the active pixels with the fewest
+    void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
+                    SentSamples* sent, const Tracer& trace) const;
+    void SetResults(const BlockEstimate& estimate);
+    void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own, const PaddedSpread* received);
+    /// Rows whose noise is noticed beside the `variance` asked for; with one sample a pixel all.
+    Rows NoisyRows(const SamplingLimits& limits) const;
 };
 
 } // namespace tilt_lens

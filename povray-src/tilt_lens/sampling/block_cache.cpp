@@ -83,12 +83,12 @@ std::shared_ptr<Block> BlockCache::Get(const Place& place)
     return entries.emplace(place, Entry{std::make_shared<Block>(PixelsOf(place), width, height), users}).first->second.block;
 }
 
-void BlockCache::Converge(const std::vector<Place>& wanted, const Tracer& trace)
+void BlockCache::Finish(const std::vector<Place>& wanted, const Tracer& trace)
 {
     const auto isMissing = [this](const Place& place)
     {
         const std::shared_ptr<Block> block = Get(place);
-        return block && !block->IsConverged();
+        return block && block->StepsTaken() < Block::kSteps;
     };
     std::vector<Place> missing = wanted;
     for (;;)
@@ -101,7 +101,7 @@ void BlockCache::Converge(const std::vector<Place>& wanted, const Tracer& trace)
             return;
         bool advanced = false;
         for (const Place& place : missing)
-            advanced |= Advance(place, trace);
+            advanced |= Advance(place, Block::kSteps, trace);
         if (advanced || AdvanceAny(trace))
             continue;
         lock.lock();
@@ -129,12 +129,12 @@ bool BlockCache::TakeStep(const Step& step)
     return tell.taken = step();
 }
 
-/// Takes the steps towards a converged block that no other thread has begun.
+/// Takes steps that no other thread has begun, until a block has taken so many.
 /// @return  whether there was any
-bool BlockCache::Advance(const Place& place, const Tracer& trace)
+bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
 {
     const std::shared_ptr<Block> block = Get(place);
-    if (!block || block->IsConverged())
+    if (!block || block->StepsTaken() >= steps)
         return false;
     std::array<std::shared_ptr<Block>, 9> held;
     Block::Neighbours neighbours{};
@@ -144,15 +144,16 @@ bool BlockCache::Advance(const Place& place, const Tracer& trace)
         // the plain mean of the most samples asks no neighbour
         if (i != 4 && limits.variance == 0.0)
             continue;
-        held[i] = i == 4 ? block : Get({place.first + i / 3 - 1, place.second + i % 3 - 1});
+        const Place at{place.first + i / 3 - 1, place.second + i % 3 - 1};
+        held[i] = i == 4 ? block : steps > 1 ? Get(at) : nullptr;
         neighbours[i] = held[i].get();
-        if (!held[i] || held[i]->HasFirstRound())
+        if (!held[i] || held[i]->StepsTaken() >= steps - 1)
             continue;
-        advanced |= TakeStep([&] { return held[i]->TakeFirstRound(limits, trace); });
-        ready = ready && held[i]->HasFirstRound();
+        advanced |= Advance(at, steps - 1, trace);
+        ready = ready && held[i]->StepsTaken() >= steps - 1;
     }
     if (ready)
-        advanced |= TakeStep([&] { return block->TakeFurtherRounds(neighbours, limits, trace); });
+        advanced |= TakeStep([&] { return block->TakeStep(steps - 1, neighbours, limits, trace); });
     return advanced;
 }
 
@@ -160,7 +161,7 @@ bool BlockCache::Advance(const Place& place, const Tracer& trace)
 bool BlockCache::AdvanceAny(const Tracer& trace)
 {
     for (const Place& place : Window())
-        if (Advance(place, trace))
+        if (Advance(place, Block::kSteps, trace))
             return true;
     return false;
 }

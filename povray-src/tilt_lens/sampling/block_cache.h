@@ -35,9 +35,9 @@ class BlockCache
 
     static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / settings.blockSide, x / settings.blockSide}; }
 
-    /// Samples until the blocks at these places have converged, those that lie in the picture. While other threads take what is
+    /// Takes steps until the blocks at these places, those that lie in the picture, have taken all. While other threads take what is
     /// missing, this one takes whatever else will be asked for; it waits only where there is none.
-    void Converge(const std::vector<Place>& wanted, const Tracer& trace);
+    void Finish(const std::vector<Place>& wanted, const Tracer& trace);
 
     /// The block at a place; null outside the picture, and where no pixel to come depends on it. It stays while the caller holds it.
     std::shared_ptr<const Block> At(const Place& place) { return Get(place); }
@@ -69,7 +69,7 @@ class BlockCache
     bool HasToCome(const Place& place) const;
     std::uint16_t& ToCome(const Place& place);
     std::shared_ptr<Block> Get(const Place& place);
-    bool Advance(const Place& place, const Tracer& trace);
+    bool Advance(const Place& place, int steps, const Tracer& trace);
     bool AdvanceAny(const Tracer& trace);
     std::vector<Place> Window();
     template<class Step>

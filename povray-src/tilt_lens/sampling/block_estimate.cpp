@@ -24,6 +24,22 @@ FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), sam
         const Radiance relative = RelativeTo(own.Mean(), own.Variation().variance);
         pixels.push_back({own.Variation(), std::sqrt(LargestChannel(relative))});
     }
+    std::size_t inside = 0;
+    for (std::uint32_t row = 1; row + 1 < area.height; row++)
+        for (std::uint32_t column = 1; column + 1 < area.width; column++, inside++)
+            loneVariance += LoneVarianceOf(column, row);
+    loneVariance /= std::max<std::size_t>(inside, 1);
+}
+
+/// Of a pixel that has all eight neighbours in the block.
+double FirstRound::LoneVarianceOf(std::uint32_t column, std::uint32_t row) const
+{
+    double around = 0.0;
+    for (std::uint32_t y = row - 1; y <= row + 1; y++)
+        for (std::uint32_t x = column - 1; x <= column + 1; x++)
+            around += Square(pixels[y * area.width + x].deviation);
+    const double own = Square(pixels[row * area.width + column].deviation);
+    return std::max(0.0, 2.0 * own - around);
 }
 
 const FirstRound* FirstRoundAt(const FirstRounds& rounds, std::int64_t x, std::int64_t y)

@@ -32,6 +32,7 @@ struct PixelEstimate
     double undetectedNoise = 0.0;  ///< the same, summed over the channels and not relative
     Radiance seenVariance{};     ///< of one sample, by the pixel's own and those of its circles
     double target = 0.0;         ///< the variance that it may keep, when it was decided last
+    double excess = 0.0;         ///< variance after the reconstruction, by the last forecast, over its target, when it was decided last
     double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< after the reconstruction, by the last forecast
     bool active = true;          ///< takes part in the next round
 };
@@ -47,7 +48,7 @@ struct BlockEstimate
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by the dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: nothing is denoised
     std::uint32_t statisticsSamples = 0;        ///< of an active pixel, when `statistics` were made; 0: never
-    std::shared_ptr<const PaddedSpread> spread; ///< sent by the first rounds of this block and its neighbours; null: nothing, or not yet known
+    std::shared_ptr<const PaddedSpread> spread; ///< sent to this block by itself and its neighbours; null: nothing, or not yet known
 
     explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
 
@@ -58,9 +59,11 @@ struct BlockEstimate
     /// By the samples that other pixels have sent to a pixel.
     CircleVariance CircleVarianceOf(std::size_t pixel) const
     {
-        const std::size_t at = PaddedBlock::At(int(pixel % area.width), int(pixel / area.width));
-        return CircleVariance(spread.get(), at, pixels[pixel].statistics.Samples());
+        return CircleVariance(spread.get(), PlaceOf(pixel), pixels[pixel].statistics.Samples());
     }
+    double SamplesReceivedBy(std::size_t pixel) const { return spread ? spread->SamplesAt(PlaceOf(pixel)) : 0.0; }
+    /// Place of a pixel in a plane of `spread`.
+    std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
     /// Whether no sample of any pixel differs from its others.
     bool IsUniform() const;
 };
@@ -79,12 +82,16 @@ struct FirstRound
     std::uint32_t samples;                ///< of each pixel
     std::vector<FirstRoundPixel> pixels;  ///< row by row
     bool uniform;                         ///< no sample differs from the others of its pixel
+    double loneVariance = 0.0;            ///< mean of what a pixel's samples vary more than those of the eight pixels around it together; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: nothing is denoised
     std::shared_ptr<const SpreadSums> spread;           ///< what its samples have sent to other pixels; null: nothing
 
     explicit FirstRound(const BlockEstimate& estimate);
 
     const FirstRoundPixel& At(std::uint32_t x, std::uint32_t y) const { return pixels[area.IndexOf(x, y)]; }
+
+  private:
+    double LoneVarianceOf(std::uint32_t column, std::uint32_t row) const;
 };
 
 /// A block's first round and those of its eight neighbours, row by row; null outside the picture or where they are not

@@ -10,6 +10,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 
+#include "tilt_lens/math/window.h"
 #include "tilt_lens/sampling/denoiser_forecast.h"
 #include "tilt_lens/sampling/undetected_error.h"
 #include "tilt_lens/sampling/variance_target.h"
@@ -45,16 +46,21 @@ MeanVariance EstimatedVariance(PixelEstimate& pixel, const SampleVariation& arou
             std::accumulate(undetected.begin(), undetected.end(), 0.0)};
 }
 
-/// Whether any of the 3 by 3 pixels around one, as far as they are in the block, is active.
-bool IsBesideActive(const BlockEstimate& estimate, std::size_t pixel)
+/// Pixels with wide circles decide together with those beside them: all have seen the same, so that what is missed by one is not kept,
+/// and what is met by one not diluted, by chance. Where nothing is blurred each decides alone.
+void DecideTogether(BlockEstimate& estimate)
 {
-    const Area& area = estimate.area;
-    const std::uint32_t left = pixel % area.width, top = pixel / area.width;
-    for (std::uint32_t y = top - (top > 0); y <= top + 1 && y < area.height; y++)
-        for (std::uint32_t x = left - (left > 0); x <= left + 1 && x < area.width; x++)
-            if (estimate.pixels[y * area.width + x].active)
-                return true;
-    return false;
+    std::vector<double> excesses;
+    for (const PixelEstimate& pixel : estimate.pixels)
+        excesses.push_back(pixel.excess);
+    const std::vector<double> around = WindowMeans<settings.neighbourRadius>(excesses, estimate.area.width);
+    for (std::size_t i = 0; i < excesses.size(); i++)
+    {
+        PixelEstimate& pixel = estimate.pixels[i];
+        const double others = estimate.SamplesReceivedBy(i), together = others / (others + settings.samplesToDecideTogether);
+        const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target);
+        pixel.active = searching || pixel.excess + together * (around[i] - pixel.excess) > 1.0;
+    }
 }
 
 } // namespace
@@ -73,6 +79,11 @@ double ConfidenceFactor(std::uint32_t samples, double shrinkage, double confiden
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);
 }
 
+double LoneVariance(const Neighbourhood& around, std::uint32_t firstSamples, std::uint32_t samples)
+{
+    return settings.loneVarianceFactor * around.LoneVariance() * firstSamples / Square(samples);
+}
+
 bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits,
                        std::uint32_t samples)
 {
@@ -80,6 +91,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         return samples < limits.max;  // one sample says nothing of its error
     const double shrinkage = Shrinkage(samples), confidence = ConfidenceFactor(samples, shrinkage, limits.confidence);
     const VarianceTarget target(limits, samples);
+    const double lone = LoneVariance(around, estimate.firstSamples, samples);
     const bool uniform = estimate.IsUniform() && around.IsUniformAround();  // evenly lit: no closer look
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
@@ -90,37 +102,43 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         MeanVariance variance;
         if (!uniform)
             variance = EstimatedVariance(pixel, around.Around(estimate, i), estimate.CircleVarianceOf(i), shrinkage);
-        pixel.variance = LargestChannel(variance.whole);
+        // what every n-th sample meets, n samples miss with probability exp(-1)
+        pixel.variance = std::max(LargestChannel(variance.whole), std::exp(-1.0) * lone);
         pixel.undetected = LargestChannel(variance.undetected);
         pixel.undetectedNoise = variance.undetectedNoise;
-        const double deviation = std::sqrt(pixel.variance / pixel.varianceRatio * samples);
-        candidates.push_back({i, variance.whole, target(deviation / around.MeanDeviation()) / confidence});
+        for (double& channel : variance.whole)
+            channel = std::max(channel, lone);
+        const double deviation = std::sqrt(LargestChannel(variance.whole) / pixel.varianceRatio * samples);
+        pixel.target = target(deviation / around.MeanDeviation()) / confidence;
+        candidates.push_back({i, variance.whole, pixel.target});
     }
+    if (!(limits.variance > 0.0))
+        return samples < limits.max;
     if (limits.Denoises())
         ApplyDenoiserForecast(candidates, estimate, around, samples);
-
     for (const Candidate& one : candidates)
-    {
-        PixelEstimate& pixel = estimate.pixels[one.pixel];
-        pixel.active = !(limits.variance > 0.0 && one.HasConverged() && HasSearchedEmitters(pixel.statistics, one.target));
-        pixel.target = one.target;
-    }
+        estimate.pixels[one.pixel].excess = LargestChannel(one.variance) / one.target;
+    DecideTogether(estimate);
     return std::any_of(estimate.pixels.begin(), estimate.pixels.end(), [&limits](const PixelEstimate& pixel)
         { return pixel.active && pixel.statistics.Samples() < limits.max; });
 }
 
-void Reactivate(BlockEstimate& estimate, const Neighbourhood& around)
+std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits)
 {
+    std::uint32_t fewest = 0;
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
-        if (pixel.active || !IsBesideActive(estimate, i))  // nothing new there
-            continue;
         const PixelStatistics& own = pixel.statistics;
-        const Radiance undetected = UndetectedError(own, around.Around(estimate, i)), mean = own.Mean();
-        for (std::size_t c = 0; c < undetected.size(); c++)
-            pixel.active |= undetected[c] > settings.reactivationFactor * pixel.target * SquaredScale(mean[c]);
+        const Radiance& seen = own.Variation().variance;
+        Radiance missed = CircleVariance(&received, estimate.PlaceOf(i), own.Samples()).Blend(seen);
+        for (std::size_t c = 0; c < missed.size(); c++)
+            missed[c] = std::max(0.0, missed[c] - seen[c]) / own.Samples();
+        pixel.active = own.Samples() < limits.max && LargestChannel(RelativeTo(own.Mean(), missed)) > settings.missedVariance * limits.variance;
+        if (pixel.active)
+            fewest = fewest == 0 ? own.Samples() : std::min(fewest, own.Samples());
     }
+    return fewest;
 }
 
 } // namespace tilt_lens

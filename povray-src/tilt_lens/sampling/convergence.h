@@ -36,14 +36,18 @@ double Shrinkage(std::uint32_t samples);
 /// confidence interval, with the degrees of freedom that the samples and the pooling leave.
 double ConfidenceFactor(std::uint32_t samples, double shrinkage, double confidence);
 
-/// Decides for each active pixel with `samples` samples whether it stays active, and notes its variance and target.
+/// Variance of a mean of `samples` samples for what single pixels around have met, and what others may have missed: of n samples one meets
+/// on average what is a multiple of 1 / n of all, and the share of what is missed falls as their number rises.
+double LoneVariance(const Neighbourhood& around, std::uint32_t firstSamples, std::uint32_t samples);
+
+/// Decides for each pixel whether it is active, and notes variance and excess of those that have been active, with `samples` samples.
 /// @return  whether any pixel is active that may have more samples
 bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits,
                        std::uint32_t samples);
 
-/// After a round: makes pixels active again that had converged, where those beside them have hit what they may have missed.
-/// So what all missed at first, an edge along them say, is followed from pixel to pixel.
-void Reactivate(BlockEstimate& estimate, const Neighbourhood& around);
+/// Makes those pixels active, and no others, of which other pixels' samples tell that they have missed more than `variance`.
+/// @return  samples of the active pixels with the fewest; 0: no pixel is active
+std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits);
 
 } // namespace tilt_lens
 

@@ -21,9 +21,11 @@ Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& li
             for (const FirstRoundPixel& pixel : round->pixels)
                 deviations += pixel.deviation;
             pixels += round->pixels.size();
+            loneVariance += round->loneVariance * round->pixels.size();
             uniformAround = uniformAround && (round == rounds[4] || round->uniform);
         }
     meanDeviation = deviations / pixels;
+    loneVariance /= pixels;
 }
 
 SampleVariation Neighbourhood::Around(const BlockEstimate& estimate, std::size_t pixel) const

@@ -24,6 +24,8 @@ class Neighbourhood
 
     /// Mean of the pixels' FirstRoundPixel::deviation.
     double MeanDeviation() const { return meanDeviation; }
+    /// Mean of FirstRound::loneVariance.
+    double LoneVariance() const { return loneVariance; }
     /// Whether no sample of the neighbours differs from the others of its pixel.
     bool IsUniformAround() const { return uniformAround; }
     /// How the samples of the 3 by 3 pixels around one vary: by all so far in the block, by the first ones beside it. Mean variance,
@@ -36,7 +38,7 @@ class Neighbourhood
 
   private:
     const FirstRounds rounds;
-    double meanDeviation = 0.0;
+    double meanDeviation = 0.0, loneVariance = 0.0;
     bool uniformAround = true;
 };
 

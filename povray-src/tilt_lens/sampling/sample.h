@@ -48,7 +48,6 @@ struct SampleRun
 {
     SampleId first;
     std::uint32_t count;
-    bool ofFirstRound;  ///< else nobody asks for the circle of confusion
 
     SampleId operator[](std::uint32_t i) const { return {first.x, first.y, first.index + i}; }
     /// Of its first sample, in the group.

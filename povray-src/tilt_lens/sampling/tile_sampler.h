@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tile_sampler.h
-/// The pixels of one tile: sampled by its blocks (block.h), reconstructed from them and those around (reconstruction.h).
+/// The pixels of one tile of the picture, taken from the blocks that hold them (block.h).
 
 #ifndef TILT_LENS_TILE_SAMPLER_H
 #define TILT_LENS_TILE_SAMPLER_H
@@ -38,9 +38,7 @@ class TileSampler
     Area tile{};
     std::vector<PixelResult> pixels;
 
-    void ReconstructBlock(const BlockCache::Place& place);
-    template<class Visit>
-    void ForEachPixelOf(const Block& block, const Visit& visit);
+    void CopyResults(const Block& block);
     const PixelResult& At(std::uint32_t x, std::uint32_t y) const { return pixels[tile.IndexOf(x, y)]; }
 };
 

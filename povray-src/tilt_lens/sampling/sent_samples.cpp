@@ -1,0 +1,37 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/sampling/sent_samples.h"
+
+namespace tilt_lens
+{
+
+void SentSamples::Add(const SampleId& id, const SampleResult& result)
+{
+    if (!ServesOthers(result.circle))
+        return;
+    const Radiance& radiance = result.radiance;
+    Sample sample{result.circle, {float(radiance[0]), float(radiance[1]), float(radiance[2])}, std::uint32_t(block.IndexOf(id.x, id.y))};
+    sample.circle.x -= block.left;
+    sample.circle.y -= block.top;
+    kept.push_back(sample);
+}
+
+std::shared_ptr<const SpreadSums> SentSamples::Spread(const std::vector<std::uint32_t>& samples, std::uint32_t weight) const
+{
+    if (kept.empty())
+        return nullptr;
+    const auto spread = std::make_shared<SpreadSums>(block, width, height);
+    std::vector<std::uint32_t> sharp = samples;
+    for (const Sample& sample : kept)
+    {
+        const Radiance radiance{sample.radiance[0], sample.radiance[1], sample.radiance[2], 0.0, 0.0};
+        spread->Add(sample.pixel % block.width, sample.pixel / block.width, sample.circle, radiance, float(weight) / samples[sample.pixel]);
+        sharp[sample.pixel]--;
+    }
+    for (std::uint32_t i = 0; i < samples.size(); i++)
+        spread->AddSharp(i % block.width, i / block.width, float(weight) * sharp[i] / samples[i]);
+    return spread->IsSpread() ? spread : nullptr;
+}
+
+} // namespace tilt_lens

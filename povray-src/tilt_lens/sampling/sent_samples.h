@@ -1,0 +1,51 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file sent_samples.h
+/// The samples of a block that serve other pixels, kept until all of its pixels have their last sample: docs/sampling.md, section 8.
+
+#ifndef TILT_LENS_SENT_SAMPLES_H
+#define TILT_LENS_SENT_SAMPLES_H
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tilt_lens/math/area.h"
+#include "tilt_lens/reconstruction/spread.h"
+#include "tilt_lens/sampling/sample.h"
+
+namespace tilt_lens
+{
+
+class SentSamples
+{
+  public:
+    /// @param width, height  of the whole picture
+    SentSamples(const Area& block, std::uint32_t width, std::uint32_t height) : block(block), width(width), height(height) {}
+
+    void Add(const SampleId& id, const SampleResult& result);
+
+    /// @param samples  that each pixel of the block has taken, row by row
+    /// @param weight  that the samples of each pixel have together
+    /// @return null where no sample serves another pixel
+    std::shared_ptr<const SpreadSums> Spread(const std::vector<std::uint32_t>& samples, std::uint32_t weight) const;
+
+    void Clear() { std::vector<Sample>().swap(kept); }
+
+  private:
+    struct Sample
+    {
+        CircleOfConfusion circle;  ///< relative to the block
+        float radiance[3];
+        std::uint32_t pixel;  ///< of the block, row by row
+    };
+
+    const Area block;
+    const std::uint32_t width, height;
+    std::vector<Sample> kept;
+};
+
+} // namespace tilt_lens
+
+#endif
