@@ -3,10 +3,11 @@
 
 #include "tilt_lens/camera/optics.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include "tilt_lens/camera/apply_character.h"
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/camera/real.h"
+#include "tilt_lens/camera/sharp_plane.h"
+#include "tilt_lens/camera/sharp_points.h"
 #include "tilt_lens/glass/apply_prescription.h"
 #include "tilt_lens/glass/inner_focus.h"
 
@@ -16,12 +17,11 @@ namespace tilt_lens
 namespace
 {
 
-/// What a camera is solved with: 113 bits, and exponents far beyond those of doubles. The numbers of a
-/// scene are taken as exact, however much of them cancels (a plane of focus a hair from the lens, a camera
-/// 10^12 units from the origin), and the lens is rounded once, at the end. It costs microseconds, once a
-/// camera, and is the same on every machine: it needs nothing of the C library.
-using Real = boost::multiprecision::cpp_bin_float_quad;
-using RealVec = VecOf<Real>;
+/// Newton's method for sharp_points takes three or four steps; the limit is for lenses as large as their distance from the points.
+const int kSharpSteps = 30;
+
+/// Share of the blur that is not worth another step.
+const double kSharpEnough = 1e-20;
 
 Real Radians(double degrees)
 {
@@ -238,12 +238,45 @@ Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, co
     return {t, f, 1.0 / vergence, k};
 }
 
+/// What blur is divided by beside the difference of vergences: 1/s, and 1/f where the diameter is f over an f-number.
+/// Whichever the plane does not change is left out.
+InverseGrowth GrowthAt(const Solution& lens, const Statement& given)
+{
+    if (given.focalLength)
+        return {1 / lens.filmDistance, -lens.normal / lens.normal.z};
+    return given.fStop ? InverseGrowth{1 / lens.focalLength, lens.normal} : InverseGrowth{1, {}};
+}
+
+/// The plane of least greatest blur of the lens that it makes.
+Solution SolveSharpPoints(const Axes& axes, const CameraFrame& camera, const Statement& given,
+                          const std::optional<Real>& focalLength, const Real& angleFilmDistance)
+{
+    std::vector<RealVec> points;
+    for (const Vec3& point : given.sharpPoints)
+        points.push_back(axes.ToCamera(Exact(point) - Exact(camera.location)));
+    const std::vector<VergenceEquation> equations = VergenceEquations(points, given.sharpPoints, camera.location);
+    const auto blur = [&](const Solution& lens) { return GreatestResidual(equations, lens.focus) / GrowthAt(lens, given).value; };
+    Solution best = SolvePlane(LeastGreatestBlur(equations), focalLength, angleFilmDistance);
+    // Newton's method: the growth is taken as linear in k about the last solution
+    for (int step = 0; step < kSharpSteps; step++)
+    {
+        const RealVec k = LeastGreatestBlur(equations, GrowthAt(best, given), best.focus);
+        const Solution next = SolvePlane(k, focalLength, angleFilmDistance);
+        if (!(blur(next) < blur(best) * (1 - kSharpEnough)))
+            break;
+        best = next;
+    }
+    return best;
+}
+
 Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statement& given,
                      const Real& angleFilmDistance, const Real& millimetre)
 {
     std::optional<Real> focalLength;
     if (given.focalLength)
         focalLength = *given.focalLength * millimetre;
+    if (given.family == FocusFamily::SharpPoints)
+        return SolveSharpPoints(axes, camera, given, focalLength, angleFilmDistance);
     if (given.family != FocusFamily::LensTurn)
         return SolvePlane(GivenFocus(axes, camera, given), focalLength, angleFilmDistance);
     const RealVec t = TurnedNormal(given.tilt, given.swing, "The lens", "tilt", "swing");
@@ -328,8 +361,9 @@ void RequireUsable(const Lens& lens)
 
 } // namespace
 
-Lens Solve(const CameraFrame& camera, const Statement& statement)
+Lens Solve(const CameraFrame& camera, const Statement& written)
 {
+    const Statement statement = WithWidestStop(camera, written);
     const Axes axes = AxesOf(camera);
     const Real millimetre = Real(statement.scale) / statement.sceneUnit;
     const Real filmWidth = statement.filmWidth * millimetre, rightLength = Length(Exact(camera.right));

@@ -55,7 +55,8 @@ enum class FocusFamily
     LensTurn,    ///< `tilt`, `swing`, and the focal point or the film's distance; also the default, both zero
     FocusTurn,   ///< `focus_tilt`, `focus_swing`, and the focal point
     FocalPlane,  ///< `focal_plane`
-    FocalPoints  ///< `focal_points`
+    FocalPoints, ///< `focal_points`
+    SharpPoints  ///< `sharp_points`
 };
 
 /// A `tilt_lens` block as it is written: film side in millimetres, angles in degrees, points and
@@ -71,6 +72,8 @@ struct Statement
     Vec3 planeNormal{0.0, 0.0, 1.0};           ///< any length but 0
     double planeDistance = 0.0;                ///< along the unit normal, from the world's origin
     Vec3 points[3];                            ///< on the plane of sharp focus
+    std::vector<Vec3> sharpPoints;             ///< to which the plane of sharp focus leaves the least greatest blur
+    std::optional<double> sharpWithin;         ///< mm on the film, greatest blur of these: sets the diameter in place of fStop
     double shiftRight = 0.0, shiftUp = 0.0;    ///< mm
     std::optional<double> fStop;               ///< focal length / diameter
     int blades = 0;                            ///< straight edges of the diaphragm; 0: round
