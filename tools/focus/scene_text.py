@@ -7,7 +7,8 @@ import re
 # Items of a block that the page writes anew, those that it keeps as they are, and of these the focus aids, which the true
 # picture leaves out.
 WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "tilt", "swing", "focus_tilt",
-           "focus_swing", "focal_plane", "focal_points", "focus_on", "focus_at", "film_distance", "focus_scale")
+           "focus_swing", "focal_plane", "focal_points", "sharp_points", "sharp_within", "circle_of_confusion", "focus_on",
+           "focus_at", "film_distance", "focus_scale")
 AIDS = ("focus_peaking", "focus_map", "show_planes")
 KEPT = ("blade_curvature", "squeeze", "edge_light", "natural_vignetting", "optical_vignetting", "distortion",
         "field_curvature", "lateral_colour", "axial_colour", "denoise", "sample_seed", *AIDS)

@@ -28,18 +28,18 @@ Statement WithWidestStop(const CameraFrame& camera, const Statement& given)
     stopped.aperture = 0.0;
     stopped.fStop = kNarrowStop;
     const Lens lens = Solve(camera, stopped);
-    const double holding = kNarrowStop * GreatestBlur(SharpPointBlurs(camera, stopped, lens)) / *given.sharpWithin;
+    const double holding = kNarrowStop * GreatestBlur(SharpPointBlurs(camera.location, stopped, lens)) / *given.sharpWithin;
     const double open = lens.glass ? lens.glass->Cardinal().fNumber : kWidestStop;
     stopped.fStop = std::max({holding, open, given.character.rimStop.value_or(0.0), kWidestStop});
     return stopped;
 }
 
-std::vector<double> SharpPointBlurs(const CameraFrame& camera, const Statement& given, const Lens& lens)
+std::vector<double> SharpPointBlurs(const Vec3& location, const Statement& given, const Lens& lens)
 {
     std::vector<double> blurs;
     for (const Vec3& point : given.sharpPoints)
     {
-        const Vec3 way = point - camera.location;
+        const Vec3 way = point - location;
         const double T = Dot(way, lens.axis) / Dot(lens.direction, lens.axis);
         blurs.push_back(BlurDiameter(lens, way / T, T, given.filmWidth));
     }
@@ -54,24 +54,26 @@ double GreatestBlur(const std::vector<double>& blurs)
     return greatest;
 }
 
-std::optional<double> BlurWithoutTilt(const CameraFrame& camera, const Statement& given, const Lens& lens)
+std::optional<double> BlurWithoutTilt(const Vec3& location, const Statement& given, const Lens& lens)
 {
     double least = HUGE_VAL, greatest = 0.0;
     for (const Vec3& point : given.sharpPoints)
     {
-        const double vergence = 1.0 / Dot(point - camera.location, lens.axis);
+        const double vergence = 1.0 / Dot(point - location, lens.axis);
         least = std::min(least, vergence);
         greatest = std::max(greatest, vergence);
     }
     Statement parallel = given;
     parallel.family = FocusFamily::FocalPlane;
     parallel.planeNormal = lens.axis;
-    parallel.planeDistance = Dot(camera.location, lens.axis) + 2.0 / (least + greatest);
+    parallel.planeDistance = Dot(location, lens.axis) + 2.0 / (least + greatest);
+    parallel.shiftRight = parallel.shiftUp = 0.0;  // the lens's direction has it
+    parallel.sharpWithin.reset();
     parallel.aperture = 0.0;
     parallel.fStop = lens.focalLength / lens.diameter;
     try
     {
-        return GreatestBlur(SharpPointBlurs(camera, parallel, Solve(camera, parallel)));
+        return GreatestBlur(SharpPointBlurs(location, parallel, Solve({location, lens.direction, lens.right, lens.up}, parallel)));
     }
     catch (const OpticsError&)
     {

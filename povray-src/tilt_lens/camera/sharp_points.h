@@ -31,15 +31,16 @@ inline constexpr double kWidestStop = 0.5;
 Statement WithWidestStop(const CameraFrame& camera, const Statement& given);
 
 /// Signed blur (optics.h) of each sharp point, mm on the film.
-/// @param lens  Solve() of the two
-std::vector<double> SharpPointBlurs(const CameraFrame& camera, const Statement& given, const Lens& lens);
+/// @param location  of the lens centre, world
+/// @param lens      that the statement makes there
+std::vector<double> SharpPointBlurs(const Vec3& location, const Statement& given, const Lens& lens);
 
 /// The greatest magnitude of some blurs.
 double GreatestBlur(const std::vector<double>& blurs);
 
 /// Greatest blur of the sharp points, mm on the film, through the same lens at the same f-number, parallel to the film and focused
-/// so that it is least. Nothing where that lens cannot focus so.
-std::optional<double> BlurWithoutTilt(const CameraFrame& camera, const Statement& given, const Lens& lens);
+/// so that it is least. Nothing where that lens cannot focus so. Not for a pinhole.
+std::optional<double> BlurWithoutTilt(const Vec3& location, const Statement& given, const Lens& lens);
 
 } // namespace tilt_lens
 

@@ -29,7 +29,7 @@ struct TiltLensItem
 /// All items, in the order in which messages name them.
 struct TiltLensItems
 {
-    static const TiltLensItem kAll[32];
+    static const TiltLensItem kAll[35];
 };
 
 /// The item of that spelling, or NULL.

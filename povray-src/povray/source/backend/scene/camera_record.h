@@ -48,7 +48,7 @@ void RecordCamera(const Camera& camera, const TiltLensPlace& end);
 
 /// Writes the file, and makes a pinhole of the camera; does nothing where none is recorded.
 /// @throws pov_base::Exception  the file cannot be written
-void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene);
+void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width);
 
 } // namespace pov
 

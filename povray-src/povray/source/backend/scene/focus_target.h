@@ -18,7 +18,8 @@ namespace pov
 
 class SceneData;
 
-/// Puts the points into the camera's statement and solves its lens; does nothing where nothing has to be found.
+/// Puts the points, and the blur that is given in pixels, into the camera's statement and solves its lens; does nothing where
+/// nothing is missing there.
 ///
 /// - An object: where the ray from the lens centre to the middle of the object's bounding box first meets it, whatever else
 ///   is in the way; where that ray misses it, the next of 1024 rays around that one, by growing angle.
@@ -26,9 +27,10 @@ class SceneData;
 ///   Where focusing changes the angle of view (`focal_length`), the two are brought into agreement step by step.
 ///
 /// @param scene  parsed completely
+/// @param width  of the whole picture, pixels
 /// @throws tilt_lens::OpticsError  a ray meets nothing, an object has no end, or no lens can follow
 /// @return what to warn of
-std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene);
+std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene, double width);
 
 } // namespace pov
 

@@ -8,6 +8,7 @@
 #ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
 #define POVRAY_BACKEND_TILT_LENS_CAMERA_H
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -80,11 +81,20 @@ struct TiltLensCamera
     tilt_lens::Vec3 facade;  ///< from the lower left to the lower right corner that Tilt_Lens_Facade was told; 0 without
     tilt_lens::FocusAids aids;  ///< what a preview draws in place of the lens's picture
 
-    FocusTarget focusTarget;      ///< in place of the statement's focalPoint
-    FocusTarget pointTargets[3];  ///< in place of its points
+    FocusTarget focusTarget;                ///< in place of the statement's focalPoint
+    std::vector<FocusTarget> pointTargets;  ///< in place of its points or sharpPoints; empty where it has none of them
 
-    /// Whether the statement holds its points; else FindFocus() (focus_target.h) puts them there.
-    bool HasPoints() const;
+    /// `sharp_within`, from which the picture's width makes the statement's sharpWithin.
+    std::optional<double> sharpWithinPixels;
+
+    /// Whether the statement holds all that the lens is solved from; else FindFocus() (focus_target.h) puts it there.
+    bool IsComplete() const;
+
+    /// The point of the statement that pointTargets[i] stands for.
+    tilt_lens::Vec3& TargetPoint(std::size_t i);
+
+    /// The item that sets the aperture by the blur of sharp_points, or NULL.
+    const char* BlurLimitWord() const;
 
     /// What the block makes of the camera that it belongs to. Solved once, when a camera statement ends, or before the render
     /// where the focus has to be found; NULL before and after a transformation.
@@ -94,7 +104,7 @@ struct TiltLensCamera
     void Transform(const TRANSFORM* trans);
 
     /// Solves the block for its camera.
-    /// @throws tilt_lens::OpticsError
+    /// @throws tilt_lens::OpticsError  which names the transformations of a camera that has some
     static void Solve(Camera& camera);
 };
 
