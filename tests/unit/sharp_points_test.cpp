@@ -66,7 +66,7 @@ TEST(SharpPoints, NoOtherPlaneBlursLess)
         {
             const Lens lens = Solved(request);
             const double least = GreatestOf(request);
-            for (int j = 0; j < 20; j++)
+            for (int j = 0; j < 10; j++)
                 ASSERT_GE(GreatestOf(Moved(random, request, lens, random.Power(-7.0, -1.0))), least * (1.0 - 1e-9)) << request;
             lenses++;
         }

@@ -203,7 +203,7 @@ std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, dou
     if (given.family != tilt_lens::FocusFamily::SharpPoints)
         return "";
     const double pixels = width / given.filmWidth;
-    const auto blurText = [=](double mm) { return mm * pixels < kSharp ? "no blur" : Line("%.4g pixels (%.4g mm)", mm * pixels, mm); };
+    const auto blurText = [=](double mm) { return mm * pixels < kSharp ? "no blur" : Line("%.4g pixels (%.3g mm)", mm * pixels, mm); };
     const std::vector<double> blurs = SharpPointBlurs(FromPov(camera.Location), given, lens);
     const double greatest = tilt_lens::GreatestBlur(blurs);
     std::string text = "  Sharp points........." + Line("%.0f, ", double(blurs.size())) + blurText(greatest) + (greatest * pixels < kSharp ? "\n" : " of blur or less\n");
