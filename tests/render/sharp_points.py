@@ -105,7 +105,7 @@ class SharpPoints(rendering.RenderTest):
         self.assertEqual(len(found), 5, result.said)
         for (blur, mm, binds), want in zip(found, wanted):
             self.assertAlmostEqual(blur, want, delta=2e-3 * abs(want) + 1e-3, msg=result.said)
-            self.assertAlmostEqual(mm, abs(blur) * FILM / WIDTH, delta=1e-3 * mm)
+            self.assertAlmostEqual(mm, abs(blur) * FILM / WIDTH, delta=6e-3 * mm)
             self.assertEqual(binds, abs(want) > in_pixels(greatest, DIAMETER) * (1 - 1e-9), result.said)
         self.assertEqual(sum(binds for _, _, binds in found), 4)
         chance = random.Random(1)
@@ -135,14 +135,12 @@ class SharpPoints(rendering.RenderTest):
     def test_widest_aperture_and_the_lens_without_tilt(self):
         result = self.rendered("sharp_within 5")
         points = [in_camera(p) for p in POINTS]
-        # the f-number is smallest where defocus * focal length is least: the plane of least defocus but for a little
         k, greatest = best_plane(points)
         distance = FILM_DISTANCE / UNIT
         focal = 1 / math.hypot(k[0], k[1], k[2] + 1 / distance)
         stop = focal / (5 / in_pixels(greatest, 1.0))
         found = float(re.search(r"Aperture\.+f/([\d.]+)", result.said)[1])
-        self.assertLessEqual(found, stop * 1.0005)
-        self.assertAlmostEqual(found, stop, delta=0.01 * stop)
+        self.assertAlmostEqual(found, stop, delta=1e-3 * stop)
         self.assertAlmostEqual(max(abs(blur) for blur, _, _ in reported(result.said)), 5, delta=1e-3)
         vergences = [1 / p[2] for p in points]
         middle, half = (max(vergences) + min(vergences)) / 2, (max(vergences) - min(vergences)) / 2

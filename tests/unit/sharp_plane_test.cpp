@@ -236,25 +236,4 @@ TEST(SharpPlane, RefusesPointsThatLeaveAChoice)
     EXPECT_EQ(error({{1, 0, 5}, {0, 1, 5}, {0, 0, 1e-9}}), "");
 }
 
-/// Residuals over a factor that changes with k: against small changes of k.
-TEST(SharpPlane, FollowsAFactor)
-{
-    Random random(7);
-    for (int i = 0; i < 100; i++)
-    {
-        const Equations equations = EquationsOf(RandomPoints(random, 6, 0.5, 10.0));
-        const RealVec about{random(-0.1, 0.1), random(-0.1, 0.1), random(0.1, 0.3)};
-        const InverseGrowth growth{random(5.0, 20.0), {random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0)}};
-        const auto rated = [&](const RealVec& k)
-        { return GreatestResidual(equations, k) / (growth.value + Dot(growth.slope, k - about)); };
-        const RealVec k = LeastGreatestBlur(equations, growth, about);
-        for (int j = 0; j < 30; j++)
-        {
-            const Vec3 way = random.Direction();
-            const RealVec moved = k + random.Power(-8.0, -3.0) * RealVec{way.x, way.y, way.z};
-            ASSERT_GT(double(rated(moved) / rated(k)), 1.0) << i;
-        }
-    }
-}
-
 } // namespace tilt_lens

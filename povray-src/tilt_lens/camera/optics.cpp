@@ -17,12 +17,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Newton's method for sharp_points takes three or four steps; the limit is for lenses as large as their distance from the points.
-const int kSharpSteps = 30;
-
-/// Share of the blur that is not worth another step.
-const double kSharpEnough = 1e-20;
-
 Real Radians(double degrees)
 {
     static const Real degree = Real("3.14159265358979323846264338327950288419716939937511") / 180;
@@ -121,11 +115,21 @@ RealVec FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const St
     return point;
 }
 
+RealVec FocusOfSharpPoints(const Axes& axes, const CameraFrame& camera, const Statement& given)
+{
+    std::vector<RealVec> points;
+    for (const Vec3& point : given.sharpPoints)
+        points.push_back(axes.ToCamera(Exact(point) - Exact(camera.location)));
+    return LeastGreatestBlur(VergenceEquations(points, given.sharpPoints, camera.location));
+}
+
 /// k of the families that give the plane of sharp focus itself.
 RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
     if (given.family == FocusFamily::FocalPoints)
         return FocusOfPoints(axes, camera, given);
+    if (given.family == FocusFamily::SharpPoints)
+        return FocusOfSharpPoints(axes, camera, given);
     if (given.family == FocusFamily::FocalPlane)
     {
         const double length = Length(given.planeNormal);
@@ -238,45 +242,12 @@ Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, co
     return {t, f, 1.0 / vergence, k};
 }
 
-/// What blur is divided by beside the difference of vergences: 1/s, and 1/f where the diameter is f over an f-number.
-/// Whichever the plane does not change is left out.
-InverseGrowth GrowthAt(const Solution& lens, const Statement& given)
-{
-    if (given.focalLength)
-        return {1 / lens.filmDistance, -lens.normal / lens.normal.z};
-    return given.fStop ? InverseGrowth{1 / lens.focalLength, lens.normal} : InverseGrowth{1, {}};
-}
-
-/// The plane of least greatest blur of the lens that it makes.
-Solution SolveSharpPoints(const Axes& axes, const CameraFrame& camera, const Statement& given,
-                          const std::optional<Real>& focalLength, const Real& angleFilmDistance)
-{
-    std::vector<RealVec> points;
-    for (const Vec3& point : given.sharpPoints)
-        points.push_back(axes.ToCamera(Exact(point) - Exact(camera.location)));
-    const std::vector<VergenceEquation> equations = VergenceEquations(points, given.sharpPoints, camera.location);
-    const auto blur = [&](const Solution& lens) { return GreatestResidual(equations, lens.focus) / GrowthAt(lens, given).value; };
-    Solution best = SolvePlane(LeastGreatestBlur(equations), focalLength, angleFilmDistance);
-    // Newton's method: the growth is taken as linear in k about the last solution
-    for (int step = 0; step < kSharpSteps; step++)
-    {
-        const RealVec k = LeastGreatestBlur(equations, GrowthAt(best, given), best.focus);
-        const Solution next = SolvePlane(k, focalLength, angleFilmDistance);
-        if (!(blur(next) < blur(best) * (1 - kSharpEnough)))
-            break;
-        best = next;
-    }
-    return best;
-}
-
 Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statement& given,
                      const Real& angleFilmDistance, const Real& millimetre)
 {
     std::optional<Real> focalLength;
     if (given.focalLength)
         focalLength = *given.focalLength * millimetre;
-    if (given.family == FocusFamily::SharpPoints)
-        return SolveSharpPoints(axes, camera, given, focalLength, angleFilmDistance);
     if (given.family != FocusFamily::LensTurn)
         return SolvePlane(GivenFocus(axes, camera, given), focalLength, angleFilmDistance);
     const RealVec t = TurnedNormal(given.tilt, given.swing, "The lens", "tilt", "swing");

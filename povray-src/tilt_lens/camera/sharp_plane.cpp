@@ -307,18 +307,4 @@ RealVec LeastGreatestBlur(const std::vector<VergenceEquation>& equations)
     return StrictSolution(RowsOf(equations), same).k;
 }
 
-RealVec LeastGreatestBlur(const std::vector<VergenceEquation>& equations, const InverseGrowth& growth, const RealVec& about)
-{
-    const Real atZero = growth.value - Dot(growth.slope, about);
-    // tau (atZero + slope.k) = 1, so that tau vergence - (tau k).direction is linear in tau k
-    std::vector<VergenceEquation> divided;
-    for (const VergenceEquation& equation : equations)
-    {
-        const Real vergence = equation.vergence / atZero;
-        divided.push_back({equation.direction + vergence * growth.slope, vergence});
-    }
-    const RealVec scaled = LeastGreatestBlur(divided);
-    return scaled * (atZero / (1 - Dot(growth.slope, scaled)));
-}
-
 } // namespace tilt_lens

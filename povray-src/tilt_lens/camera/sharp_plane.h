@@ -5,7 +5,8 @@
 /// The plane k.X = 1 that leaves the least greatest blur over any number of points.
 ///
 /// A point P = z D, where D has a unit component along the camera's axis, has a circle of confusion proportional to the difference
-/// of vergences |1/z - k.D| (optics.h). It is linear in k, so that the best plane is a linear program in k and the greatest blur
+/// of vergences |1/z - k.D| (optics.h). The factor, film distance times lens diameter, is taken as fixed: what it changes with k is
+/// a share of about the focal length times the change of k. The difference is linear in k, so that the best plane is a linear program in k and the greatest blur
 /// v: the Chebyshev solution of as many equations k.D = 1/z as there are points.
 ///
 /// By duality v is determined by a *circuit*: equations whose directions D are linearly dependent, while any fewer of them are
@@ -58,17 +59,6 @@ Real GreatestResidual(const std::vector<VergenceEquation>& equations, const Real
 
 /// The strict Chebyshev solution k. Where the directions do not span space, the shortest such k.
 RealVec LeastGreatestBlur(const std::vector<VergenceEquation>& equations);
-
-/// What residuals are divided by at some k, and its gradient there.
-struct InverseGrowth
-{
-    Real value;  ///< larger than 0
-    RealVec slope;
-};
-
-/// The same for residuals that are divided by value + slope.(k - about), which must not be 0 at k = 0. With tau for one over that,
-/// and tau k in place of k, they are linear again.
-RealVec LeastGreatestBlur(const std::vector<VergenceEquation>& equations, const InverseGrowth& growth, const RealVec& about);
 
 } // namespace tilt_lens
 
