@@ -39,7 +39,7 @@ def defocus(k, points):
 
 
 def determinant(rows):
-    """Of a square matrix, by its first row."""
+    """Determinant of a square matrix, expanded along its first row."""
     if len(rows) == 1:
         return rows[0][0]
     return sum((-1) ** i * rows[0][i] * determinant([row[:i] + row[i + 1:] for row in rows[1:]]) for i in range(len(rows)))
@@ -62,7 +62,7 @@ def best_plane(points):
 
 
 def in_pixels(defocus_value, diameter):
-    """Blur."""
+    """Blur for a lens diameter in units."""
     return defocus_value * diameter * FILM_DISTANCE * WIDTH / FILM
 
 

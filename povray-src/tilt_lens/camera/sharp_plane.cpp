@@ -25,7 +25,7 @@ const double kSameDeviation = 1e-24;
 struct Row
 {
     RealVec direction;  ///< its part at right angles to all that is known; zero where it is only rounding
-    Real vergence;      ///< what is left of it beside the known part of k
+    Real vergence;      ///< minus the known part of k times the direction
     Real rounding;      ///< length of a direction that counts as zero
 
     bool Empty() const { return direction.x == 0 && direction.y == 0 && direction.z == 0; }
@@ -39,7 +39,7 @@ class Span
     RealVec Beside(const Row& row) const
     {
         RealVec beside = row.direction;
-        for (int turn = 0; turn < 2; turn++)  // the second removes what the first has rounded
+        for (int turn = 0; turn < 2; turn++)  // the second removes the rounding of the first
             for (const RealVec& unit : basis)
                 beside = beside - Dot(beside, unit) * unit;
         return Length(beside) > row.rounding ? beside : RealVec();
@@ -55,7 +55,7 @@ class Span
         basis.push_back(unit);
     }
 
-    /// The row, beside what k explains of it.
+    /// The row without the part that the span and k explain.
     Row Rest(const Row& row) const { return {Beside(row), row.vergence - Dot(k, row.direction), row.rounding}; }
 
     RealVec k{};
@@ -155,8 +155,8 @@ struct Solved
 
 Solved StrictSolution(const Rows& rows, const Real& same);
 
-/// Solves the rows of a circuit by its deviation, and then the others by what is still free.
-/// @param[out] others  index of each row of the rest's circuit
+/// Gives the rows of a circuit its deviation, and solves the others by the part of k that is still free.
+/// @return the whole k, and the circuit of the other rows
 Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
 {
     Span span;

@@ -5,8 +5,8 @@
 /// The plane k.X = 1 that leaves the least greatest blur over any number of points.
 ///
 /// A point P = z D, where D has a unit component along the camera's axis, has a circle of confusion proportional to the difference
-/// of vergences |1/z - k.D| (optics.h). The factor, film distance times lens diameter, is taken as fixed: what it changes with k is
-/// a share of about the focal length times the change of k. The difference is linear in k, so that the best plane is a linear program in k and the greatest blur
+/// of vergences |1/z - k.D| (optics.h). The factor, film distance times lens diameter, is taken as fixed: it changes by a share
+/// of about the focal length times the change of k. The difference is linear in k, so that the best plane is a linear program in k and the greatest blur
 /// v: the Chebyshev solution of as many equations k.D = 1/z as there are points.
 ///
 /// By duality v is determined by a *circuit*: equations whose directions D are linearly dependent, while any fewer of them are
@@ -38,8 +38,8 @@ struct VergenceEquation
     Real vergence;      ///< 1/z
 };
 
-/// Directions are linearly dependent where no more than this share of one's length is left beside the others: what rounding leaves
-/// of coordinates that were typed with a few digits.
+/// Directions count as linearly dependent where no more than this share of one's length is left beside the others. Coordinates
+/// that were typed with a few digits are rounded by less.
 inline constexpr double kDependent = 1e-12;
 
 /// The equations of points.

@@ -3,7 +3,7 @@
 
 /// @file sharp_points.h
 /// `sharp_points`: the points that the plane of sharp focus serves as well as it can (sharp_plane.h), the aperture that holds them
-/// within a blur, and what a photographer asks about them.
+/// within a blur, and the numbers that a photographer asks for.
 ///
 /// The plane is the best for an ideal lens. Blurs and the aperture are those of the lens as it is, with its distortion and field
 /// curvature.
@@ -19,7 +19,7 @@
 namespace tilt_lens
 {
 
-/// As many points as one block may have.
+/// Least and greatest number of points in one block.
 inline constexpr int kFewestSharpPoints = 3, kMostSharpPoints = 100;
 
 /// No lens in air has a smaller f-number.
