@@ -98,9 +98,9 @@ void ExpectLocalMinimum(Random& random, const Equations& equations, const RealVe
 TEST(SharpPlane, HasLeastGreatestBlurOfRandomSets)
 {
     Random random(1);
-    for (int i = 0; i < 3000; i++)
+    for (int i = 0; i < 2400; i++)
     {
-        const std::vector<Vec3> points = RandomPoints(random, 4 + i % 4, 0.5, random.Power(0.1, 3.0));
+        const std::vector<Vec3> points = RandomPoints(random, i % 100 == 0 ? 12 : 4 + i % 3, 0.5, random.Power(0.1, 3.0));
         const Equations equations = EquationsOf(points);
         const RealVec k = LeastGreatestBlur(equations);
         ASSERT_LT(Relative(GreatestResidual(equations, k), BruteForce(equations)), 1e-20) << Listed(points);
@@ -125,9 +125,9 @@ TEST(SharpPlane, HoldsFromAMillionToOneOn)
 {
     // almost in a plane, seen within a millionth of a radian, almost on a line in the picture, and far and near at once
     Random random(3);
-    for (int i = 0; i < 2000; i++)
+    for (int i = 0; i < 1200; i++)
     {
-        std::vector<Vec3> points = RandomPoints(random, 4 + i % 4, i % 4 == 1 ? 1e-6 : 0.5, i % 4 == 3 ? 1e6 : 10.0);
+        std::vector<Vec3> points = RandomPoints(random, 4 + i % 3, i % 4 == 1 ? 1e-6 : 0.5, i % 4 == 3 ? 1e6 : 10.0);
         for (Vec3& p : points)
             if (i % 4 == 0)
                 p = p / (0.1 * p.x + 0.05 * p.y + p.z) * (5.0 + 5e-6 * random(-1.0, 1.0));
