@@ -54,6 +54,11 @@ class Record(FocusTest):
         block = camera["block"]
         self.assertEqual((block["family"], block["focusTilt"], block["fStop"], block["shift"]), ("focusTurn", 30, 0.7, [2, 1]))
         self.assertEqual(record["view"]["block"], block, "told before the lens is taken away")
+        _, record = self.render("tilt_lens { sharp_points <1, 0, 2>, <-1, 0, 2>, <0, 1, 3>, <0, -1, 4> circle_of_confusion 0.03 }")
+        block = record["view"]["block"]
+        self.assertEqual(block["family"], "plane")
+        self.assertGreaterEqual(block["fStop"], 0.5)
+        self.assertIn("sharp_points", record["view"]["words"])
         _, record = self.render("aperture 0.5 focal_point 0")
         self.assertEqual((record["view"]["block"], record["view"]["aperture"]), (None, 0.5))
 

@@ -4,11 +4,11 @@
 
 import random
 
-FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",))
+FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",), ("sharp_points",))
 DISTANCES = ("focus_scale", "film_distance", "focus_on", "focus_at")  # the first one fits any scene
 FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "blade_curvature", "squeeze",
         "denoise", "sample_seed", "edge_light", "natural_vignetting", "optical_vignetting", "distortion", "field_curvature",
-        "lateral_colour", "axial_colour", "prescription", "dispersion")
+        "lateral_colour", "axial_colour", "prescription", "dispersion", "sharp_within", "circle_of_confusion")
 AIDS = ("focus_peaking", "show_planes", "focus_map")  # the last one stands alone
 WORDS = tuple(word for family in FAMILIES for word in family) + DISTANCES + FREE + AIDS
 ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
@@ -53,6 +53,9 @@ class Grammar:
             return f"{{ {r.choice((self.vector(), 'y', 'z', '<0, 1, 0.3>', '-y'))}, {self.number(-3, 3)} }}"
         if word == "focal_points":
             return ", ".join(self.vector() for _ in range(3))
+        if word == "sharp_points":
+            points = (self.vector(), self.vector(), self.vector(), f"focus_at {self.vector(2, 0, 1)}", "focus_on Ball")
+            return ", ".join(r.choice(points) for _ in range(r.randint(3, 7)))
         if word == "focus_at":
             return self.vector(2, 0, 1)
         if word == "focus_on":
@@ -78,7 +81,8 @@ class Grammar:
                 "optical_vignetting": lambda: self.number(0, 2), "distortion": lambda: ", ".join(self.number(-0.2, 0.5) for _ in range(r.choice((1, 2, 3)))),
                 "field_curvature": lambda: self.number(-1, 1), "lateral_colour": lambda: self.number(-0.5, 0.5),
                 "axial_colour": lambda: self.number(-0.5, 0.5), "film_distance": lambda: self.number(1, 500),
-                "focus_scale": lambda: self.number(0.1, 20)}[word]()
+                "focus_scale": lambda: self.number(0.1, 20), "sharp_within": lambda: self.number(0.1, 20),
+                "circle_of_confusion": lambda: self.number(0.001, 1)}[word]()
 
     def items(self):
         """Words with their values, at most one family; as tokens."""
@@ -86,7 +90,8 @@ class Grammar:
         words = [word for word in FREE if r.random() < 0.3]
         words = [word for word in words if word != "blade_curvature" or "blades" in words]
         # the scene around the block has angle and aperture
-        words = [word for word in words if word not in ("focal_length", "f_stop", "prescription") or r.random() < 0.1]
+        words = [word for word in words if word not in ("focal_length", "f_stop", "prescription", "sharp_within",
+                                                        "circle_of_confusion") or r.random() < 0.1]
         words = [word for word in words if word != "dispersion" or "prescription" in words]
         if r.random() < 0.9:
             family = r.choice(FAMILIES)

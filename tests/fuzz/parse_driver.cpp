@@ -148,7 +148,7 @@ ParseOutcome Parse(const std::string& scene)
         parser.Stop();
         const pov::Camera& camera = data->parsedCamera;
         // a focus found by rays is found when the render begins
-        if (outcome.errors.empty() && camera.TiltLens.given && camera.TiltLens.HasPoints())
+        if (outcome.errors.empty() && camera.TiltLens.given && camera.TiltLens.IsComplete())
         {
             outcome.lens = true;
             outcome.broken = BrokenRay(*camera.TiltLens.lens);

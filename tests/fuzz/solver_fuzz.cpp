@@ -80,6 +80,16 @@ Statement StatementFrom(Bytes& bytes, unsigned flags)
     s.shiftUp = bytes.Number();
     s.blades = bytes.Take<std::int16_t>();
     s.bladesAngle = bytes.Number();
+    const unsigned more = bytes.Take<std::uint8_t>();  // nothing in inputs from before sharp_points
+    if (s.family == FocusFamily::FocalPoints && more != 0)
+    {
+        s.family = FocusFamily::SharpPoints;
+        s.sharpPoints.assign(s.points, s.points + 3);
+        for (unsigned i = 0; i < more % 4; i++)
+            s.sharpPoints.push_back(bytes.Vector());
+        if (more & 4)
+            s.sharpWithin = bytes.Number();
+    }
     return s;
 }
 

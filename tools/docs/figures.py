@@ -46,6 +46,7 @@ MADE = {
     **variants("focus_tilt", "focus_tilt.pov", "Turn", {"-37": -36.9, "53": 53.1}),
     "wall": ("wall.pov", [], WIDE),
     "points": ("points.pov", [], WIDE),
+    **variants("sharp", "sharp_points.pov", "Tilted", same((0, 1))),
     **variants("focus_on", "focus_on.pov", "Chosen", same((0, 1, 2))),
     **variants("shift", "shift.pov", "Right", same((-8, 0, 8))),
     **variants("film", "film_width.pov", "Film", same((36, 18))),

@@ -6,7 +6,8 @@ import re
 
 # items that the page writes; items that it keeps; and among these the focus aids, which the true picture omits
 WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "tilt", "swing", "focus_tilt",
-           "focus_swing", "focal_plane", "focal_points", "focus_on", "focus_at", "film_distance", "focus_scale")
+           "focus_swing", "focal_plane", "focal_points", "sharp_points", "sharp_within", "circle_of_confusion", "focus_on",
+           "focus_at", "film_distance", "focus_scale")
 AIDS = ("focus_peaking", "focus_map", "show_planes")
 KEPT = ("blade_curvature", "squeeze", "edge_light", "natural_vignetting", "optical_vignetting", "distortion",
         "field_curvature", "lateral_colour", "axial_colour", "denoise", "sample_seed", *AIDS)

@@ -3,10 +3,11 @@
 
 #include "tilt_lens/camera/optics.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include "tilt_lens/camera/apply_character.h"
 #include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/camera/real.h"
+#include "tilt_lens/camera/sharp_plane.h"
+#include "tilt_lens/camera/sharp_points.h"
 #include "tilt_lens/glass/apply_prescription.h"
 #include "tilt_lens/glass/inner_focus.h"
 
@@ -15,12 +16,6 @@ namespace tilt_lens
 
 namespace
 {
-
-/// Number type of the solver: 113 bits, and exponents far beyond those of double. The numbers of a scene are taken as exact, and the lens
-/// is rounded once, at the end, so that cancellation is harmless (a plane of focus a hair from the lens, a camera 10^12 units from the
-/// origin). Costs microseconds per camera, and does not depend on the C library.
-using Real = boost::multiprecision::cpp_bin_float_quad;
-using RealVec = VecOf<Real>;
 
 Real Radians(double degrees)
 {
@@ -120,11 +115,21 @@ RealVec FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const St
     return point;
 }
 
+RealVec FocusOfSharpPoints(const Axes& axes, const CameraFrame& camera, const Statement& given)
+{
+    std::vector<RealVec> points;
+    for (const Vec3& point : given.sharpPoints)
+        points.push_back(axes.ToCamera(Exact(point) - Exact(camera.location)));
+    return LeastGreatestBlur(VergenceEquations(points, given.sharpPoints, camera.location));
+}
+
 /// k for the families that state the plane of sharp focus.
 RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
     if (given.family == FocusFamily::FocalPoints)
         return FocusOfPoints(axes, camera, given);
+    if (given.family == FocusFamily::SharpPoints)
+        return FocusOfSharpPoints(axes, camera, given);
     if (given.family == FocusFamily::FocalPlane)
     {
         const double length = Length(given.planeNormal);
@@ -326,8 +331,9 @@ void RequireUsable(const Lens& lens)
 
 } // namespace
 
-Lens Solve(const CameraFrame& camera, const Statement& statement)
+Lens Solve(const CameraFrame& camera, const Statement& written)
 {
+    const Statement statement = WithWidestStop(camera, written);
     const Axes axes = AxesOf(camera);
     const Real millimetre = Real(statement.scale) / statement.sceneUnit;
     const Real filmWidth = statement.filmWidth * millimetre, rightLength = Length(Exact(camera.right));

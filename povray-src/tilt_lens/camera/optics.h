@@ -55,7 +55,8 @@ enum class FocusFamily
     LensTurn,    ///< `tilt`, `swing`, and the focal point or the film's distance; default: neither tilt nor swing
     FocusTurn,   ///< `focus_tilt`, `focus_swing`, and the focal point
     FocalPlane,  ///< `focal_plane`
-    FocalPoints  ///< `focal_points`
+    FocalPoints, ///< `focal_points`
+    SharpPoints  ///< `sharp_points`
 };
 
 /// A `tilt_lens` block as written: film in millimetres, angles in degrees; points and planes in world coordinates and scene units.
@@ -70,6 +71,8 @@ struct Statement
     Vec3 planeNormal{0.0, 0.0, 1.0};           ///< any length but 0
     double planeDistance = 0.0;                ///< along the unit normal, from the world's origin
     Vec3 points[3];                            ///< on the plane of sharp focus
+    std::vector<Vec3> sharpPoints;             ///< to which the plane of sharp focus leaves the least greatest blur
+    std::optional<double> sharpWithin;         ///< mm on the film, greatest blur of these: sets the diameter in place of fStop
     double shiftRight = 0.0, shiftUp = 0.0;    ///< mm
     std::optional<double> fStop;               ///< focal length / diameter
     int blades = 0;                            ///< of the diaphragm; 0: round

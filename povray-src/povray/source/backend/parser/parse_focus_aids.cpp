@@ -60,7 +60,8 @@ void TiltLensParser::ParsePeaking(tilt_lens::FocusAids& aids)
 void TiltLensParser::RequireAperture(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;
-    if (lens.aids.Any() && camera.Aperture == 0.0 && !lens.statement.fStop && !lens.statement.prescription)
+    if (lens.aids.Any() && camera.Aperture == 0.0 && !lens.statement.fStop && !lens.statement.prescription &&
+        lens.BlurLimitWord() == NULL)
         ErrorAt(lens.place, "%s in a camera without an aperture: everything is sharp, so there is nothing to "
                             "show. Give aperture or f_stop, or remove it.",
                 lens.aids.peaking ? "focus_peaking" : lens.aids.map ? "focus_map" : "show_planes");

@@ -163,11 +163,11 @@ void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& s
         const TiltLensItem& before = *FindTiltLensItem(other);
         if (differ(before.family, now.family))
             ErrorAt(item, "'%s' and '%s' in one tilt_lens: both say where the focus lies. One of tilt and "
-                          "swing, focus_tilt and focus_swing, focal_plane, focal_points is allowed; remove "
-                          "the others.", other.c_str(), word.c_str());
+                          "swing, focus_tilt and focus_swing, focal_plane, focal_points, sharp_points "
+                          "is allowed; remove the others.", other.c_str(), word.c_str());
         if (differ(before.distance, now.distance))
             ErrorAt(item, "'%s' and '%s' in one tilt_lens: both say how far away the focus lies. One of focus_on, focus_at, "
-                          "film_distance, focus_scale, focal_plane, focal_points is allowed; remove the others.",
+                          "film_distance, focus_scale, focal_plane, focal_points, sharp_points is allowed; remove the others.",
                     other.c_str(), word.c_str());
     }
 }

@@ -89,6 +89,7 @@ class TiltLensParser
     void ParseFocalPlane(tilt_lens::Statement& statement);
     void PlaneBrace(int brace, const char* sign);
     void ParseFocalPoints(TiltLensCamera& lens);
+    void ParseSharpPoints(TiltLensCamera& lens);
     bool ParseTarget(FocusTarget& target);
     void ParseFocusOn(FocusTarget& target);
     void ParseFocusAt(FocusTarget& target);
@@ -98,6 +99,7 @@ class TiltLensParser
     void SolveLens(Camera& camera);
     void RequireConsistent(const Camera& camera);
     void RequireFilm(const Camera& camera);
+    void RequireSharpPoints(const Camera& camera);
     void RequireNoOtherLens(const Camera& camera);
     void RequireColours(const tilt_lens::Statement& statement, const TiltLensPlace& place);
     void TakeQuality(Camera& camera, const WrittenItems& written);

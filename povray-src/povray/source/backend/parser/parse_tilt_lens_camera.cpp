@@ -34,16 +34,6 @@ namespace
 /// Cosine of the angle up to which a camera's sky counts as what is up in the scene, leaned a little.
 const double kSameSky = 0.7;
 
-/// Whether the camera statement has transformations.
-bool IsMoved(const Camera& camera)
-{
-    for (int row = 0; row < 4; row++)
-        for (int column = 0; column < 4; column++)
-            if (camera.Trans->matrix[row][column] != (row == column ? 1.0 : 0.0))
-                return true;
-    return false;
-}
-
 } // namespace
 
 void TiltLensParser::WarnLater(Camera& camera, const char* text)
@@ -81,6 +71,7 @@ void TiltLensParser::CheckBlock(Camera& camera)
     RequireConsistent(camera);
     RequireNoOtherLens(camera);
     RequireFilm(camera);
+    RequireSharpPoints(camera);
     RequireAperture(camera);
     RequireFocus(camera);
     TakeBlurSamples(camera);
@@ -93,6 +84,7 @@ void TiltLensParser::WarnOfFocalPoint(const Camera& camera)
     const FocusTarget::Kind target = camera.TiltLens.focusTarget.kind;
     const char* word = s.family == FocusFamily::FocalPlane    ? "focal_plane"
                        : s.family == FocusFamily::FocalPoints ? "focal_points"
+                       : s.family == FocusFamily::SharpPoints ? "sharp_points"
                        : s.filmDistance                       ? "film_distance"
                        : s.focusScale                         ? "focus_scale"
                        : target == FocusTarget::Object        ? "focus_on"
@@ -183,6 +175,27 @@ void TiltLensParser::RequireFilm(const Camera& camera)
                                        "the film is. Give focal_length, or focus_scale in place of film_distance.", *s.filmDistance);
 }
 
+/// What sets the aperture by the blur of sharp points needs these, and is alone in that.
+void TiltLensParser::RequireSharpPoints(const Camera& camera)
+{
+    const TiltLensCamera& lens = camera.TiltLens;
+    const Statement& s = lens.statement;
+    const char* const word = lens.BlurLimitWord();
+    if (word == NULL)
+        return;
+    const double limit = lens.sharpWithinPixels ? *lens.sharpWithinPixels : *s.sharpWithin;
+    if (lens.sharpWithinPixels && s.sharpWithin)
+        ErrorAt(lens.place, "sharp_within %g and circle_of_confusion %g in one tilt_lens: both say how much blur is allowed, in pixels and "
+                            "in millimetres of film. One is allowed; remove the other.", limit, *s.sharpWithin);
+    if (s.family != FocusFamily::SharpPoints)
+        ErrorAt(lens.place, "%s %g without sharp_points in tilt_lens: nothing says what must be within it. Give sharp_points, or f_stop "
+                            "in place of %s.", word, limit, word);
+    if (s.fStop || lens.items.aperture)
+        ErrorAt(lens.place, "%s %g and %s %g in one camera: both set the lens diameter. One is allowed; remove %s or %s. At an aperture of "
+                            "your own, the program's report has the blur of each point.", word, limit, s.fStop ? "f_stop" : "aperture",
+                s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
+}
+
 /// Where other cameras get a warning and the default. Many scenes have a confidence of 1.
 void TiltLensParser::TakeQuality(Camera& camera, const WrittenItems& written)
 {
@@ -218,7 +231,7 @@ void TiltLensParser::RequireFocus(Camera& camera)
     if (!lens.open || lens.items.focalPoint)
         return;
     const bool turned = s.family == FocusFamily::LensTurn || s.family == FocusFamily::FocusTurn;
-    const bool needsPoint = turned && !s.filmDistance && !s.focusScale && lens.HasPoints();
+    const bool needsPoint = turned && !s.filmDistance && !s.focusScale && lens.IsComplete();
     if (needsPoint && (s.aperture > 0.0 || s.fStop || s.prescription))
         ErrorAt(lens.place, "Nothing says where the focus lies: the camera has neither focal_point nor look_at. Give focal_point, "
                             "or focal_plane or focal_points in tilt_lens.");
@@ -271,8 +284,8 @@ void TiltLensParser::SolveLens(Camera& camera)
         WarnOfSky(camera);
         RequireFacade(camera);
     }
-    if (!lens.HasPoints())
-        return;  // rays will find them
+    if (!lens.IsComplete())
+        return;  // FindFocus() will do it
     try
     {
         TiltLensCamera::Solve(camera);
@@ -285,8 +298,7 @@ void TiltLensParser::SolveLens(Camera& camera)
     }
     catch (const tilt_lens::OpticsError& error)
     {
-        ErrorAt(lens.place, "%s%s", error.what(),
-                IsMoved(camera) ? " Points and planes were moved by the camera's transformations, which act on its items." : "");
+        ErrorAt(lens.place, "%s", error.what());
     }
 }
 

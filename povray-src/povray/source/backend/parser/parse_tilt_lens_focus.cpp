@@ -13,6 +13,7 @@
 #include "backend/parser/parse.h"
 #include "backend/parser/tilt_lens_words.h"
 #include "backend/scene/objects.h"
+#include "tilt_lens/camera/sharp_points.h"
 
 #include "base/povdebug.h"
 
@@ -20,7 +21,10 @@ namespace pov
 {
 
 using tilt_lens::FocusFamily;
+using tilt_lens::kFewestSharpPoints;
+using tilt_lens::kMostSharpPoints;
 using tilt_lens::Statement;
+using tilt_lens::Vec3;
 
 void TiltLensParser::ParseFocalPlane(Statement& s)
 {
@@ -51,6 +55,7 @@ void TiltLensParser::PlaneBrace(int brace, const char* sign)
 void TiltLensParser::ParseFocalPoints(TiltLensCamera& lens)
 {
     lens.statement.family = FocusFamily::FocalPoints;
+    lens.pointTargets.resize(3);
     for (int i = 0; i < 3; i++)
     {
         if (i > 0)
@@ -58,6 +63,28 @@ void TiltLensParser::ParseFocalPoints(TiltLensCamera& lens)
         if (!ParseTarget(lens.pointTargets[i]))
             lens.statement.points[i] = Vector("focal_points");
     }
+}
+
+void TiltLensParser::ParseSharpPoints(TiltLensCamera& lens)
+{
+    lens.statement.family = FocusFamily::SharpPoints;
+    std::vector<Vec3>& points = lens.statement.sharpPoints;
+    do
+    {
+        if (points.size() == kMostSharpPoints)
+            ErrorAt(item, "sharp_points in tilt_lens has more than %d points. %d to %d are allowed; leave out those that lie between "
+                          "others.", kMostSharpPoints, kFewestSharpPoints, kMostSharpPoints);
+        lens.pointTargets.emplace_back();
+        points.push_back(ParseTarget(lens.pointTargets.back()) ? Vec3() : Vector("sharp_points"));
+    } while (NextIsComma());
+    parser.Get_Token();
+    if (parser.Token.Token_Id == LEFT_ANGLE_TOKEN)
+        ErrorAt(item, "sharp_points in tilt_lens: found a point without a comma before it, behind %d. Write a comma between points, as in "
+                      "sharp_points A, B, C.", int(points.size()));
+    parser.Unget_Token();
+    if (points.size() < kFewestSharpPoints)
+        ErrorAt(item, "sharp_points in tilt_lens has %d point%s. %d to %d are allowed, with commas between them; give more, or focal_point "
+                      "in the camera for one.", int(points.size()), points.size() == 1 ? "" : "s", kFewestSharpPoints, kMostSharpPoints);
 }
 
 /// Takes `focus_on` or `focus_at` with its value, unless the scene has an identifier of that name; tells whether it did.

@@ -32,7 +32,7 @@ const char kEndsOfSpectrum[] = "millimetres between the images of the ends of th
 
 } // namespace
 
-const TiltLensItem TiltLensItems::kAll[32] = {
+const TiltLensItem TiltLensItems::kAll[35] = {
     {"film_width", NULL, NULL, "film_width 36",
      [](P& p, Word word, Lens& lens) { lens.statement.filmWidth = p.PositiveNumber(word); }},
     {"focal_length", NULL, NULL, "focal_length 50",
@@ -91,6 +91,12 @@ const TiltLensItem TiltLensItems::kAll[32] = {
      [](P& p, Word, Lens& lens) { p.ParseFocalPlane(lens.statement); }},
     {"focal_points", "focal_points", "focal_points", "focal_points <0, 0, 0>, <1, 0, 0>, <0, 0, 1>",
      [](P& p, Word, Lens& lens) { p.ParseFocalPoints(lens); }},
+    {"sharp_points", "sharp_points", "sharp_points", "sharp_points <0, 0, 0>, <1, 0, 0>, <0, 0, 1>, <1, 1, 1>",
+     [](P& p, Word, Lens& lens) { p.ParseSharpPoints(lens); }},
+    {"sharp_within", NULL, NULL, "sharp_within 2",
+     [](P& p, Word word, Lens& lens) { lens.sharpWithinPixels = p.PositiveNumber(word); }},
+    {"circle_of_confusion", NULL, NULL, "circle_of_confusion 0.03",
+     [](P& p, Word word, Lens& lens) { lens.statement.sharpWithin = p.PositiveNumber(word); }},
     {"focus_on", NULL, "focus_on", "focus_on Ball",
      [](P& p, Word, Lens& lens) { p.ParseFocusOn(lens.focusTarget); }},
     {"focus_at", NULL, "focus_at", "focus_at <0.5, 0.5>",

@@ -28,7 +28,7 @@ struct TiltLensItem
 /// In the order of messages.
 struct TiltLensItems
 {
-    static const TiltLensItem kAll[32];
+    static const TiltLensItem kAll[35];
 };
 
 const TiltLensItem* FindTiltLensItem(const std::string& word);

@@ -123,14 +123,18 @@ std::string Words(const std::set<std::string>& words)
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
-    if (!(s.filmDistance || s.focusScale) || !camera.TiltLens.lens)
+    const bool sharpPoints = s.family == tilt_lens::FocusFamily::SharpPoints;
+    if (!(s.filmDistance || s.focusScale || sharpPoints) || !camera.TiltLens.lens)
         return s;
     const tilt_lens::Lens& lens = *camera.TiltLens.lens;
+    if (s.sharpWithin)
+        s.fStop = lens.focalLength / lens.diameter;
+    s.sharpWithin.reset();
     const Vec3 location = FromPov(camera.Location);
     const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens), farthest = 1e9 * lens.filmDistance;
     s.filmDistance.reset();
     s.focusScale.reset();
-    if (distance == 0.0 || axisFocus > 0.0)
+    if (distance == 0.0 || (axisFocus > 0.0 && !sharpPoints))
         s.focalPoint = location + std::min(axisFocus, farthest) * lens.axis;
     else
     {
@@ -185,7 +189,7 @@ void RecordCamera(const Camera& camera, const TiltLensPlace& end)
         Recorded().push_back({camera, end});
 }
 
-void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
+void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
 {
     if (!CamerasAreRecorded())
         return;
@@ -194,7 +198,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
     {
         try
         {
-            FindFocus(recorded.camera, scene);
+            FindFocus(recorded.camera, scene, width);
         }
         catch (const tilt_lens::OpticsError&)  // reported only for the camera of the picture
         {
@@ -216,6 +220,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene)
     view.TiltLens.statement = Ideal(view, view.TiltLens.statement);
     view.TiltLens.statement.aperture = 0.0;
     view.TiltLens.statement.fStop.reset();
+    view.TiltLens.statement.sharpWithin.reset();
     if (view.TiltLens.given)
         TiltLensCamera::Solve(view);  // the lens was solved with its diameter at the end of the statement
 }

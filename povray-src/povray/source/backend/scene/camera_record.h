@@ -44,7 +44,7 @@ void RecordCamera(const Camera& camera, const TiltLensPlace& end);
 
 /// If TILT_LENS_PREVIEW is set, writes the file and turns the camera into a pinhole.
 /// @throws pov_base::Exception  the file cannot be written
-void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene);
+void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width);
 
 } // namespace pov
 

@@ -138,6 +138,7 @@ Lens Unfocused(const Camera& camera)
     Statement& s = unfocused.TiltLens.statement;
     s = tilt_lens::IdealStatement(s);
     s.family = FocusFamily::LensTurn;
+    s.sharpWithin.reset();
     s.tilt = s.swing = 0.0;
     if (s.focalLength)
         s.filmDistance = *s.focalLength;
@@ -153,9 +154,9 @@ void ForEachTarget(TiltLensCamera& camera, FocusTarget::Kind kind, const Todo& t
 {
     if (camera.focusTarget.kind == kind)
         todo(camera.focusTarget, camera.statement.focalPoint);
-    for (int i = 0; i < 3; i++)
+    for (std::size_t i = 0; i < camera.pointTargets.size(); i++)
         if (camera.pointTargets[i].kind == kind)
-            todo(camera.pointTargets[i], camera.statement.points[i]);
+            todo(camera.pointTargets[i], camera.TargetPoint(i));
 }
 
 /// Describes the found points, for errors of a lens that cannot focus there.
@@ -201,11 +202,13 @@ bool FindInPicture(Finder& finder, Camera& camera)
 
 } // namespace
 
-std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene)
+std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene, double width)
 {
     TiltLensCamera& block = camera.TiltLens;
-    if (!block.given || block.HasPoints())
+    if (!block.given || block.IsComplete())
         return {};
+    if (block.sharpWithinPixels)
+        block.statement.sharpWithin = *block.sharpWithinPixels * block.statement.filmWidth / width;
     Finder finder(camera, scene);
     ForEachTarget(block, FocusTarget::Object, [&](FocusTarget& target, Vec3& point) { point = target.found = finder.OnObject(target); });
     const bool agree = FindInPicture(finder, camera);

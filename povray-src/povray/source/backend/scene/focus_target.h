@@ -18,7 +18,7 @@ namespace pov
 
 class SceneData;
 
-/// Sets the points in the camera's statement and solves its lens; does nothing without `focus_on` and `focus_at`.
+/// Sets the points in the camera's statement, and the blur given in pixels, and solves its lens; does nothing where none is missing.
 ///
 /// - Object: its first intersection with the ray from the lens centre to the centre of its bounding box, even behind other objects.
 ///   If that ray misses it, the next of 1024 rays around it, by growing angle.
@@ -26,9 +26,10 @@ class SceneData;
 ///   angle of view (`focal_length`), the two are iterated until they agree.
 ///
 /// @param scene  completely parsed
+/// @param width  of the whole picture, pixels
 /// @throws tilt_lens::OpticsError  a ray hits no object, an object is infinite, or no lens fits
 /// @return  warnings
-std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene);
+std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene, double width);
 
 } // namespace pov
 

@@ -46,6 +46,16 @@ double Determinant(const TRANSFORM* trans)
                Cross(Vec3{m[1][0], m[1][1], m[1][2]}, Vec3{m[2][0], m[2][1], m[2][2]}));
 }
 
+/// Whether the camera statement has transformations.
+bool IsMoved(const Camera& camera)
+{
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 4; column++)
+            if (camera.Trans->matrix[row][column] != (row == column ? 1.0 : 0.0))
+                return true;
+    return false;
+}
+
 } // namespace
 
 std::string FocusTarget::Written() const
@@ -57,12 +67,22 @@ std::string FocusTarget::Written() const
     return text;
 }
 
-bool TiltLensCamera::HasPoints() const
+bool TiltLensCamera::IsComplete() const
 {
-    bool has = focusTarget.kind == FocusTarget::NotUsed;
+    bool has = focusTarget.kind == FocusTarget::NotUsed && (!sharpWithinPixels || statement.sharpWithin);
     for (const FocusTarget& target : pointTargets)
         has = has && target.kind == FocusTarget::NotUsed;
     return has;
+}
+
+Vec3& TiltLensCamera::TargetPoint(std::size_t i)
+{
+    return statement.family == tilt_lens::FocusFamily::SharpPoints ? statement.sharpPoints[i] : statement.points[i];
+}
+
+const char* TiltLensCamera::BlurLimitWord() const
+{
+    return sharpWithinPixels ? "sharp_within" : statement.sharpWithin ? "circle_of_confusion" : NULL;
 }
 
 void TiltLensCamera::Transform(const TRANSFORM* trans)
@@ -75,6 +95,8 @@ void TiltLensCamera::Transform(const TRANSFORM* trans)
     s.planeDistance = Dot(s.planeNormal, onPlane);
     for (Vec3& point : s.points)
         point = TransformedPoint(point, trans);
+    for (Vec3& point : s.sharpPoints)
+        point = TransformedPoint(point, trans);
     s.focalPoint = TransformedPoint(s.focalPoint, trans);
     facade = TransformedDirection(facade, trans);
     s.scale *= std::cbrt(std::fabs(Determinant(trans)));
@@ -84,7 +106,17 @@ void TiltLensCamera::Solve(Camera& camera)
 {
     const tilt_lens::CameraFrame frame{FromPov(camera.Location), FromPov(camera.Direction),
                                        FromPov(camera.Right), FromPov(camera.Up)};
-    camera.TiltLens.lens.reset(new tilt_lens::Lens(tilt_lens::Solve(frame, camera.TiltLens.statement)));
+    try
+    {
+        camera.TiltLens.lens.reset(new tilt_lens::Lens(tilt_lens::Solve(frame, camera.TiltLens.statement)));
+    }
+    catch (const tilt_lens::OpticsError& error)
+    {
+        if (!IsMoved(camera))
+            throw;
+        throw tilt_lens::OpticsError(error.what() + std::string(" Points and planes were moved by the camera's transformations, which act "
+                                                                "on its items."));
+    }
 }
 
 } // namespace pov

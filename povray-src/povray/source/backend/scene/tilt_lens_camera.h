@@ -7,6 +7,7 @@
 #ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
 #define POVRAY_BACKEND_TILT_LENS_CAMERA_H
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -79,11 +80,20 @@ struct TiltLensCamera
     tilt_lens::Vec3 facade;  ///< from the lower left to the lower right corner given to Tilt_Lens_Facade; 0: none
     tilt_lens::FocusAids aids;  ///< drawn in place of the lens's picture
 
-    FocusTarget focusTarget;      ///< in place of the statement's focalPoint
-    FocusTarget pointTargets[3];  ///< in place of the statement's points
+    FocusTarget focusTarget;                ///< in place of the statement's focalPoint
+    std::vector<FocusTarget> pointTargets;  ///< in place of its points or sharpPoints; empty without such
 
-    /// False if FindFocus() (focus_target.h) must still set points of the statement.
-    bool HasPoints() const;
+    /// `sharp_within`, from which the picture's width makes the statement's sharpWithin.
+    std::optional<double> sharpWithinPixels;
+
+    /// False if FindFocus() (focus_target.h) must still complete the statement.
+    bool IsComplete() const;
+
+    /// The point of the statement that pointTargets[i] stands for.
+    tilt_lens::Vec3& TargetPoint(std::size_t i);
+
+    /// The item that sets the aperture by the blur of sharp_points, or NULL.
+    const char* BlurLimitWord() const;
 
     /// The solved lens. Set at the end of a camera statement, or before the render if the focus must be found; NULL before that and after a
     /// transformation.
@@ -93,7 +103,7 @@ struct TiltLensCamera
     void Transform(const TRANSFORM* trans);
 
     /// Solves the camera's block.
-    /// @throws tilt_lens::OpticsError
+    /// @throws tilt_lens::OpticsError  which says where the camera was transformed
     static void Solve(Camera& camera);
 };
 

@@ -5,10 +5,13 @@
 /// The report of a `tilt_lens` picture: the lens before the render, effort and noise after it.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "backend/frame.h"
 #include "backend/scene/tilt_lens_view.h"
+#include "tilt_lens/camera/sharp_points.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/field_aberrations.h"
 #include "tilt_lens/glass/inner_focus.h"
@@ -165,12 +168,60 @@ std::string FocusOf(const TiltLensCamera& block)
             text += "  Focus................" + target.Written() + ": " + Text(target.found, Length(target.found)) + "\n";
     };
     add(block.focusTarget);
-    for (const FocusTarget& target : block.pointTargets)
-        add(target);
+    if (block.statement.family != tilt_lens::FocusFamily::SharpPoints)
+        for (const FocusTarget& target : block.pointTargets)
+            add(target);
     if (block.statement.focusScale)
         text += Line("  Focus................at %.6g units from the film before the lens is turned\n",
                      *block.statement.focusScale * block.statement.scale);
     return text;
+}
+
+/// Blur in pixels up to which a point is called sharp: rounding.
+const double kSharp = 1e-6;
+
+/// What an untilted lens does with the sharp points.
+std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, double greatest, const std::function<std::string(double)>& blur)
+{
+    const double stop = lens.focalLength / lens.diameter;
+    const auto without = BlurWithoutTilt(FromPov(camera.Location), camera.TiltLens.statement, lens);
+    std::string text = "    without tilt.......";
+    if (!without)
+        return text + "this lens cannot be focused on them\n";
+    if (blur(greatest) == blur(0.0))
+        return text + blur(*without) + Line(" of blur or less at f/%.4g\n", stop);
+    return text + Line("f/%.4g in place of f/%.4g for the same\n", stop * *without / greatest, stop);
+}
+
+/// The points that sharp_points names, the blur of each, and which of them set it.
+std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, double width)
+{
+    const TiltLensCamera& block = camera.TiltLens;
+    const tilt_lens::Statement& given = block.statement;
+    if (given.family != tilt_lens::FocusFamily::SharpPoints)
+        return "";
+    const double pixels = width / given.filmWidth;
+    const auto blurText = [=](double mm) { return mm * pixels < kSharp ? "no blur" : Line("%.4g pixels (%.3g mm)", mm * pixels, mm); };
+    const std::vector<double> blurs = SharpPointBlurs(FromPov(camera.Location), given, lens);
+    const double greatest = tilt_lens::GreatestBlur(blurs);
+    std::string text = "  Sharp points........." + Line("%.0f, ", double(blurs.size())) + blurText(greatest) + (greatest * pixels < kSharp ? "\n" : " of blur or less\n");
+    for (std::size_t i = 0; i < blurs.size(); i++)
+    {
+        const FocusTarget& target = block.pointTargets[i];
+        const double blur = std::fabs(blurs[i]);
+        std::string name = "    " + Line("%.0f", double(i + 1));
+        name.resize(23, '.');
+        text += name + (target.kind == FocusTarget::NotUsed ? "" : target.Written() + ": ") +
+                Text(given.sharpPoints[i], Length(given.sharpPoints[i])) + ": " + blurText(blur);
+        if (blur * pixels >= kSharp)
+            text += std::string(blurs[i] > 0.0 ? " before" : " behind") +
+                    (blur >= greatest * (1.0 - kSharp) ? ", binds" : "");
+        text += "\n";
+    }
+    if (given.sharpWithin)
+        text += "    limit.............." + blurText(*given.sharpWithin) +
+                (greatest >= *given.sharpWithin * (1.0 - kSharp) ? "\n" : ", not reached by the widest aperture that is taken\n");
+    return lens.diameter > 0.0 ? text + WithoutTilt(camera, lens, greatest, blurText) : text;
 }
 
 /// Position of the focusing groups, and the film's movement in addition.
@@ -306,7 +357,7 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
         text += GlassOf(lens, camera.TiltLens.statement.filmWidth) +
                 DispersionOf(lens, InState(*camera.TiltLens.statement.prescription, lens.groups));
     text += CharacterOf(lens, camera.TiltLens.statement.character);
-    text += FocusOf(camera.TiltLens) + GroupsOf(camera.TiltLens, lens) + PlaneOf(camera, lens);
+    text += FocusOf(camera.TiltLens) + SharpPointsOf(camera, lens, width) + GroupsOf(camera.TiltLens, lens) + PlaneOf(camera, lens);
     text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), usual) + " from the lens\n";
     if (lens.diameter > 0.0)
     {

@@ -161,9 +161,9 @@ void View::StartTiltLens(unsigned int& tracingmethod)
     { messages.WarningAt(0, place.file.c_str(), place.line, place.column, place.offset, "%s", text.c_str()); };
     try
     {
-        for (const std::string& warning : FindFocus(camera, viewData.sceneData))
+        for (const std::string& warning : FindFocus(camera, viewData.sceneData, viewData.width))
             warn(warning);
-        FinishCameraRecord(camera, viewData.sceneData);
+        FinishCameraRecord(camera, viewData.sceneData, viewData.width);
         if (!camera.TiltLens.given)
             return;
         viewData.tiltLens = TiltLensView::Create(camera, viewData);
