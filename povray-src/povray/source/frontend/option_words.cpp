@@ -1,7 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// configfrontend.h must always be the first POV file included in the frontend
+// configbase.h must always be the first POV file included, and configfrontend.h the next
+#include "base/configbase.h"
 #include "frontend/configfrontend.h"
 
 #include "frontend/option_words.h"
