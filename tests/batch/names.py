@@ -50,7 +50,7 @@ class Names(BatchTest):
         copy = scene.with_name("copy.pov")
         copy.write_text(scene.read_text())
         subprocess.run(
-            [SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "-D", "+FN", "+W64", "+H64"],
+            [SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "--unrestricted", "-D", "+FN", "+W64", "+H64"],
             cwd=scene.parent,
             check=True,
             env=self.env,

@@ -178,11 +178,11 @@ class Permissions(rendering.RenderTest):
         self.assertIn("for writing: No such file or directory.", said)
 
     def test_other_current_folder(self):
-        """Names begin in the folder of the call, wherever the scene lies. Folders in it are not permitted."""
+        """Names begin in the folder of the call, wherever the scene lies. Nothing is written in folders in it."""
         (self.outside / "sub").mkdir()
         self.fill(self.outside / "sub")
         (self.outside / "sub" / "new.inc").touch()
-        for line, permitted in (('#include "file.inc"', True), ('#include "sub/new.inc"', False), ('#fopen F "new.txt" write', True),
+        for line, permitted in (('#include "file.inc"', True), ('#include "sub/new.inc"', True), ('#fopen F "new.txt" write', True),
                                 ('#fopen F "sub/new.txt" write', False), ('#fopen F "{own}/new.txt" write', False)):
             with self.subTest(line):
                 code, said = self.call(self.outside, line, "+Opicture.png")

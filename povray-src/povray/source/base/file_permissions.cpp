@@ -120,8 +120,8 @@ std::string Remedy(const fs::path &file, bool writing, const std::vector<Folder>
         text += text.empty() ? " A scene writes no files." : "'; +O names the folder of the picture.";
     }
     else
-        text = " A scene reads files without a leading dot in its own folder, in the folders of +L, and in those of the picture and the "
-               "call. To add a folder: +L\"" + file.parent_path().string() + "\".";
+        text = " A scene reads files without a leading dot in its own folder, in the current one, in those of +L, and in that of the "
+               "picture. To add a folder: +L\"" + file.parent_path().string() + "\".";
     return text + " Whoever trusts the scene lifts this with the option --unrestricted.";
 }
 

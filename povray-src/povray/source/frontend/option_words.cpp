@@ -44,7 +44,7 @@ std::string Taken(POVMSType key, POVMSType type)
         case kPOVAttrib_DitherMethod: return "one of B2, B3, B4, D1, D2 and FS";
         case kPOVAttrib_OutputFileType: return "one of the letters B (BMP), C (compressed Targa), E (OpenEXR), H (Radiance HDR), J (JPEG), "
                                                "N (PNG), P (PPM) and T (Targa), and behind it bits per colour";
-        case kPOVAttrib_Declare: return "NAME=NUMBER or NAME=\"TEXT\"";
+        case kPOVAttrib_Declare: return "NAME=NUMBER, or 'NAME=\"TEXT\"' with both marks";
         case kPOVAttrib_IncludeIni: return "the name of an INI file that can be read";
     }
     switch (type)
@@ -99,6 +99,8 @@ std::string SwitchProblem(const std::string& word)
         // the first that fits is the one that was read
         if (!alone && letters.size() > command.size() && BeginsWith(letters, command))
             return "'" + word + "': +" + command + " takes " + taken + ".";
+        if (!alone && letters.size() == command.size() && BeginsWith(letters, command))
+            return "'" + word + "': +" + command + " takes " + taken + ", directly behind it.";
         if (!letters.empty() && BeginsWith(command, letters.substr(0, 1)))
             forms += std::string(forms.empty() ? "" : ", ") + "+" + command + (alone ? " alone" : " with " + taken);
     }
