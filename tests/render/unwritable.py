@@ -52,6 +52,9 @@ class Unwritable(unittest.TestCase):
         (self.folder / "picture.png" / "used").touch()
         self.assert_once(self.refused(), "Cannot write the picture '", "picture.png'", "directory)", "+C")
 
+    def test_an_ini_file(self):
+        self.assert_once(self.refused("+GInowhere/a.ini"), "Cannot write the INI file 'nowhere/a.ini' (No such file or directory)", "+GI")
+
     def test_a_state_file_that_cannot_grow(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))

@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import signal
@@ -141,7 +142,21 @@ class FileNames(RenderTest):
         missing = self.long_path("a", 3000)
         said = self.run_command(BUILD / "bin" / "povray", f'+I"{missing}"', "-D", "+Oout.png", cwd=self.place)
         self.assertEqual(said.returncode, 1, said.stderr)
-        self.assertIn(f"Cannot find file '{missing[:500]}", said.stderr.replace("\n", ""))
+        self.assertIn(f"Cannot find file '{missing}'", said.stderr.replace("\n", ""))
+
+    def test_long_names_in_messages(self):
+        """They are told whole."""
+        for length in (1000, 1024, 2048, 4000):
+            name = "/".join(["a" * 99] * 40)[:length - 2] + "/b"
+            written = "concat(" + ", ".join(f'"{name[i:i + 80]}"' for i in range(0, len(name), 80)) + ")"
+            for line in (f"#include {written}", f"#fopen F {written} read", f"#fopen F {written} write",
+                         f"camera {{ location -4*z look_at 0 tilt_lens {{ prescription {written} }} }}",
+                         f'plane {{ y, 0 pigment {{ image_map {{ png {written} }} }} }}'):
+                with self.subTest(length=length, line=line[:16]):
+                    (self.place / "long.pov").write_text(f"#version 3.7; global_settings {{ assumed_gamma 1 }}\n{line}\n")
+                    said = self.run_command(BUILD / "bin" / "povray", "+Ilong.pov", "-D", "+Oout.png", cwd=self.place)
+                    self.assertEqual(said.returncode, 1, said.stderr)
+                    self.assertIn(name, re.sub(r"\s", "", said.stderr))
 
     def test_deep_folder(self):
         scene = pathlib.Path(self.long_path("ordner", 600))

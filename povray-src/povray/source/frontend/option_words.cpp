@@ -136,4 +136,10 @@ std::string LineProblem(const std::string& file, int line)
            (begin == std::string::npos ? std::string("it cannot be read as an INI file.") : WordProblem(text.substr(begin, end - begin + 1)));
 }
 
+std::string UnwritableSettings(const std::string& file)
+{
+    const std::string reason = std::strerror(errno);
+    return "Cannot write the INI file '" + file + "' (" + reason + "). Create_Ini (+GI) names a file in a folder that can be written to.";
+}
+
 } // namespace pov_frontend
