@@ -77,7 +77,7 @@ def prefix():
 
 def told(text):
     """What POV-Ray says below its own name, as one line."""
-    return " ".join(text.split("[Parsing...]", 1)[-1].split())
+    return " ".join(text.split("Support libraries used by POV-Ray", 1)[-1].split())
 
 
 class Permissions(rendering.RenderTest):
