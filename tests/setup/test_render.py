@@ -82,6 +82,18 @@ class FileNames(RenderTest):
             (self.place / "szene \u00f6.png").unlink()
             self.assertEqual(sorted(os.listdir(self.folder)), sorted(["clone", FOLDER, "\u4e00.txt"]), option)
 
+    def test_files_elsewhere(self):
+        """Not permitted, but by a word."""
+        (self.folder / "other.inc").write_text("#declare Other = 1;\n")
+        scene = self.scene()
+        with open(self.place / scene, "a", encoding="utf-8") as stream:
+            stream.write('#include "../other.inc"\n')
+        refused = self.run_command(self.copy / "render", scene, "+W8", "+H6", cwd=self.place, env={"DISPLAY": ""})
+        self.assertEqual(refused.returncode, 1, refused.stderr)
+        self.assertIn("Not permitted: reading '../other.inc'", refused.stderr)
+        for words in (("--unrestricted", scene), (scene, "--unrestricted"), (scene, f"+L{self.folder}")):
+            self.assertEqual(self.render(*words), f"Picture: {self.place}/szene \u00f6.png")
+
     def test_names_in_an_ini_file(self):
         self.scene()
         (self.place / "\u00fc.ini").write_text('Output_File_Name="\u00e4.png"\n', encoding="utf-8")

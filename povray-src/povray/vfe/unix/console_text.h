@@ -15,8 +15,7 @@ namespace vfePlatform
 /// Options that upstream does not have, for `--help`: a section in the form of the others, with the blank line before it.
 const char* OwnOptionsHelp();
 
-/// Whether the text of the status line is the message that was printed last: upstream sends an error twice, as a message and
-/// as the status.
+/// Whether a text was printed before: upstream sends an error twice, as a message and as the status, in either order.
 /// @param isStatus  whether the text is for the status line; each text that is printed has to be told
 bool IsSaidAgain(bool isStatus, const std::string& text);
 

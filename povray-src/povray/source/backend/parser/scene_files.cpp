@@ -4,7 +4,7 @@
 // frame.h must always be the first POV file included (pulls in platform config)
 #include "backend/frame.h"
 
-#include "backend/parser/permitted_files.h"
+#include "backend/parser/scene_files.h"
 
 #include "backend/parser/parse.h"
 #include "base/file_permissions.h"
@@ -21,6 +21,22 @@ void RequirePermission(Parser &parser, const UCS2String &name, bool writing)
     const std::string problem = tilt_lens::FileProblem(UCS2toASCIIString(name), writing);
     if (!problem.empty())
         parser.Error("%s", problem.c_str());
+}
+
+void FinishFile(Parser &parser, pov_base::OTextStream *&file, bool closedByScene)
+{
+    try
+    {
+        file->flush();
+    }
+    catch (const pov_base::Exception &error)
+    {
+        delete file;
+        file = NULL;
+        if (closedByScene)
+            parser.Error("%s Make room there, and render again.", error.what());
+        parser.messageFactory.PossibleError("%s Make room there, and render again.", error.what());
+    }
 }
 
 }
