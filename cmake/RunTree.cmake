@@ -31,7 +31,7 @@ function(run_tree_conf out)
     string(FIND "${text}" "\nread* = " first)
     string(SUBSTRING "${text}" 0 ${first} text)
     list(JOIN ARGN "\npath=" protected)
-    string(APPEND text "\nread* = %INSTALLDIR%/include\nread* = .\nread+write = .
+    string(APPEND text "\nread* = %INSTALLDIR%/include\nread* = /usr/share/fonts\nread* = .\nread+write = .
 ; Beside these a scene reads its own folder and those of Library_Path (+L), and reads and writes the folder of its picture.
 ; The option --unrestricted permits all files.\n
 ; The program's own folders, where no scene writes.

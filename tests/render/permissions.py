@@ -158,6 +158,7 @@ class Permissions(rendering.RenderTest):
                 ('#include "file.inc"',), ('#include "sub/file.inc"',), ('#include "{outside}/../own folder/sub/file.inc"',),
                 ('#include "/proc/self/cwd/file.inc"',), ('#include "../outside/file.inc"', more), ('#include "link.inc"', more),
                 ('#fopen F "../outside/file.inc" read', more), ('#include "colors.inc"',), ('#include "tilt_lens.inc"',),
+                ('text {{ ttf "/usr/share/fonts/truetype/povray/crystal.ttf" "a", 1, 0 }}',),
                 ('text {{ ttf "timrom.ttf" "a", 1, 0 }}',), ('text {{ internal 1 "a", 1, 0 }}',),
                 ('plane {{ z, 9 pigment {{ image_map {{ png "plasma2.png" }} }} }}',),
                 ('plane {{ z, 9 pigment {{ density_file df3 "sub/file.df3" }} }}',),
