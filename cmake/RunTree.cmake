@@ -24,31 +24,36 @@ function(run_tree_ini out)
     set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Sets OUT to the text of povray.conf: upstream's file with PERMISSIONS, one a line, at its end, which is
-# its section of permitted paths.
+# run_tree_conf(OUT PROTECTED...): sets OUT to the text of povray.conf: upstream's file, without permissions for folders that have
+# nothing to do with the scene. Scenes never write in the folders PROTECTED.
 function(run_tree_conf out)
     file(READ "${POVRAY_SOURCE}/unix/povray.conf" text)
-    list(JOIN ARGN "\n" permissions)
-    set(${out} "${text}${permissions}\n" PARENT_SCOPE)
+    string(FIND "${text}" "\nread* = " first)
+    string(SUBSTRING "${text}" 0 ${first} text)
+    list(JOIN ARGN "\npath=" protected)
+    string(APPEND text "\nread* = %INSTALLDIR%/include\nread* = /usr/share/fonts\nread* = .\nread+write = .
+; Beside these a scene reads its own folder and those of Library_Path (+L), and reads and writes the folder of its picture.
+; The option --unrestricted permits all files.\n
+; The program's own folders, where no scene writes.
+[Protected Folder]\npath=${protected}\n")
+    set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# The build folder: links to the patched tree; scenes and tests of the repository may be read, the build
-# folder may be written.
+# The build folder: links to the patched tree.
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/${data_folder}")
 foreach(part IN ITEMS include ini)
     file(CREATE_LINK "${POVRAY_SOURCE}/distribution/${part}" "${CMAKE_BINARY_DIR}/${data_folder}/${part}" SYMBOLIC)
 endforeach()
 set(built_data "${CMAKE_BINARY_DIR}/${data_folder}")
 run_tree_ini(ini "${built_data}" "${built_data}/ini" "${built_data}/include" "${scenes}/include")
-run_tree_conf(conf "read* = \"${POVRAY_SOURCE}/distribution\"" "read* = \"${CMAKE_SOURCE_DIR}\""
-    "read+write* = \"${CMAKE_BINARY_DIR}\"")
+run_tree_conf(conf "${CMAKE_SOURCE_DIR}" "${CMAKE_BINARY_DIR}")
 # "@ONLY"-free: the texts hold no placeholder, and an unchanged file keeps its time.
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${conf_folder}/povray.ini" CONTENT "${ini}" @ONLY)
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${conf_folder}/povray.conf" CONTENT "${conf}" @ONLY)
 
 # An installation. povray.ini names the prefix, which is known only while installing.
 run_tree_ini(ini "INSTALL_DATA" "INSTALL_DATA/ini" "INSTALL_DATA/include")
-run_tree_conf(conf "read* = %INSTALLDIR%/ini" "read* = %INSTALLDIR%/scenes")
+run_tree_conf(conf "%INSTALLDIR%/scenes")
 set(staged "${CMAKE_BINARY_DIR}/install")
 file(CONFIGURE OUTPUT "${staged}/povray.ini" CONTENT "${ini}" @ONLY)
 file(CONFIGURE OUTPUT "${staged}/povray.conf" CONTENT "${conf}" @ONLY)

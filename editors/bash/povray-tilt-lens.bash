@@ -68,7 +68,7 @@ _tilt_lens_render()
 {
     local word
     word=$(_tilt_lens_word)
-    local options='+W +H +A0.1 +FN16 +FE +FE32 +N +O +L +WT +SR +ER +SC +EC +C +UA -GA Output_Layers=on Declare= --help --version'
+    local options='+W +H +A0.1 +FN16 +FE +FE32 +N +O +L +WT +SR +ER +SC +EC +C +UA -GA Output_Layers=on Declare= --unrestricted --help --version'
     _tilt_lens_reply <(
         compgen -W "$options" -- "$word"
         case $word in

@@ -3,7 +3,9 @@
 """Arbitrary names, scenes that read files relative to themselves, read-only folders."""
 
 import os
+import pathlib
 import subprocess
+import tempfile
 
 from tests.batch import harness
 from tests.batch.harness import LENS, SETTINGS, BatchTest, held_to_permissions
@@ -49,7 +51,7 @@ class Names(BatchTest):
         copy = scene.with_name("copy.pov")
         copy.write_text(scene.read_text())
         subprocess.run(
-            [SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "-D", "+FN", "+W64", "+H64"],
+            [SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "--unrestricted", "-D", "+FN", "+W64", "+H64"],
             cwd=scene.parent,
             check=True,
             env=self.env,
@@ -67,6 +69,14 @@ class Names(BatchTest):
         self.assertEqual(len(os.listdir(self.folder / f"{WEIRD}_film")), 2)
         self.batch("sweep", scene, "--set", "Tilt=1,2", "+W64", "+H64")
         self.assertEqual(len(os.listdir(self.folder / f"{WEIRD}_sweep")), 3)
+
+    def test_files_elsewhere(self):
+        """Permitted as for ./render."""
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            (pathlib.Path(name) / "other.inc").write_text("#declare Other = 1;\n")
+            scene = self.scene(LENS + f'#include "{name}/other.inc"\n')
+            self.assertIn("Not permitted: reading", self.batch("still", scene, "+W48", "+H40", code=1))
+            self.batch("still", scene, "--unrestricted", "+W48", "+H40", "--anew")
 
     def test_folders_of_options(self):
         (self.folder / "in c").mkdir()

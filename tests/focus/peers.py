@@ -4,9 +4,11 @@
 
 import asyncio
 import os
+import pathlib
 import resource
 import signal
 import socket
+import tempfile
 import time
 import urllib.parse
 import urllib.request
@@ -206,6 +208,21 @@ class Names(ClientTest):
         self.assertEqual((picture["state"], written["state"]), ("done", "written"), (picture, written))
         self.assertEqual(changed["files"], ["more.inc"])
         self.assertIn("Wrong", error)
+
+    def test_files_elsewhere(self):
+        """Permitted as for ./render."""
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+            (pathlib.Path(name) / "other.inc").write_text("sphere { 0, 1 }\n")
+            scene = self.scene(SCENE + f'#include "{name}/other.inc"\n')
+
+            async def use(address):
+                async with page_at(address) as page:
+                    return await page.told("preview", "done")
+
+            with self.assertRaisesRegex(AssertionError, "Not permitted: reading"):
+                asyncio.run(use(self.start(scene, *WORDS)))
+            self.end()
+            asyncio.run(use(self.start(scene, *WORDS, "--unrestricted")))
 
 
 if __name__ == "__main__":

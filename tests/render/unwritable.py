@@ -23,15 +23,19 @@ class Unwritable(unittest.TestCase):
 
     def refused(self, *options, **settings):
         """POV-Ray's messages, as one line."""
-        job = rendering.Job(scenes.TILTED, options, width=16, height=12)
+        code, said = self.attempt(scenes.TILTED, *options, **settings)
+        self.assertNotEqual(code, 0, said)
+        return said
+
+    def attempt(self, scene, *options, **settings):
+        """Exit code, and POV-Ray's messages, as one line."""
+        job = rendering.Job(scene, options, width=16, height=12)
         (self.folder / "scene.pov").write_text(rendering.HEAD + job.scene)
         (self.folder / "none.ini").write_text("")
         done = subprocess.run([*held_to_permissions(), *job.command()], cwd=self.folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False, **settings,
                               env={**os.environ, "POVINI": str(self.folder / "none.ini")})
-        said = " ".join(done.stdout.decode(errors="replace").split())
-        self.assertNotEqual(done.returncode, 0, said)
-        return said
+        return done.returncode, " ".join(done.stdout.decode(errors="replace").split())
 
     def assert_once(self, said, *parts):
         """The parts in their order, the first of them once."""
@@ -52,16 +56,36 @@ class Unwritable(unittest.TestCase):
         (self.folder / "picture.png" / "used").touch()
         self.assert_once(self.refused(), "Cannot write the picture '", "picture.png'", "directory)", "+C")
 
+    def test_ini_file(self):
+        self.assert_once(self.refused("+GInowhere/a.ini"), "Cannot write the INI file 'nowhere/a.ini' (No such file or directory)", "+GI")
+
     def test_state_file_beyond_the_size_limit(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
         said = self.refused("+W64", "+H64", "+BS8", "+WT1", preexec_fn=limit)
         self.assertRegex(said, r"Cannot write the state file '[^']*picture\.pov-state' \(File too large\)\. Make room there, then continue with \+C")
         self.assertNotIn("Cannot access data in file", said)
+        self.assertEqual(said.count("Cannot write the state file"), 1, said)
         state = self.folder / "picture.pov-state"
         self.assertLessEqual(state.stat().st_size, 4096)
         again = rendering.Job(scenes.TILTED, ("+W64", "+H64", "+BS8", "+C"), width=16, height=12).attempt(self.folder)
         self.assertEqual(again[0], 0, again[1])
+
+    def test_text_file_beyond_the_size_limit(self):
+        """Closed by the scene, and left open; the text is longer than a buffer, and shorter."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+        for count, reason in ((300, "File too large"), (3000, "not all of it was taken; is the disk full?")):
+            for close, kind in (("#fclose F", "Parse Error"), ("", "Possible Parse Error")):
+                with self.subTest(count=count, close=close):
+                    scene = f'#fopen F "text" write #for (I, 1, {count}) #write (F, "0123456789 0123456789 012345678\\n") #end\n{close}\n'
+                    code, said = self.attempt(scenes.TILTED + scene, preexec_fn=limit)
+                    self.assert_once(said, f"{kind}: Cannot write the file 'text' ({reason})")
+                    self.assertEqual(said.count("Cannot write"), 1, said)
+                    self.assertEqual(code, 1 if close else 0, said)
+        code, said = self.attempt(scenes.TILTED + scene)
+        self.assertNotIn("Cannot write", said)
+        self.assertEqual((self.folder / "text").stat().st_size, 32 * count)
 
     def test_refused_state_file(self):
         (self.folder / "picture.pov-state").write_bytes(b"garbage" * 100)

@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import signal
@@ -81,6 +82,18 @@ class FileNames(RenderTest):
             (self.place / "szene \u00f6.png").unlink()
             self.assertEqual(sorted(os.listdir(self.folder)), sorted(["clone", FOLDER, "\u4e00.txt"]), option)
 
+    def test_files_elsewhere(self):
+        """Not permitted, but by a word."""
+        (self.folder / "other.inc").write_text("#declare Other = 1;\n")
+        scene = self.scene()
+        with open(self.place / scene, "a", encoding="utf-8") as stream:
+            stream.write('#include "../other.inc"\n')
+        refused = self.run_command(self.copy / "render", scene, "+W8", "+H6", cwd=self.place, env={"DISPLAY": ""})
+        self.assertEqual(refused.returncode, 1, refused.stderr)
+        self.assertIn("Not permitted: reading '../other.inc'", refused.stderr)
+        for words in (("--unrestricted", scene), (scene, "--unrestricted"), (scene, f"+L{self.folder}")):
+            self.assertEqual(self.render(*words), f"Picture: {self.place}/szene \u00f6.png")
+
     def test_names_in_an_ini_file(self):
         self.scene()
         (self.place / "\u00fc.ini").write_text('Output_File_Name="\u00e4.png"\n', encoding="utf-8")
@@ -141,7 +154,21 @@ class FileNames(RenderTest):
         missing = self.long_path("a", 3000)
         said = self.run_command(BUILD / "bin" / "povray", f'+I"{missing}"', "-D", "+Oout.png", cwd=self.place)
         self.assertEqual(said.returncode, 1, said.stderr)
-        self.assertIn(f"Cannot find file '{missing[:500]}", said.stderr.replace("\n", ""))
+        self.assertIn(f"Cannot find file '{missing}'", said.stderr.replace("\n", ""))
+
+    def test_long_names_in_messages(self):
+        """They are told whole."""
+        for length in (1000, 1024, 2048, 4000):
+            name = "/".join(["a" * 99] * 40)[:length - 2] + "/b"
+            written = "concat(" + ", ".join(f'"{name[i:i + 80]}"' for i in range(0, len(name), 80)) + ")"
+            for line in (f"#include {written}", f"#fopen F {written} read", f"#fopen F {written} write",
+                         f"camera {{ location -4*z look_at 0 tilt_lens {{ prescription {written} }} }}",
+                         f'plane {{ y, 0 pigment {{ image_map {{ png {written} }} }} }}'):
+                with self.subTest(length=length, line=line[:16]):
+                    (self.place / "long.pov").write_text(f"#version 3.7; global_settings {{ assumed_gamma 1 }}\n{line}\n")
+                    said = self.run_command(BUILD / "bin" / "povray", "+Ilong.pov", "-D", "+Oout.png", cwd=self.place)
+                    self.assertEqual(said.returncode, 1, said.stderr)
+                    self.assertIn(name, re.sub(r"\s", "", said.stderr))
 
     def test_deep_folder(self):
         scene = pathlib.Path(self.long_path("ordner", 600))

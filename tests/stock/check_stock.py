@@ -43,7 +43,9 @@ def render(program, args, folder):
     settings = folder / "none.ini"
     settings.write_text("")
     picture = folder / "picture.png"
-    command = [program, f"+I{scene.name}", f"+O{picture.name}", "+FN16",
+    # the unpatched program does not know the word; the fork lets no scene write in the build folder, as one of these does
+    unrestricted = ["--unrestricted"] if folder.name == "fork" else []
+    command = [program, *unrestricted, f"+I{scene.name}", f"+O{picture.name}", "+FN16",
                f"+W{args.width}", f"+H{args.height}", f"+L{args.includes}",
                "-D", "-V", "-GA", "-P", "+WT1", *(args.options or ["-A"])]
     log = folder / "messages.txt"

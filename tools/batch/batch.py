@@ -314,7 +314,7 @@ def main(words):
     if words[:1] == ["finish"]:
         return last_step(words[1])
     settings, rest = parser().parse_known_args(words)
-    unknown = [word for word in rest if word.startswith("--") or settings.kind == "status"]
+    unknown = [word for word in rest if (word.startswith("--") and word != "--unrestricted") or settings.kind == "status"]
     if unknown:
         parser().error(f"unknown option {unknown[0]}")
     for number in (signal.SIGTERM, signal.SIGHUP):

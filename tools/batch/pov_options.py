@@ -68,7 +68,9 @@ class PovOptions:
 
     def add(self, word):
         named = re.fullmatch(r"([A-Za-z_]+)\s*=(.*)", word, re.DOTALL)
-        if word[:1] in "+-" and len(word) > 1:
+        if word == "--unrestricted":
+            self.words.append(word)
+        elif word[:1] in "+-" and len(word) > 1:
             self.add_switch(word)
         elif named:
             self.add_named(word, named.group(1).lower(), named.group(2).strip())

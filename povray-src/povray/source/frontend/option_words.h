@@ -17,6 +17,9 @@ std::string WordProblem(const std::string& word);
 /// @param line  of the file, from 1
 std::string LineProblem(const std::string& file, int line);
 
+/// An INI file that was to be written, and why it was not: errno.
+std::string UnwritableSettings(const std::string& file);
+
 } // namespace pov_frontend
 
 #endif

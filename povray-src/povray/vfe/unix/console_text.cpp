@@ -22,11 +22,10 @@ const char* OwnOptionsHelp()
 
 bool IsSaidAgain(bool isStatus, const std::string& text)
 {
-    static std::string last;
-    if (isStatus)
-        return text == last;
-    last = text;
-    return false;
+    static std::string lastMessage, lastStatus;
+    const bool again = !text.empty() && text == (isStatus ? lastMessage : lastStatus);
+    (isStatus ? lastStatus : lastMessage) = text;
+    return again;
 }
 
 void EndIfStuck(int hundredths)

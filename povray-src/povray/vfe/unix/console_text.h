@@ -15,7 +15,7 @@ namespace vfePlatform
 /// Section of `--help` for options that upstream does not have, with the blank line before it.
 const char* OwnOptionsHelp();
 
-/// True if the text of the status line repeats the last printed message: upstream sends an error both as a message and as the status.
+/// True if a text was printed before: upstream sends an error both as a message and as the status, in either order.
 /// @param isStatus  the text is for the status line; call for each printed text
 bool IsSaidAgain(bool isStatus, const std::string& text);
 

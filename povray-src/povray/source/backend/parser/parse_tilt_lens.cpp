@@ -174,7 +174,7 @@ void TiltLensParser::ClaimOnce(const std::string& word, std::set<std::string>& s
 
 void TiltLensParser::ErrorAt(const TiltLensPlace& place, const char* format, ...)
 {
-    char text[1024];
+    char text[16384]; // two names of 4095 bytes, and what is said of them
     va_list arguments;
     va_start(arguments, format);
     std::vsnprintf(text, sizeof text, format, arguments);
