@@ -15,7 +15,7 @@ SIZE, QUICK_SIZE = (320, 240), (160, 120)
 SEEDS = (1, 2, 3)
 FIRST_SEED = 101            # of the references, whose samples no picture shares
 BATCHES = 4                 # pictures of a reference
-LEAST_SAMPLES, MOST_SAMPLES = 256, 16384    # of each of their pixels
+LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 2048      # of each of their pixels
 GREATEST_NOISE = 0.1        # of a reference, in the MSE that is measured with it
 VARIANCE = 1e-4             # of the default settings
 
@@ -35,7 +35,7 @@ class Scene:
 
 SCENES = [
     Scene("mirror", "lamps in a mirror", (0.08, 0.16), (0.16,)),
-    Scene("two_mirrors", "lamps in two mirrors", (0.16, 0.32), (0.32,)),
+    Scene("two_mirrors", "lamps in two mirrors", (0.08, 0.16), (0.16,)),
     Scene("sky", "suns of a sky's pigment", (0.08, 0.16), (0.16,)),
     Scene("textures", "lamps by a `texture_map`", (0.04, 0.08)),
     Scene("image", "windows of an `image_map`"),
@@ -79,16 +79,16 @@ class Reference:
 
     def fine_enough(self, *sets):
         """The reference that is finer by far than the mean square errors of some sets of pictures, and these errors."""
-        samples = LEAST_SAMPLES
+        samples, most = LEAST_SAMPLES, QUICK_MOST if self.lab.quick else MOST_SAMPLES
         while True:
             path = self.of(samples)
             errors = [mean(self.lab.tool("noise", "errors", path, *pictures)) for pictures in sets]
             least = max(1e-12, min(error["mse"] for error in errors))
             finer = errors[0]["reference_mse"]/(GREATEST_NOISE*least)
-            if finer <= 1.0 or samples >= MOST_SAMPLES:
+            if finer <= 1.0 or samples >= most:
                 return path, errors
             # the noise may fall more steeply than the samples grow
-            samples = min(MOST_SAMPLES, samples*2**max(1, min(3, round(math.log2(finer)))))
+            samples = min(most, samples*2**max(1, min(3, round(math.log2(finer)))))
 
 
 def mean(records):

@@ -8,6 +8,7 @@ global_settings { assumed_gamma 1 }
 #declare Look = 0;
 #declare Sharp = 0;
 #declare Aperture = 1.5;
+#declare Brightness = 0.3;
 #include "found_lamps/camera.inc"
 
 light_source { <20, 30, -30>, rgb 1 }

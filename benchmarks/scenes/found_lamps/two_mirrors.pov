@@ -8,12 +8,22 @@ global_settings { assumed_gamma 1 }
 #declare Look = 0;
 #declare Sharp = 0;
 #declare Aperture = 1.5;
-#declare Brightness = 5;
+#declare Brightness = 2;
+#ifdef (Known) #declare Brightness = 2*0.9*0.9; #end
 #include "found_lamps/camera.inc"
 
 light_source { <20, 30, -30>, rgb 1 }
-sphere { <-1.5, -1, 0>, 0.8 pigment { rgb <0.2, 0.4, 0.6> } }
-#declare Mirror = box { <-15, -10, 0>, <15, 10, 0.1> pigment { rgb 0.05 } finish { reflection 0.9 diffuse 0.3 } }
-object { Mirror rotate 45*y translate 8*z }
-object { Mirror rotate 45*y translate <-16, 0, 8> }
-Array(<-16, 0, 24>, Announced)
+sphere { <-1.5, -1, 0>, 0.8 pigment { rgb <0.2, 0.4, 0.6> } no_reflection }
+#macro Lights(Place)
+  #if (Lamps) union { Array(0, Announced) scale 4 translate Place } #end
+#end
+#ifdef (Known)
+  Lights(110*z)
+#else
+  #macro Mirror(Left, Right)
+    box { <Left, -40, 0>, <Right, 40, 0.0001> pigment { rgb 0 } finish { reflection 0.9 diffuse 0 ambient 0 } rotate 45*y translate 12*z }
+  #end
+  Mirror(-20, 9)
+  object { Mirror(-60, 32) translate -50*x }
+  Lights(<-50, 0, 60>)
+#end

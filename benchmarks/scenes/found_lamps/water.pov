@@ -8,7 +8,7 @@ global_settings { assumed_gamma 1 }
 #declare Look = <0, 0, 0>;
 #declare Sharp = <0, 0.6, -2>;
 #declare Aperture = 2;
-#declare Brightness = 0.5;
+#declare Brightness = 0.15;
 #include "found_lamps/camera.inc"
 
 light_source { <20, 30, -30>, rgb 1 }
