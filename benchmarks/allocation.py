@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What it brings to decide where rays go: the error of the adaptive sampler beside that of as many rays spread evenly, and beside
-that of perfect knowledge.
+"""The error of the adaptive sampler over that of as many rays spread evenly, and over that of perfect knowledge.
 
-Evenly: the same number of samples in each pixel, all of them first samples, reconstructed as always. From the errors of such pictures
+Evenly spread are the same number of samples in each pixel, all of them first samples, reconstructed as always. From the errors of such pictures
 with 2, 4, 8, ... samples follows what perfect knowledge would do: each group of 8 by 8 pixels takes the number n that makes its
 squared error plus lambda n least. The numbers are chosen by one half of the pictures and judged by the other, so that none is chosen
 because its picture had luck."""
@@ -32,7 +31,7 @@ def middle(whole, size):
 
 
 def squares(lab, shot, reference):
-    """The squared errors of the groups of independent pictures, the mean number of samples, and the reference's own error."""
+    """Independent pictures: the squared errors of their groups, their mean number of samples, and the reference's own error."""
     key = digest("squared errors of groups", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES, GROUP)
     record = lab.runs.get((key, 0))
     if record is None:

@@ -1,8 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps that must be found: far out of focus, and announced by no finish or seen by another way than the straight one. The default
-settings are compared with fixed sampling, which takes as many rays in each pixel and is reconstructed alike. What statistics of
-noise do not see is counted apart: the share of the lamps' light that is kept, and that of the pixels of their discs that stay dark."""
+"""Lamps far out of focus that the sampler does not know beforehand: no finish announces them, or a mirror, glass or a highlight shows
+them. The default settings are compared with fixed sampling, which takes as many rays in each pixel and is reconstructed alike. A disc that
+stays dark hardly changes the error, so two figures are of the lamps alone: the share of their light that a picture keeps, and the share of
+the pixels of their discs that stay dark."""
 
 import dataclasses
 import math
@@ -92,7 +93,7 @@ class Reference:
 
 
 def mean(records):
-    """Of all numbers of some records."""
+    """The mean of each number of some records."""
     return {name: sum(record[name] for record in records)/len(records)
             for name, value in records[0].items() if isinstance(value, (int, float))}
 

@@ -341,8 +341,8 @@ SECTIONS = {
     "crops": ("Whether `variance V` is kept in large pictures", section_crops),
     "builds": ("The program of `cmake/build-fast`", section_builds),
     "found_lamps": ("Lamps that must be found", section_found_lamps),
-    "allocation": ("Where rays go, beside uniform sampling and perfect knowledge", section_allocation),
-    "threads": ("What more threads bring", section_threads),
+    "allocation": ("The allocation of rays, beside uniform sampling and perfect knowledge", section_allocation),
+    "threads": ("One thread and several", section_threads),
     "ablation": ("What each rule of the sampler is worth", section_ablation),
 }
 GOALS = {"contract": goals_contract, "crops": goals_crops, "display": goals_display, "lamps": goals_lamps,

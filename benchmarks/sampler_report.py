@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Sections of report.py about what the sampler finds, how it shares out rays, and what threads wait for."""
+"""Sections of report.py: lamps that must be found, the allocation of rays, threads."""
 
 from benchmarks import allocation, found_lamps, threads
 from benchmarks.front import geometric_mean
@@ -48,7 +48,7 @@ def section_found_lamps(rows):
             *[goal.sentence() for goal in goals_found_lamps(rows)]]
 
 
-# Where rays go
+# Allocation of rays
 
 def goals_allocation(rows):
     large = [row for row in rows if tuple(row["whole"]) == allocation.LARGE]

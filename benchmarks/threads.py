@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What more threads bring: the wall time of tracing the gallery's pictures, and the share of it that threads wait. Start, parsing and
-output are left out. A thread that has no processor waits, too: the machine must be quiet."""
+"""Wall time of tracing the gallery's pictures with one thread and with more, and the share of it that threads wait, without start,
+parsing and output. A thread that has no processor waits, too: the machine must be quiet."""
 
 import os
 import re
