@@ -72,8 +72,8 @@ def section_allocation(rows):
             cells.append([title, f"{size[0]} by {size[1]}", f"{min(rays):.0f} to {max(rays):.0f}", f"{uniform:.2f}",
                           f"{uniform/ideal:.2f}", f"{ideal:.2f}",
                           f"{max(row['reference_mse']/row['mse'] for row in found):.2f}"])
-    return [f"Groups have {allocation.GROUP} by {allocation.GROUP} pixels; {allocation.PICTURES} pictures of each setting."
-            " The last column is the reference's own MSE over the least MSE of a row.",
+    return [f"Groups have {allocation.GROUP} by {allocation.GROUP} pixels; {allocation.PICTURES} pictures of each setting. Half of them choose the"
+            " ideal numbers, so chance makes them worse than they could be. The last column is the reference's own MSE over the least MSE of a row.",
             table(["scene", "picture", "rays a pixel", "MSE over that of uniform sampling", "the same, ideal", "MSE over the ideal",
                    "the reference's part"], cells),
             *[goal.sentence() for goal in goals_allocation(rows)]]
