@@ -16,7 +16,7 @@ SIZE, QUICK_SIZE = (320, 240), (160, 120)
 SEEDS = (1, 2, 3)
 FIRST_SEED = 101            # of the references, whose samples no picture shares
 BATCHES = 4                 # pictures of a reference
-LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 2048      # of each of their pixels
+LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024      # of each of their pixels
 GREATEST_NOISE = 0.1        # of a reference, in the MSE that is measured with it
 VARIANCE = 1e-4             # of the default settings
 
