@@ -11,11 +11,13 @@ import sys
 from benchmarks import (
     ablation,
     accumulation,
+    allocation,
     builds,
     camera_share,
     comparison,
     contract,
     cycles,
+    found_lamps,
     glass_cost,
     growth,
     instructions,
@@ -30,6 +32,7 @@ from benchmarks import (
     sample_cost,
     suite,
     tables,
+    threads,
     tilt_cost,
     tilted,
     versus_stock,
@@ -38,10 +41,11 @@ from benchmarks.lab import Failed, Lab
 from tools.repository import BUILD
 
 PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "reading", "denoise", "pan", "tilt", "instructions", "samples", "glass",
-         "loops", "growth", "contract", "crops", "builds", "ablation")
-NAMES = [*[scene.name for scene in suite.SCENES], *suite.DISPLAY]
+         "loops", "growth", "contract", "crops", "builds", "ablation", "found_lamps", "allocation",
+         "threads")
+NAMES = [*[scene.name for scene in suite.SCENES], *found_lamps.NAMES, *suite.DISPLAY]
 # Parts whose short form is shown in the pages, too: the page then says so by the size of its pictures.
-SHORT = {"stock", "tilted", "contract", "display", "lamps", "cycles", "preview", "crops", "ablation"}
+SHORT = {"stock", "tilted", "contract", "display", "lamps", "cycles", "preview", "crops", "ablation", "found_lamps", "allocation", "threads"}
 
 
 def chosen(text, names, what, parser):
@@ -161,6 +165,12 @@ def measure(lab, args):
         results["builds"] = builds.measure(lab, scenes, args.fast.resolve())
     if "ablation" in args.parts:
         results["ablation"] = ablation.measure(lab)
+    if "found_lamps" in args.parts:
+        results["found_lamps"] = found_lamps.measure(lab, args.scenes)
+    if "allocation" in args.parts:
+        results["allocation"] = allocation.measure(lab, args.scenes)
+    if "threads" in args.parts:
+        results["threads"] = threads.measure(lab, args.scenes)
     return version, results, runs
 
 

@@ -9,6 +9,7 @@ all. `benchmarks/pages.py` puts them into the pages.
 from benchmarks import suite
 from benchmarks.front import geometric_mean
 from benchmarks.reconstruction import PICTURES, compare
+from benchmarks.sampler_report import section_allocation, section_found_lamps, section_threads
 from benchmarks.tables import TITLES, Goal, both_sections, plots_of, ratio_goals, ratio_section, table
 
 # CPU time at equal error
@@ -339,6 +340,9 @@ SECTIONS = {
     "contract": ("Whether `variance V` is kept", section_contract),
     "crops": ("Whether `variance V` is kept in large pictures", section_crops),
     "builds": ("The program of `cmake/build-fast`", section_builds),
+    "found_lamps": ("Lamps that must be found", section_found_lamps),
+    "allocation": ("The allocation of rays, beside uniform sampling and perfect knowledge", section_allocation),
+    "threads": ("One thread and several", section_threads),
     "ablation": ("What each rule of the sampler is worth", section_ablation),
 }
 GOALS = {"contract": goals_contract, "crops": goals_crops, "display": goals_display, "lamps": goals_lamps,

@@ -10,6 +10,10 @@
 ///                                           (NAME.layers.exr): whether they keep V, their pixels that took more
 ///                                           than N samples apart, and whether their standard error is true
 ///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first so many pictures
+///     noise lamps REFERENCE WITHOUT PICTURE...    the light of lamps that each picture keeps, above white too: its share, and the
+///                                                 share of the pixels of their discs that lack it; the reference is one
+///                                                 with --unclipped, and so is that of the scene without lamps
+///     noise groups REFERENCE PICTURE... --side N  each picture's squared error in groups of N by N pixels
 ///
 /// A reference made of several pictures knows its own mean square error, which is independent of the
 /// picture's and is taken off; a result below zero is given as zero. Pictures that are larger than the
@@ -20,7 +24,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,6 +31,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "lamp_light.h"
 #include "picture.h"
 
 namespace
@@ -47,6 +51,15 @@ Picture Clipped(Picture picture)
         value = std::clamp(value, 0.0, 1.0);
     }
     return picture;
+}
+
+/// A reference that was not clipped before it was averaged: what is above white is known to be white.
+Reference Clipped(Reference reference)
+{
+    for (std::size_t i = 0; i < reference.mean.Size(); ++i)
+        if (reference.mean.values[i] > 1.0)
+            reference.mean.values[i] = 1.0, reference.error.values[i] = 0.0;
+    return reference;
 }
 
 /// The part of a picture that begins at `at` (left, top); without it, what is within a border.
@@ -177,11 +190,12 @@ private:
 
 struct Arguments
 {
-    std::string reference, out;
+    std::string reference, out, without;
     std::vector<std::string> pictures;
     std::vector<int> at;
     std::vector<std::size_t> counts;
-    int width = 0, height = 0;
+    int width = 0, height = 0, side = 8;
+    bool unclipped = false;
     double variance = 0.0, moreThan = 0.0;
 };
 
@@ -189,13 +203,16 @@ void MakeReference(const Arguments& arguments)
 {
     std::vector<Picture> batches;
     for (const std::string& path : arguments.pictures)
-        batches.push_back(Inner(Clipped(witness::ReadPicture(path)), arguments.width, arguments.height));
+    {
+        const Picture batch = witness::ReadPicture(path);
+        batches.push_back(Inner(arguments.unclipped ? batch : Clipped(batch), arguments.width, arguments.height));
+    }
     witness::WriteReference(arguments.out, witness::Average(batches));
 }
 
 void PrintErrors(const Arguments& arguments)
 {
-    const Reference reference = witness::ReadReference(arguments.reference);
+    const Reference reference = Clipped(witness::ReadReference(arguments.reference));
     for (const std::string& path : arguments.pictures)
     {
         json line = Errors(Inner(Clipped(witness::ReadPicture(path)), reference.mean.width, reference.mean.height, arguments.at),
@@ -207,7 +224,7 @@ void PrintErrors(const Arguments& arguments)
 
 void PrintClaims(const Arguments& arguments)
 {
-    const Reference reference = witness::ReadReference(arguments.reference);
+    const Reference reference = Clipped(witness::ReadReference(arguments.reference));
     const auto inner = [&](const Picture& picture) { return Inner(picture, reference.mean.width, reference.mean.height); };
     Claims claims(reference, arguments.variance, arguments.moreThan);
     for (const std::string& path : arguments.pictures)
@@ -217,6 +234,37 @@ void PrintClaims(const Arguments& arguments)
                    inner(witness::ReadChannel(layers, "standardError")));
     }
     std::cout << claims.Found().dump() << '\n';
+}
+
+void PrintLamps(const Arguments& arguments)
+{
+    const Picture with = witness::ReadReference(arguments.reference).mean, without = witness::ReadReference(arguments.without).mean;
+    const LampLight light(with, without);
+    for (const std::string& path : arguments.pictures)
+    {
+        const LampLight::Kept kept = light.Of(witness::ReadPicture(path));
+        std::cout << json{{"kept", kept.share}, {"dark", kept.dark}, {"disc_pixels", kept.discPixels}}.dump() << '\n';
+    }
+}
+
+/// Groups from the upper left corner on, row by row; those at the right and lower edge may be smaller.
+void PrintGroups(const Arguments& arguments)
+{
+    const Reference reference = Clipped(witness::ReadReference(arguments.reference));
+    const int width = reference.mean.width, height = reference.mean.height, side = arguments.side;
+    const int across = (width + side - 1) / side, down = (height + side - 1) / side;
+    for (const std::string& path : arguments.pictures)
+    {
+        const Picture picture = Inner(Clipped(witness::ReadPicture(path)), width, height);
+        std::vector<double> squares(std::size_t(across) * down, 0.0);
+        for (std::size_t i = 0; i < picture.Size(); ++i)
+        {
+            const int pixel = int(i / 3), x = pixel % width, y = pixel / width;
+            const double off = picture.values[i] - reference.mean.values[i], own = reference.error.values[i];
+            squares[std::size_t(y / side) * across + std::size_t(x / side)] += off * off - own * own;
+        }
+        std::cout << json{{"squares", squares}, {"reference_mse", MeanSquare(reference.error)}}.dump() << '\n';
+    }
 }
 
 void PrintPrefixes(const Arguments& arguments)
@@ -254,6 +302,7 @@ int main(int argc, char** argv)
                           "width and height of the inner part")
         ->expected(2)->required();
     reference->add_option("pictures", arguments.pictures)->required();
+    reference->add_flag("--unclipped", arguments.unclipped, "keep what is above white");
     CLI::App* errors = app.add_subcommand("errors", "each picture against the reference");
     errors->add_option("reference", arguments.reference)->required();
     errors->add_option("pictures", arguments.pictures)->required();
@@ -267,6 +316,14 @@ int main(int argc, char** argv)
     prefixes->add_option("reference", arguments.reference)->required();
     prefixes->add_option("pictures", arguments.pictures)->required();
     prefixes->add_option("--counts", arguments.counts)->delimiter(',')->required();
+    CLI::App* lamps = app.add_subcommand("lamps", "the light of lamps that each picture keeps");
+    lamps->add_option("reference", arguments.reference)->required();
+    lamps->add_option("without", arguments.without, "a reference of the scene without lamps")->required();
+    lamps->add_option("pictures", arguments.pictures)->required();
+    CLI::App* groups = app.add_subcommand("groups", "squared errors in groups of pixels");
+    groups->add_option("reference", arguments.reference)->required();
+    groups->add_option("pictures", arguments.pictures)->required();
+    groups->add_option("--side", arguments.side, "pixels")->check(CLI::PositiveNumber);
     CLI11_PARSE(app, argc, argv);
     try
     {
@@ -277,6 +334,10 @@ int main(int argc, char** argv)
             PrintErrors(arguments);
         else if (*claims)
             PrintClaims(arguments);
+        else if (*lamps)
+            PrintLamps(arguments);
+        else if (*groups)
+            PrintGroups(arguments);
         else
             PrintPrefixes(arguments);
     }

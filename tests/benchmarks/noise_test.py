@@ -115,6 +115,54 @@ class Noise(unittest.TestCase):
         line, = self.tool("prefixes", self.reference(0.5, 0.5), *pictures, "--counts", "2")
         self.assertAlmostEqual(line["mse"], 0.0625, places=6)
 
+    def mosaic(self, name, left, right):
+        """A picture of two values."""
+        paths = [self.grey(f"{name}{side}", value, (8, 8)) for side, value in (("l", left), ("r", right))]
+        picture = self.folder / f"{name}.exr"
+        subprocess.run(["oiiotool", *map(str, paths), "--mosaic", "2x1", "-o", str(picture)], check=True)
+        return picture
+
+    def unclipped(self, name, *pictures):
+        path = self.folder / f"{name}.exr"
+        self.tool("reference", path, *pictures, "--unclipped", "--size", 16, 8)
+        return path
+
+    def test_light_of_lamps_is_counted_above_white(self):
+        """A lamp fills the right half, three times as bright as white."""
+        lamps, dark = self.mosaic("lamps", 0.25, 3.25), self.grey("dark", 0.25)
+        reference, without = self.unclipped("with", lamps, lamps), self.unclipped("without", dark, dark)
+        pictures = [lamps, dark, self.mosaic("weak", 0.25, 2.25), self.mosaic("weaker", 0.25, 2.75)]
+        lines = self.tool("lamps", reference, without, *pictures)
+        self.assertEqual([line["disc_pixels"] for line in lines], [64]*4)
+        for line, kept, share in zip(lines, (1, 0, 2/3, 2.5/3), (0, 1, 1, 0)):
+            self.assertAlmostEqual(line["kept"], kept, places=5)
+            self.assertEqual(line["dark"], share)
+
+    def test_what_is_less_than_half_as_bright_as_the_disc_beside_it_is_no_disc(self):
+        reference, without = (self.unclipped(name, picture, picture) for name, picture in (
+            ("with", self.mosaic("lamps", 0.2, 0.5)), ("without", self.grey("dark", 0.0))))
+        line, = self.tool("lamps", reference, without, self.grey("dark", 0.0))
+        self.assertEqual((line["disc_pixels"], line["dark"]), (64, 1.0))
+
+    def test_a_scene_needs_lamps(self):
+        reference = self.unclipped("with", self.grey("a", 0.5), self.grey("b", 0.5))
+        self.assertIn("no brighter", self.tool("lamps", reference, reference, self.grey("a", 0.5), fails=True))
+        self.assertIn("size", self.tool("lamps", reference, reference, self.grey("c", 0.5, (8, 8)), fails=True))
+
+    def test_white_of_an_unclipped_reference_has_no_error(self):
+        reference = self.unclipped("with", self.grey("a", 2.0), self.grey("b", 4.0))
+        line, = self.tool("errors", reference, self.grey("c", 5.0))
+        self.assertEqual((line["mse"], line["reference_mse"]), (0.0, 0.0))
+
+    def test_groups_of_pixels(self):
+        lines = self.tool("groups", self.reference(0.5, 0.5), self.mosaic("a", 0.5, 0.75), self.grey("b", 0.75), "--side", 8)
+        for line, wanted in zip(lines, ([0.0, 12.0], [12.0, 12.0])):
+            self.assertEqual([round(square, 5) for square in line["squares"]], wanted)
+        # at the right edge a group has what is left of it, and the reference's own error is taken off
+        line, = self.tool("groups", self.reference(0.4, 0.6), self.grey("c", 0.75), "--side", 10)
+        for square, pixels in zip(line["squares"], (80, 48)):
+            self.assertAlmostEqual(square, 3*pixels*(0.0625 - 0.01), places=2)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

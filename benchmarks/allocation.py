@@ -1,0 +1,123 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The error of the adaptive sampler over that of as many rays spread evenly, and over that of perfect knowledge.
+
+Evenly spread are the same number of samples in each pixel, all of them first samples, reconstructed as always. From the errors of such pictures
+with 2, 4, 8, ... samples follows what perfect knowledge would do: each group of 8 by 8 pixels takes the number n that makes its
+squared error plus lambda n least. The numbers are chosen by one half of the pictures and judged by the other, so that none is chosen
+because its picture had luck."""
+
+from benchmarks import gallery, suite
+from benchmarks.front import error_after
+from benchmarks.lab import TILT_LENS, Part, digest, samples_spent
+
+LARGE, SMALL = (1000, 750), (200, 150)
+STRIP, QUICK_PART = (64, 376), (48, 48)     # pixels of a picture that are rendered; a strip has all distances in it
+SAMPLES = (2, 4, 8, 16, 32, 64, 128)
+VARIANCES = (3e-3, 1e-3, 3e-4, 1e-4, 3e-5)
+QUICK_SAMPLES, QUICK_VARIANCES = SAMPLES[:5], VARIANCES[1:3]
+QUICK_SCENES = ("checks", "foliage", "town")
+PICTURES = 4                # of each setting, half of them to choose by
+GROUP = 8
+MOST = 1024                 # samples of a pixel of the adaptive sampler
+REFERENCE = (2, 2048)       # pictures, samples a pixel of each
+LAMBDAS = [10**(-exponent/6) for exponent in range(12, 61)]     # squared error that a sample more of a pixel must save
+
+
+def middle(whole, size):
+    """The part of a picture in its middle."""
+    size = tuple(map(min, size, whole))
+    return size, Part((whole[0] - size[0])//2, (whole[1] - size[1])//2, *whole)
+
+
+def squares(lab, shot, reference):
+    """Independent pictures: the squared errors of their groups, their mean number of samples, and the reference's own error."""
+    key = digest("squared errors of groups", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES, GROUP)
+    record = lab.runs.get((key, 0))
+    if record is None:
+        made = [lab.work / "groups" / f"{key}-{number}.png" for number in range(PICTURES)]
+        spent = [samples_spent(lab.render(lab.ours, shot.independent(REFERENCE[0] + 1 + number), picture)[0])["samples"]
+                 for number, picture in enumerate(made)]
+        found = lab.tool("noise", "groups", reference, *made, "--side", GROUP)
+        for picture in made:
+            picture.unlink()
+        record = {"key": key, "repetition": 0, "samples": sum(spent)/PICTURES, "squares": [line["squares"] for line in found],
+                  "reference_mse": found[0]["reference_mse"]}
+        lab.keep(record)
+    return record
+
+
+def mean_by_group(lists):
+    return [sum(values)/len(values) for values in zip(*lists)]
+
+
+def ideal(even, sizes):
+    """(rays of a pixel, MSE) of perfect knowledge, for each lambda. `even` has for each number of samples the squared errors of the
+    groups in each picture, `sizes` the values of each group."""
+    points = []
+    counts, half = sorted(even), PICTURES//2
+    for weight in LAMBDAS:
+        rays = error = 0.0
+        for chosen_by, judged_by in ((slice(half), slice(half, None)), (slice(half, None), slice(half))):
+            known = {n: mean_by_group(even[n][chosen_by]) for n in counts}
+            judged = {n: mean_by_group(even[n][judged_by]) for n in counts}
+            for group, size in enumerate(sizes):
+                best = min(counts, key=lambda n: known[n][group] + weight*n*size)
+                rays += best*size/2
+                error += judged[best][group]/2
+        points.append((rays/sum(sizes), error/sum(sizes)))
+    return points
+
+
+def sizes_of_groups(width, height):
+    """The values, three a pixel, of each group from the upper left corner on."""
+    return [3*min(GROUP, width - x)*min(GROUP, height - y) for y in range(0, height, GROUP) for x in range(0, width, GROUP)]
+
+
+def compare(even, adaptive, sizes):
+    """For each adaptive record within the range of both curves: its error over that of uniform sampling, and over the ideal's."""
+    values = sum(sizes)
+    uniform = [(n, sum(mean_by_group(lists))/values) for n, lists in even.items()]
+    best = [point for point in ideal(even, sizes) if point[1] > 0]
+    rows = []
+    for record in adaptive:
+        rays, mse = record["samples"], sum(mean_by_group(record["squares"]))/values
+        if not min(even) <= rays <= max(even) or mse <= 0:
+            continue
+        evenly, ideally = error_after(uniform, rays), error_after(best, rays)
+        if evenly and ideally:
+            rows.append({"variance": record["variance"], "samples": rays, "mse": mse, "over_uniform": mse/evenly,
+                         "over_ideal": mse/ideally, "reference_mse": record["reference_mse"]})
+    return rows
+
+
+def of_scene(lab, scene, whole):
+    """The rows of a scene at one size."""
+    size, part = middle(whole, QUICK_PART if lab.quick else STRIP if whole == LARGE else whole)
+    kept = {"size": size, "part": None if size == whole else part}
+    lab.say(f"{scene.name}, {whole[0]} by {whole[1]}: where rays go")
+    reference = lab.reference(scene.shot(TILT_LENS, **kept), *REFERENCE)
+    even = {n: squares(lab, scene.shot(TILT_LENS, declare=suite.limits(n, n, 1e-3), **kept), reference)["squares"]
+            for n in (QUICK_SAMPLES if lab.quick else SAMPLES)}
+    adaptive = [{"variance": variance,
+                 **squares(lab, scene.shot(TILT_LENS, declare=suite.limits(4, MOST, variance), **kept), reference)}
+                for variance in (QUICK_VARIANCES if lab.quick else VARIANCES)]
+    found = compare(even, adaptive, sizes_of_groups(*size))
+    return [{"scene": scene.name, "whole": list(whole), "size": list(size),
+             **{name: float(f"{value:.4g}") for name, value in row.items()}} for row in found]
+
+
+def scenes(lab, names):
+    """The benchmark's scenes at both sizes, the gallery's at the larger one."""
+    of_benchmark = [scene for scene in suite.SCENES if scene.name in names and (not lab.quick or scene.name in QUICK_SCENES)]
+    of_gallery = [] if lab.quick else [suite.of_gallery(name, gallery.copy(lab, name)) for name in suite.DISPLAY if name in names]
+    return [(scene, LARGE) for scene in of_benchmark + of_gallery] + [(scene, SMALL) for scene in of_benchmark]
+
+
+def measure(lab, names):
+    """A row for each scene, size and variance."""
+    rows = [row for scene, whole in scenes(lab, names) for row in of_scene(lab, scene, whole)]
+    for row in rows:
+        lab.say(f"  {row['scene']} {row['whole'][0]}, {row['samples']:.1f} rays: {row['over_uniform']:.2f} of uniform,"
+                f" {row['over_ideal']:.2f} of the ideal")
+    return rows

@@ -1,0 +1,148 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Lamps far out of focus that the sampler does not know beforehand: no finish announces them, or a mirror, glass or a highlight shows
+them. The default settings are compared with fixed sampling, which takes as many rays in each pixel and is reconstructed alike. A disc that
+stays dark hardly changes the error, so two figures are of the lamps alone: the share of their light that a picture keeps, and the share of
+the pixels of their discs that stay dark."""
+
+import dataclasses
+import math
+
+from benchmarks.lab import SCENES as SCENE_FOLDER
+from benchmarks.lab import TILT_LENS, Shot, digest, samples_spent
+
+FOLDER = SCENE_FOLDER / "found_lamps"
+SIZE, QUICK_SIZE = (320, 240), (160, 120)
+SEEDS = (1, 2, 3)
+FIRST_SEED = 101            # of the references, whose samples no picture shares
+BATCHES = 4                 # pictures of a reference
+LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024      # of each of their pixels
+GREATEST_NOISE = 0.1        # of a reference, in the MSE that is measured with it
+VARIANCE = 1e-4             # of the default settings
+
+
+@dataclasses.dataclass(frozen=True)
+class Scene:
+    name: str
+    title: str
+    radii: tuple = (None,)      # of the lamps, where the scene knows them
+    quick: tuple = ()           # radii of the short form, where that leaves some out: the smaller, the finer the reference
+
+    def shots(self, quick):
+        return [(radius, Shot(self.name, TILT_LENS, size=QUICK_SIZE if quick else SIZE, folder=FOLDER, threads=2,
+                              declare=(("Radius", radius),) if radius else ()))
+                for radius in quick and self.quick or self.radii]
+
+
+SCENES = [
+    Scene("mirror", "lamps in a mirror", (0.08, 0.16), (0.16,)),
+    Scene("two_mirrors", "lamps in two mirrors", (0.08, 0.16), (0.16,)),
+    Scene("sky", "suns of a sky's pigment", (0.08, 0.16), (0.16,)),
+    Scene("textures", "lamps by a `texture_map`", (0.04, 0.08)),
+    Scene("image", "windows of an `image_map`"),
+    Scene("pane", "lamps behind a pane at an angle", (0.08, 0.16), (0.16,)),
+    Scene("water", "lamps under water"),
+    Scene("wet", "highlights on a wet road"),
+    Scene("balls", "highlights on small balls"),
+    Scene("stars", "300 stars"),
+    Scene("starfield", "stars of a sky's pigment"),
+]
+NAMES = [scene.name for scene in SCENES]
+
+
+def declared(shot, **values):
+    return dataclasses.replace(shot, declare=(*shot.declare, *values.items()))
+
+
+class Reference:
+    """The mean of independent pictures with fixed samples."""
+
+    def __init__(self, lab, shot):
+        self.lab, self.shot = lab, declared(shot, Known=1)
+
+    def of(self, samples):
+        """With so many samples of a pixel in each picture."""
+        folder = self.lab.work / "references"
+        stem = f"{self.shot.scene}-{digest(self.shot.settings(), self.shot.sources(), BATCHES, samples)}"
+        path = folder / f"{stem}.exr"
+        if path.is_file():
+            return path
+        batches = [folder / f"{stem}-{number}.exr" for number in range(BATCHES)]
+        for number, batch in enumerate(batches):
+            self.lab.render(self.lab.ours, declared(self.shot, Samples=samples, Variance=0, Seed=FIRST_SEED + number), batch,
+                            low_priority=True)
+        unfinished = path.with_suffix(".part.exr")
+        self.lab.tool("noise", "reference", unfinished, *batches, "--unclipped", "--size", *self.shot.size)
+        unfinished.rename(path)
+        for batch in batches:
+            batch.unlink()
+        return path
+
+    def fine_enough(self, *sets):
+        """The reference that is finer by far than the mean square errors of some sets of pictures, and these errors."""
+        samples, most = LEAST_SAMPLES, QUICK_MOST if self.lab.quick else MOST_SAMPLES
+        while True:
+            path = self.of(samples)
+            errors = [mean(self.lab.tool("noise", "errors", path, *pictures)) for pictures in sets]
+            least = max(1e-12, min(error["mse"] for error in errors))
+            finer = errors[0]["reference_mse"]/(GREATEST_NOISE*least)
+            if finer <= 1.0 or samples >= most:
+                return path, errors
+            # the noise may fall more steeply than the samples grow
+            samples = min(most, samples*2**max(1, min(3, round(math.log2(finer)))))
+
+
+def mean(records):
+    """The mean of each number of some records."""
+    return {name: sum(record[name] for record in records)/len(records)
+            for name, value in records[0].items() if isinstance(value, (int, float))}
+
+
+def pictures(lab, shot, folder, **values):
+    """A picture for each seed, and the rays of a pixel in their mean."""
+    made = [folder / f"{values.get('Samples', 'default')}-{seed}.exr" for seed in SEEDS]
+    messages = [lab.render(lab.ours, dataclasses.replace(declared(shot, **values, Seed=seed), options=("+N",)), picture)[0]
+                for seed, picture in zip(SEEDS, made)]
+    return made, sum(samples_spent(text)["samples"] for text in messages)/len(SEEDS)
+
+
+def compared(lab, shot):
+    """The default settings beside fixed sampling."""
+    folder = lab.work / "found_lamps" / shot.scene
+    default, samples = pictures(lab, shot, folder)
+    fixed = max(1, round(samples))
+    uniform, _ = pictures(lab, shot, folder, Samples=fixed)
+    reference, (error, uniform_error) = Reference(lab, shot).fine_enough(default, uniform)
+    without = Reference(lab, declared(shot, Lamps=0)).of(LEAST_SAMPLES)
+    kept, uniform_kept = (mean(lab.tool("noise", "lamps", reference, without, *made)) for made in (default, uniform))
+    claims, = lab.tool("noise", "claims", reference, *default, "--variance", VARIANCE, "--more-than", 4)
+    for made in default + uniform:
+        made.unlink()
+        made.with_suffix(".layers.exr").unlink()
+    return {"samples": samples, "fixed": fixed, "mse": error["mse"], "fixed_mse": uniform_error["mse"],
+            "reference_mse": error["reference_mse"], "kept": kept["kept"], "fixed_kept": uniform_kept["kept"],
+            "dark": kept["dark"], "fixed_dark": uniform_kept["dark"], "disc_pixels": kept["disc_pixels"],
+            "estimated": claims["estimated"], "true": claims["true"]}
+
+
+def work(row):
+    """MSE times rays, over that of fixed sampling."""
+    return row["mse"]*row["samples"]/(row["fixed_mse"]*row["fixed"])
+
+
+def measure(lab, names=NAMES):
+    """A row for each scene and radius."""
+    rows = []
+    for scene in (scene for scene in SCENES if scene.name in names):
+        for radius, shot in scene.shots(lab.quick):
+            key = digest("found lamps", lab.hashes[lab.ours], shot.settings(), shot.sources(), SEEDS, BATCHES)
+            record = lab.runs.get((key, 0))
+            if record is None:
+                record = {"key": key, "repetition": 0, **compared(lab, shot)}
+                lab.keep(record)
+            row = {"scene": scene.name, "radius": radius, "size": list(shot.size)}
+            row |= {name: float(f"{value:.4g}") for name, value in record.items() if name not in ("key", "repetition")}
+            lab.say(f"{scene.name}{f' {radius}' if radius else ''}: work {work(row):.2f}, {100*row['kept']:.1f} % of the light,"
+                    f" {100*row['dark']:.2f} % dark")
+            rows.append(row)
+    return rows

@@ -1,0 +1,178 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The default settings are no worse than fixed sampling: in random scenes, a picture has no more error than one that takes as many
+rays in each pixel. Lamps of random radiance, size and blur, which a finish or a texture_map tells or a mirror shows, are hidden in
+part by random edges.
+
+    fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
+
+*What is compared.* With pictures d and f of one seed, which share their first samples, and an independent reference R without bias, the
+sum of (d - R)^2 - (f - R)^2 over the pixels is the difference of their errors: R's noise cancels but for its product with d - f, so that it may
+be much noisier than would do for either error. The excess is this over the sum of (d - R)^2 + (f - R)^2. It lies between -1 and 1, and is
+above zero where the default has more error. Fixed sampling takes the default's rays, rounded down.
+
+*The margin.* The excesses of the seeds differ by chance; from that, and from what R's noise adds, follows the standard error of their mean.
+A scene fails if its mean is above zero by more than Student's quantile times that, for a chance of one in a hundred that any scene fails where
+both errors are the same (Sidak)."""
+
+import argparse
+import concurrent.futures
+import math
+import random
+import re
+import statistics
+import sys
+
+from tests.render import rendering
+from tests.stress.pictures import students_quantile
+
+WIDTH, HEIGHT = 64, 48
+REFERENCE_SEEDS = (101, 102)
+LEAST_REFERENCE, FINER = 512, 10        # samples of each picture of a reference: the least, and how many for each ray that is judged
+CHANCE = 1e-2               # that any scene fails by chance
+WHITE = 0.9                 # brighter pixels are left out: what is above white is not seen
+SETTINGS = argparse.Namespace(scenes=4, seeds=8, scene=None, show=None, told=False)
+
+
+def lamp(r, aperture, mirrored):
+    """A sphere whose blurred disc has a random radiance."""
+    z = r.uniform(28, 50) if mirrored else r.choice((r.uniform(-5, -1), r.uniform(1, 25)))
+    far = (z + 10)/10
+    blur = aperture*abs(z)/(z + 10)*WIDTH/7.28                  # pixels
+    pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))    # that a sharp one would have
+    emission = math.exp(r.uniform(math.log(0.05), math.log(0.8)))*max(1.0, (blur/pixels)**2)
+    x, y, radius = 3.6*far*r.uniform(-1, 1), 2.7*far*r.uniform(-1, 1), pixels/2*7.28/WIDTH*far
+    look = f"pigment {{ rgb <1, {r.uniform(0.3, 1):.3f}, {r.uniform(0.3, 1):.3f}> }} finish {{ emission {emission:.5g} diffuse 0 ambient 0 }}"
+    if not mirrored and r.random() < 0.7:
+        look = f"texture {{ gradient x texture_map {{ [0 {look}] [1 {look}] }} }}"
+    return f"sphere {{ <{x:.4f}, {y:.4f}, {16 - z if mirrored else z:.4f}>, {radius:.6f} {look} }}\n"
+
+
+def edge(r):
+    """A board that hides what is behind it."""
+    return (f"box {{ <0, -9, 0>, <{r.uniform(0.3, 4):.3f}, 9, 0.02> pigment {{ rgb {r.uniform(0, 0.5):.3f} }} finish {{ emission 1 diffuse 0 }}"
+            f" rotate {r.uniform(0, 360):.2f}*z translate <{r.uniform(-3, 3):.3f}, {r.uniform(-2, 2):.3f}, {r.uniform(-6, 0.9):.3f}> }}\n")
+
+
+def world(number):
+    """A random scene: what stands before the camera, and the aperture."""
+    r = random.Random(number)
+    aperture, mirrored = r.uniform(0.5, 3), r.random() < 0.3
+    wall = (f"box {{ <-30, -30, {8 if mirrored else 40}>, <30, 30, 41> pigment {{ rgb {r.uniform(0, 0.2):.3f} }}"
+            f" finish {{ emission 1 diffuse 0 {'reflection 0.9' if mirrored else ''} }} }}\n")
+    lamps = "".join(lamp(r, aperture, mirrored) for _ in range(r.randint(1, 24)))
+    return wall + lamps + "".join(edge(r) for _ in range(r.randint(0, 3))), aperture
+
+
+def scene(number, seed, samples=""):
+    things, aperture = world(number)
+    return (f"camera {{ right x*image_width/image_height location -10*z look_at 0 angle 40 focal_point 0 aperture {aperture:.4f}"
+            f" {samples} tilt_lens {{ sample_seed {seed} }} }}\n{things}")
+
+
+def picture(number, seed, samples=""):
+    """The values of the picture, and the rays of a pixel."""
+    made, said = rendering.render_and_listen(scene(number, seed, samples), "+WT1", width=WIDTH, height=HEIGHT, extension="exr")
+    rays = float(re.search(r"Samples per pixel\D+([\d.]+)", said).group(1))
+    return [value for name in "RGB" for value in made.channel(name)], rays
+
+
+class Reference:
+    """The mean of two pictures, and its noise."""
+
+    def __init__(self, number, rays):
+        samples = max(LEAST_REFERENCE, FINER*rays)
+        one, two = (picture(number, seed, f"blur_samples {samples}, {samples} variance 0")[0] for seed in REFERENCE_SEEDS)
+        self.kept = [i for i, (a, b) in enumerate(zip(one, two)) if a + b < 2*WHITE]
+        self.truth = [(one[i] + two[i])/2 for i in self.kept]
+        self.noise = [((one[i] - two[i])/2)**2 for i in self.kept]     # squared standard error of the mean
+
+    def shown(self, values):
+        return [min(1.0, values[i]) for i in self.kept]
+
+    def error(self, values):
+        """Mean square error without the reference's own."""
+        return statistics.fmean((a - b)**2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
+
+    def excess(self, values, others):
+        """The difference of two errors over their sum, and the variance that the reference gives it."""
+        pairs = list(zip(self.shown(values), self.shown(others), self.truth, self.noise))
+        difference = sum((a - b)*(a + b - 2*truth) for a, b, truth, _ in pairs)
+        scale = sum((a - truth)**2 + (b - truth)**2 for a, b, truth, _ in pairs)
+        return (difference/scale, sum(4*(a - b)**2*noise for a, b, _, noise in pairs)/scale**2) if scale > 0.0 else (0.0, 0.0)
+
+
+class Excess:
+    """By how much the errors of some pictures are greater than those of others with the same seeds. It is one of so many `tests`, of
+    which hardly any may fail by chance."""
+
+    def __init__(self, reference, pictures, others, tests):
+        excesses, given = zip(*map(reference.excess, pictures, others))
+        self.errors = [statistics.fmean(map(reference.error, made)) for made in (pictures, others)]
+        self.mean = statistics.fmean(excesses)
+        count = len(excesses)
+        # the reference is the same for all seeds: its part is no smaller in their mean
+        by_seeds, by_reference = statistics.variance(excesses)/count, statistics.fmean(given)
+        variance = by_seeds + by_reference
+        freedom = (count - 1)*(variance/by_seeds)**2 if by_seeds > 0.0 else math.inf
+        self.margin = students_quantile((1 - CHANCE)**(1/tests), min(freedom, 1000.0))*math.sqrt(variance)
+
+    @property
+    def is_found(self):
+        return self.mean > self.margin
+
+    def told(self):
+        one, other = self.errors
+        return f"MSE {one:.3g} against {other:.3g}, excess {self.mean:+.3f} with a margin of {self.margin:.3f}"
+
+
+def seeds():
+    return range(1, SETTINGS.seeds + 1)
+
+
+def evenly(number, samples):
+    """Pictures with fixed samples."""
+    return [picture(number, seed, f"blur_samples {samples}, {samples}")[0] for seed in seeds()]
+
+
+def compare(number, tests):
+    """A scene's excess, and in words which rays made it."""
+    default, rays = zip(*[picture(number, seed) for seed in seeds()])
+    samples = max(1, int(statistics.fmean(rays)))
+    found = Excess(Reference(number, samples), default, evenly(number, samples), tests)
+    return found, f"scene {number}, {statistics.fmean(rays):.1f} rays a pixel against {samples}: {found.told()}"
+
+
+class FixedSampling(rendering.RenderTest):
+    def test_default_settings_have_no_more_error(self):
+        numbers = [SETTINGS.scene] if SETTINGS.scene is not None else range(1, SETTINGS.scenes + 1)
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            found = list(pool.map(lambda number: compare(number, SETTINGS.scenes), numbers))
+        if SETTINGS.told:
+            print("\n".join(words for _, words in found))
+        worse = [words for excess, words in found if excess.is_found]
+        self.assertFalse(worse, "more error than fixed sampling with as many rays:\n" + "\n".join(worse)
+                         + "\nA scene's text: add --show NUMBER to the command of this test")
+
+    def test_the_comparison_finds_an_eighth_of_the_rays(self):
+        """Shows that it can fail."""
+        found = Excess(Reference(1, 16), evenly(1, 2), evenly(1, 16), SETTINGS.scenes)
+        self.assertTrue(found.is_found, found.told())
+
+
+def main():
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--scenes", type=int, default=SETTINGS.scenes)
+    parser.add_argument("--seeds", type=int, default=SETTINGS.seeds)
+    parser.add_argument("--scene", type=int, help="this one alone, with the margin of so many scenes")
+    parser.add_argument("--show", type=int)
+    parser.add_argument("--told", action="store_true", help="print all comparisons")
+    _, sys.argv[1:] = parser.parse_known_args(namespace=SETTINGS)
+    if SETTINGS.show is not None:
+        print(rendering.HEAD + scene(SETTINGS.show, 1))
+    else:
+        rendering.main()
+
+
+if __name__ == "__main__":
+    main()
