@@ -27,7 +27,7 @@ std::vector<SampleRun> Runs(std::uint32_t x, std::uint32_t y)
     for (const std::uint32_t group : {0u, 8u, 24u, 4096u, 4294967288u})
         for (const std::uint32_t place : {0u, 1u, 2u, 3u, 4u, 6u})
             for (std::uint32_t count = 1; place + count <= settings.cameraRaysOfBatch; count++)
-                runs.push_back({{x, y, group + place}, count, true});
+                runs.push_back({{x, y, group + place}, count});
     return runs;
 }
 

@@ -41,7 +41,7 @@ TEST(TileSamplerUndetectedError, StaysAfterTheReconstruction)
     limits.denoise = true;
     const Area block{0, 0, settings.blockSide, settings.blockSide};
     BlockCache cache(limits, block.width, block.height, block);
-    cache.Converge({{0, 0}}, NoisyColumns);
+    cache.Finish({{0, 0}}, NoisyColumns);
     const std::shared_ptr<const Block> sampled = cache.At({0, 0});
     const std::vector<Result> results = ResultsOf(limits, block, block.width, block.height, NoisyColumns);
     double undetected = 0.0, all = 0.0;

@@ -31,12 +31,16 @@ LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double 
                                                       boundingRadius * ((2.0 * row + 1.0) / settings.densityCells - 1.0)})));
 }
 
-float LensFootprint::DensityAt(float a, float b) const
+void LensFootprint::FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const
 {
+    // places in the table in units of 2^-kShift cells; a row of kReach pixels on both sides cannot overflow
+    constexpr int kShift = 16, kMost = 1024, last = settings.densityCells - 1;
     const float scale = 0.5f * settings.densityCells / boundingRadius;
-    const int column = std::clamp(int((a + boundingRadius) * scale), 0, settings.densityCells - 1);
-    const int row = std::clamp(int((b + boundingRadius) * scale), 0, settings.densityCells - 1);
-    return density[row * settings.densityCells + column];
+    const auto places = [](float cells) { return int(std::min(std::max(cells, float(-kMost)), float(kMost)) * (1 << kShift)); };
+    int column = places((first.a + boundingRadius) * scale), row = places((first.b + boundingRadius) * scale);
+    const int columnStep = places(step.a * scale), rowStep = places(step.b * scale);
+    for (int i = 0; i < count; i++, column += columnStep, row += rowStep)
+        densities[i] = density[std::clamp(row >> kShift, 0, last) * settings.densityCells + std::clamp(column >> kShift, 0, last)];
 }
 
 /// The hit lies along the chief ray's direction plus `vergence` times the lens point; M is the derivative by the lens point.
@@ -187,23 +191,30 @@ struct CirclePixels
 namespace
 {
 
-/// The densities of a lens that is not the unit disc, of the pixels of a circle; their sum is left in `sum`.
-std::vector<float> DensitiesOf(const CircleOfConfusion& circle, const CirclePixels& pixels, int row, float& sum)
+/// The densities of a lens that is not the unit disc, at the pixels of a circle, row by row.
+struct Densities
 {
-    std::vector<float> densities;
-    const float determinant = circle.xa * circle.yb - circle.xb * circle.ya;
-    sum = 0.0f;
-    for (int i = 0; i < kRows; i++)
-        for (int x = pixels.begin[i]; x < pixels.end[i]; x++)
+    float of[kRows * kRows + SpreadSums::kMostLanes];  ///< the last ones are read and not used
+    float sum = 0.0f;
+
+    void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int row)
+    {
+        const float inverse = 1.0f / (circle.xa * circle.yb - circle.xb * circle.ya);
+        const AperturePoints step{-circle.yb * inverse, circle.ya * inverse};
+        float* to = of;
+        for (int i = 0; i < kRows; i++)
         {
-            const float dx = circle.x - x - 0.5f, dy = circle.y - (row + i - SpreadSums::kReach) - 0.5f;
-            densities.push_back(circle.lens->DensityAt((circle.yb * dx - circle.xb * dy) / determinant,
-                                               (circle.xa * dy - circle.ya * dx) / determinant));
-            sum += densities.back();
+            const float dx = circle.x - pixels.begin[i] - 0.5f, dy = circle.y - (row + i - SpreadSums::kReach) - 0.5f;
+            const AperturePoints first{(circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse};
+            const int count = pixels.end[i] - pixels.begin[i];
+            circle.lens->FindDensities(first, step, count, to);
+            for (int k = 0; k < count; k++)
+                sum += to[k];
+            to += count;
         }
-    densities.resize(densities.size() + SpreadSums::kMostLanes);  // read, not used
-    return densities;
-}
+        std::fill_n(to, SpreadSums::kMostLanes, 0.0f);
+    }
+};
 
 /// Of a colour, summed over its channels.
 TILT_LENS_INLINED float SquareOf(const Float4& value) { return value[0] * value[0] + value[1] * value[1] + value[2] * value[2]; }
@@ -264,12 +275,17 @@ TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, const CircleOfConf
         pixels.Find<Vector>(circle, column, row);
     const bool shaped = pixels.count > 1 && !circle.lens->IsDisc();
     float sum = float(pixels.count);
-    const std::vector<float> densities = shaped ? DensitiesOf(circle, pixels, row, sum) : std::vector<float>();
+    Densities densities;
+    if (shaped)
+    {
+        densities.Find(circle, pixels, row);
+        sum = densities.sum;
+    }
     if (pixels.count <= 1 || !(sum > 0.0f))
         return AddSharp(column, row, weight);
     spread = true;
     own[row * int(settings.blockSide) + column].weight += weight;
-    Send<Vector>(pixels, shaped ? densities.data() : nullptr, sum, value, weight, column, row);
+    Send<Vector>(pixels, shaped ? densities.of : nullptr, sum, value, weight, column, row);
 }
 
 template<class Vector>

@@ -44,6 +44,12 @@ struct CircleOfConfusion
     const LensFootprint* lens = nullptr;               ///< null: the point serves its own pixel alone
 };
 
+/// The first of several points in aperture coordinates, or the step from one to the next.
+struct AperturePoints
+{
+    float a, b;
+};
+
 /// What circles of confusion look like through a lens. Immutable: threads share it.
 class LensFootprint
 {
@@ -59,8 +65,8 @@ class LensFootprint
     float BoundingRadius() const { return boundingRadius; }
     /// Whether the opening is the unit disc, evenly bright.
     bool IsDisc() const { return density.empty(); }
-    /// Brightness of the opening at (a, b), relative; for openings that are not the unit disc.
-    float DensityAt(float a, float b) const;
+    /// Brightness of an opening that is not the unit disc, relative, at `count` points.
+    void FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const;
 
   private:
     struct Axis

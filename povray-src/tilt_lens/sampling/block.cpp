@@ -144,15 +144,18 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
 {
     const Neighbourhood around(FirstRoundsOf(neighbours), limits);
     auto converged = std::make_unique<BlockEstimate>(*estimate);
-    SentSamples all = sent;
     converged->spread = around.Spread();
     const std::uint32_t samples = converged->firstSamples;
+    spread = firstRound->spread;
     if (UpdateConvergence(*converged, around, limits, samples))
+    {
+        SentSamples all = sent;
         TakeRounds(*converged, around, limits, samples, limits.variance > 0.0 ? &all : nullptr, trace);
+        spread = all.Spread(SamplesOf(*converged), samples);
+    }
     else if (limits.Denoises())
         UpdateBlockStatistics(*converged, samples);
     statistics = converged->statistics;
-    spread = all.Spread(SamplesOf(*converged), samples);
     estimate = std::move(converged);
     sent.Clear();
 }

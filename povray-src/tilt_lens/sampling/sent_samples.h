@@ -24,6 +24,7 @@ class SentSamples
     /// @param width, height  of the whole picture
     SentSamples(const Area& block, std::uint32_t width, std::uint32_t height) : block(block), width(width), height(height) {}
 
+    /// Takes those of a pixel's first settings.mostSentSamples samples that serve other pixels.
     void Add(const SampleId& id, const SampleResult& result);
 
     /// @param samples  that each pixel of the block has taken, row by row

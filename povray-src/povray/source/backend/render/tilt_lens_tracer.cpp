@@ -100,7 +100,7 @@ void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, tilt_len
     tilt_lens::CameraRays rays;
     rays.Put(0, camera);
     Ray ray = CameraRayOfPov();
-    TraceRays(rays, 0, {{0, 0, index}, 1, true}, ray, &result);
+    TraceRays(rays, 0, {{0, 0, index}, 1}, ray, &result);
 }
 
 /// A camera ray without origin and direction, inside the interiors that contain the whole lens.
@@ -121,7 +121,7 @@ void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int p
     const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
     const unsigned int first = run.first.index, count = run.count;
     const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
-    const bool circlesWanted = run.ofFirstRound && view->limits.variance > 0.0 && view->samplesSpread;
+    const bool circlesWanted = first < tilt_lens::settings.mostSentSamples && view->limits.variance > 0.0 && view->samplesSpread;
     trace.areaLightSampler = this;
     trace.lightPath.wanted = circlesWanted;
     LeadGenerators();
@@ -343,7 +343,7 @@ void TiltLensTracer::EstimateWork()
         const auto before = raysTraced();
         static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
         tilt_lens::SampleResult results[tilt_lens::settings.probeSamples];
-        TraceRun(rays, {{probe->x, probe->y, 0}, samples, false}, ray, results);
+        TraceRun(rays, {{probe->x, probe->y, 0}, samples}, ray, results);
         std::vector<Radiance> tried;
         for (unsigned int sample = 0; sample < samples; sample++)
             tried.push_back(results[sample].radiance);
