@@ -82,6 +82,9 @@ struct Settings
 
     /// @name Undetected error (section 4)
     /// @{
+    /// A converged pixel is reactivated for an undetected error of so many times its target: what its neighbours hit is
+    /// as uncertain as their samples are few.
+    double reactivationFactor = 4.0;
     /// Samples of other pixels that a pixel's circles must bring, so that its own variance and the mean over the 3 by 3 pixels around
     /// count alike for whether it has converged.
     double samplesToDecideTogether = 8.0;

@@ -166,7 +166,7 @@ TEST(CameraRays, ThatLeadNowhereAreChiefRays)
     CameraRays rays{};
     for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
         rays.samples.Put(i, {0.1, 0.2, {i % 2 ? 1.0 : 0.5, 0.0}, 1.0, 0.0});
-    FindRays(lens, {{0, 0, 0}, settings.cameraRaysOfBatch, true}, rays);
+    FindRays(lens, {{0, 0, 0}, settings.cameraRaysOfBatch}, rays);
     for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
     {
         EXPECT_EQ(rays.direction[0][i], 1.0);

@@ -80,7 +80,7 @@ TEST(UpdateConvergence, NoiseStaysActiveUntilItsVarianceIsTheTarget)
     EXPECT_GE(samples, 64u);
     EXPECT_LE(samples, 256u);
     for (const PixelEstimate& pixel : noisy.estimate.pixels)
-        EXPECT_LE(pixel.variance, pixel.target);
+        EXPECT_LE(pixel.excess, 1.0);
 }
 
 TEST(UpdateConvergence, AtTheMostSamplesNothingIsLeftToTake)
@@ -120,6 +120,33 @@ TEST(Reactivate, FollowsWhatAllMissedAtFirst)
         const std::size_t column = i % settings.blockSide;
         EXPECT_EQ(block.estimate.pixels[i].active, column >= 4 && column <= 6) << i;
     }
+}
+
+/// One sample of one pixel in the middle hits something bright.
+void LoneHit(const SampleId& id, SampleResult& result)
+{
+    result = Grey(id.x == kMiddle.left + 8 && id.y == kMiddle.top + 8 && id.index == 3 ? 1.0 : 0.0);
+}
+
+TEST(FirstRound, LoneVarianceIsThatOfSinglePixelsOnly)
+{
+    const double inside = Square(settings.blockSide - 2.0);
+    EXPECT_NEAR(FirstRound(FirstEstimate(kMiddle, 8, LoneHit)).loneVariance, 1.0 / 8.0 / inside, 1e-9);
+    const auto edge = [](const SampleId& id, SampleResult& result) { result = Grey(id.x == kMiddle.left + 8 && id.index % 2 ? 1.0 : 0.0); };
+    EXPECT_EQ(FirstRound(FirstEstimate(kMiddle, 8, edge)).loneVariance, 0.0);
+    EXPECT_EQ(FirstRound(FirstEstimate(kMiddle, 8, Constant)).loneVariance, 0.0);
+}
+
+TEST(UpdateConvergence, WhatASinglePixelHitIsSearchedForInAll)
+{
+    const double lone = 1.0 / 8.0 / Square(settings.blockSide - 2.0);
+    Prepared often(Limits(8, 1024, 0.1 * lone / 8.0), LoneHit), seldom(Limits(8, 1024, 10.0 * lone / 8.0), LoneHit);
+    often.Update(8);
+    seldom.Update(8);
+    EXPECT_EQ(ActiveIn(often.estimate), kMiddle.Size());
+    EXPECT_LE(ActiveIn(seldom.estimate), 9u) << "the pixel and those beside it";
+    EXPECT_GE(often.estimate.pixels[0].variance, std::exp(-1.0) * lone / 8.0 * 0.999) << "and it counts as noise";
+    EXPECT_NEAR(LoneVariance(often.around, 8, 16), LoneVariance(often.around, 8, 8) / 4.0, 1e-12);
 }
 
 TEST(Neighbourhood, LooksAtFirstSamplesBesideTheBlock)

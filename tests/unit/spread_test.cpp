@@ -130,7 +130,7 @@ TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
             {
                 EXPECT_NEAR(share, 1.0, 0.01) << radius;
             }
-            EXPECT_EQ(sums->OwnSamples(3, 15), 1.0f);
+            EXPECT_EQ(sums->OwnWeight(3, 15), 1.0f);
             EXPECT_EQ(sums->IsSpread(), radius >= 1.0f) << radius;
         }
     }

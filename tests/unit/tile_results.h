@@ -33,10 +33,10 @@ inline SequencePoint SequencePointOf(const SampleId& id)
     return PixelSampler(id.x, id.y, 0)(id.index);
 }
 
-/// A sample of a pixel's first round.
+/// One sample alone.
 inline void TraceOne(const Tracer& trace, const SampleId& id, SampleResult& light)
 {
-    trace.Trace({id, 1, true}, &light);
+    trace.Trace({id, 1}, &light);
 }
 
 inline void Constant(const SampleId&, SampleResult& light)

@@ -134,6 +134,7 @@ void Block::TakeRounds(BlockEstimate& current, const Neighbourhood& around, cons
         samples = std::min(2 * samples, limits.max);
         TakeSamples(current, samples, sent, trace);
         UpdateVarianceRatios(current, samples);
+        Reactivate(current, around);
     }
     while (UpdateConvergence(current, around, limits, samples));
     if (limits.Denoises())
@@ -147,11 +148,13 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
     converged->spread = around.Spread();
     const std::uint32_t samples = converged->firstSamples;
     spread = firstRound->spread;
+    const bool sends = limits.Denoises();
     if (UpdateConvergence(*converged, around, limits, samples))
     {
         SentSamples all = sent;
-        TakeRounds(*converged, around, limits, samples, limits.variance > 0.0 ? &all : nullptr, trace);
-        spread = all.Spread(SamplesOf(*converged), samples);
+        TakeRounds(*converged, around, limits, samples, sends ? &all : nullptr, trace);
+        if (sends)
+            spread = all.Spread(SamplesOf(*converged), samples);
     }
     else if (limits.Denoises())
         UpdateBlockStatistics(*converged, samples);
@@ -170,7 +173,7 @@ std::shared_ptr<const PaddedSpread> Block::ReceivedFrom(const Neighbours& neighb
 
 void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
 {
-    const std::shared_ptr<const PaddedSpread> received = ReceivedFrom(neighbours);
+    const std::shared_ptr<const PaddedSpread> received = limits.Denoises() ? ReceivedFrom(neighbours) : nullptr;
     BlockEstimate last = *estimate;
     if (const std::uint32_t samples = received ? ActivateWhereMissed(last, *received, limits) : 0)
     {

@@ -52,6 +52,12 @@ class Block
 
     static constexpr int kSteps = 3;
 
+    /// Whether a block reads its neighbours in the step numbered `step`, 1 to kSteps. The plain mean of the most samples asks none.
+    static bool LooksAtNeighbours(int step, const SamplingLimits& limits)
+    {
+        return step == 2 ? limits.variance > 0.0 : step == kSteps && limits.Denoises();
+    }
+
     /// @param width, height  of the whole picture
     Block(const Area& area, std::uint32_t width, std::uint32_t height) :
         area(area), width(width), height(height), sent(area, width, height)

@@ -141,11 +141,10 @@ bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
     bool advanced = false, ready = true;
     for (int i = 0; i < 9; i++)
     {
-        // the plain mean of the most samples asks no neighbour
-        if (i != 4 && limits.variance == 0.0)
+        if (i != 4 && !Block::LooksAtNeighbours(steps, limits))
             continue;
         const Place at{place.first + i / 3 - 1, place.second + i % 3 - 1};
-        held[i] = i == 4 ? block : steps > 1 ? Get(at) : nullptr;
+        held[i] = i == 4 ? block : Get(at);
         neighbours[i] = held[i].get();
         if (!held[i] || held[i]->StepsTaken() >= steps - 1)
             continue;

@@ -46,9 +46,22 @@ MeanVariance EstimatedVariance(PixelEstimate& pixel, const SampleVariation& arou
             std::accumulate(undetected.begin(), undetected.end(), 0.0)};
 }
 
+/// Whether any of the 3 by 3 pixels around one, as far as they are in the block, is active.
+bool IsBesideActive(const BlockEstimate& estimate, std::size_t pixel)
+{
+    const Area& area = estimate.area;
+    const std::uint32_t left = pixel % area.width, top = pixel / area.width;
+    for (std::uint32_t y = top - (top > 0); y <= top + 1 && y < area.height; y++)
+        for (std::uint32_t x = left - (left > 0); x <= left + 1 && x < area.width; x++)
+            if (estimate.pixels[y * area.width + x].active)
+                return true;
+    return false;
+}
+
 /// Pixels with wide circles decide together with those beside them: all have seen the same, so that what is missed by one is not kept,
 /// and what is met by one not diluted, by chance. Where nothing is blurred each decides alone.
-void DecideTogether(BlockEstimate& estimate)
+/// @param samples  of the pixels that have been active; one with fewer that is active has still to catch up
+void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
 {
     std::vector<double> excesses;
     for (const PixelEstimate& pixel : estimate.pixels)
@@ -57,6 +70,8 @@ void DecideTogether(BlockEstimate& estimate)
     for (std::size_t i = 0; i < excesses.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
+        if (pixel.active && pixel.statistics.Samples() < samples)
+            continue;
         const double others = estimate.SamplesReceivedBy(i), together = others / (others + settings.samplesToDecideTogether);
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target);
         pixel.active = searching || pixel.excess + together * (around[i] - pixel.excess) > 1.0;
@@ -118,9 +133,23 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         ApplyDenoiserForecast(candidates, estimate, around, samples);
     for (const Candidate& one : candidates)
         estimate.pixels[one.pixel].excess = LargestChannel(one.variance) / one.target;
-    DecideTogether(estimate);
+    DecideTogether(estimate, samples);
     return std::any_of(estimate.pixels.begin(), estimate.pixels.end(), [&limits](const PixelEstimate& pixel)
         { return pixel.active && pixel.statistics.Samples() < limits.max; });
+}
+
+void Reactivate(BlockEstimate& estimate, const Neighbourhood& around)
+{
+    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+    {
+        PixelEstimate& pixel = estimate.pixels[i];
+        if (pixel.active || !IsBesideActive(estimate, i))  // nothing new there
+            continue;
+        const PixelStatistics& own = pixel.statistics;
+        const Radiance undetected = UndetectedError(own, around.Around(estimate, i)), mean = own.Mean();
+        for (std::size_t c = 0; c < undetected.size(); c++)
+            pixel.active |= undetected[c] > settings.reactivationFactor * pixel.target * SquaredScale(mean[c]);
+    }
 }
 
 std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits)

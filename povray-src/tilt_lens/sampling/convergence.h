@@ -45,6 +45,10 @@ double LoneVariance(const Neighbourhood& around, std::uint32_t firstSamples, std
 bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits,
                        std::uint32_t samples);
 
+/// After a round: makes pixels active again that had converged, where pixels beside them have hit more than they have: an edge that all
+/// missed at first is then followed from pixel to pixel.
+void Reactivate(BlockEstimate& estimate, const Neighbourhood& around);
+
 /// Makes those pixels active, and no others, of which other pixels' samples tell that they have missed more than `variance`.
 /// @return  samples of the active pixels with the fewest; 0: no pixel is active
 std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits);

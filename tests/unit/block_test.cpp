@@ -1,0 +1,143 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// The three steps of a block: who decides with whom, and who learns what others have found.
+
+#include "tilt_lens/sampling/block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tile_results.h"
+#include "tilt_lens/sampling/sent_samples.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+constexpr std::uint32_t kSide = settings.blockSide;
+
+const LensFootprint& Footprint()
+{
+    static const LensFootprint lens(Lens(), Aperture::Disc(), 2.0 * kSide, kSide);
+    return lens;
+}
+
+/// A sample of this brightness whose point is seen by all pixels so many around.
+SampleResult Blurred(const SampleId& id, double grey, float radius)
+{
+    SampleResult result;
+    result = Grey(grey);
+    result.circle = {id.x + 0.5f, id.y + 0.5f, radius, 0.0f, 0.0f, radius, &Footprint()};
+    return result;
+}
+
+SamplingLimits Denoised(double variance)
+{
+    SamplingLimits limits = Limits(4, 256, variance);
+    limits.denoise = true;
+    return limits;
+}
+
+/// Share of the light that is kept where one sample in 64 meets something bright, as the plain means of the pixels' samples.
+double LightKept(float blur)
+{
+    const Tracer trace([blur](const SampleId& id, SampleResult& result)
+        { result = Blurred(id, Noise(id, 1) < 1.0 / 64.0 ? 1.0 : 0.0, blur); });
+    const std::uint32_t side = 8 * kSide;
+    double light = 0.0;
+    for (const Result& result : ResultsOf(Limits(4, 256, 1e-3), {0, 0, side, side}, side, side, trace))
+        light += result.mean[0];
+    return 64.0 * light / Square(side);
+}
+
+/// A pixel that stops because all its samples are dark, beside one that goes on because one of its is not, loses light.
+TEST(Block, PixelsThatSeeTheSameDecideTogetherAndKeepTheirLight)
+{
+    EXPECT_LT(LightKept(0.0f), 0.5);
+    EXPECT_GT(LightKept(6.0f), 0.8);
+}
+
+/// A lamp that is met by later samples alone, and only where the left block is noisy; its light reaches the right block.
+TEST(Block, LearnsWhatItsNeighbourFindsInLaterRounds)
+{
+    const std::uint32_t seen = kSide + 4;  // columns of pixels that the lamp reaches
+    const Tracer trace([&](const SampleId& id, SampleResult& result)
+    {
+        const bool lamp = id.x >= kSide - 4 && id.x < seen && id.index >= 8 && Noise(id, 2) < 0.125;
+        result = Blurred(id, lamp ? 4.0 : id.x < kSide ? Noise(id, 1) : 0.25, 4.0f);
+    });
+    const std::vector<Result> results = ResultsOf(Denoised(1e-3), {0, 0, 2 * kSide, kSide}, 2 * kSide, kSide, trace);
+    double mean = 0.0;
+    for (std::uint32_t y = 0; y < kSide; y++)
+    {
+        EXPECT_GT(results[y * 2 * kSide + kSide].samples, 8u) << "beside the border, row " << y;
+        EXPECT_EQ(results[y * 2 * kSide + 2 * kSide - 1].samples, 4u) << "beyond the circles, row " << y;
+        mean += results[y * 2 * kSide + kSide].mean[0] / kSide;
+    }
+    EXPECT_GT(mean, 0.4) << "a part of the lamp's light is there";
+}
+
+TEST(Block, AStepIsTakenOnce)
+{
+    const Area area{0, 0, kSide, kSide};
+    const SamplingLimits limits = Denoised(1e-3);
+    Block block(area, kSide, kSide);
+    Block::Neighbours neighbours{};
+    neighbours[4] = &block;
+    for (int step = 0; step < Block::kSteps; step++)
+    {
+        EXPECT_EQ(block.StepsTaken(), step);
+        EXPECT_FALSE(block.TakeStep(step + 1, neighbours, limits, WhiteNoise));
+        EXPECT_TRUE(block.TakeStep(step, neighbours, limits, WhiteNoise));
+        EXPECT_FALSE(block.TakeStep(step, neighbours, limits, WhiteNoise));
+    }
+    EXPECT_EQ(block.StepsTaken(), Block::kSteps);
+}
+
+TEST(SentSamples, PixelsWeighAlikeWhateverTheirSamples)
+{
+    const Area area{0, 0, kSide, kSide};
+    SentSamples few(area, 2 * kSide, kSide), many(area, 2 * kSide, kSide);
+    std::vector<std::uint32_t> samples(kSide * kSide, 4), more = samples;
+    more[0] = 16;
+    for (std::uint32_t pixel = 0; pixel < kSide * kSide; pixel++)
+        for (std::uint32_t index = 0; index < more[pixel]; index++)
+        {
+            const SampleId id{pixel % kSide, pixel / kSide, index};
+            const SampleResult result = Blurred(id, pixel == 0 ? 1.0 : 0.25, 3.0f);
+            many.Add(id, result);
+            if (index < samples[pixel])
+                few.Add(id, result);
+        }
+    const auto equal = few.Spread(samples, 4), unequal = many.Spread(more, 4);
+    for (const SpreadSums::Sum sum : {SpreadSums::kRed, SpreadSums::kShare, SpreadSums::kSquares})
+        for (int x = 0; x < 4; x++)
+            EXPECT_NEAR(*unequal->From(sum, x, 1), *equal->From(sum, x, 1), 1e-4) << sum << ", " << x;
+    EXPECT_GT(*unequal->From(SpreadSums::kSamples, 1, 1), *equal->From(SpreadSums::kSamples, 1, 1));
+    EXPECT_NEAR(unequal->OwnShare(0, 0), equal->OwnShare(0, 0), 1e-4);
+    EXPECT_NEAR(unequal->PixelWeight(), 4.0f, 1e-5);
+}
+
+TEST(SentSamples, SharpOnesAndThoseBeyondTheMostServeTheirOwnPixel)
+{
+    const Area area{0, 0, kSide, kSide};
+    SentSamples sent(area, 2 * kSide, kSide);
+    const std::vector<std::uint32_t> samples(kSide * kSide, 2 * settings.mostSentSamples);
+    sent.Add({3, 3, 0}, Blurred({3, 3, 0}, 1.0, 0.1f));
+    sent.Add({3, 3, settings.mostSentSamples}, Blurred({3, 3, 0}, 1.0, 3.0f));
+    EXPECT_EQ(sent.Spread(samples, 4), nullptr);
+    sent.Add({3, 3, 1}, Blurred({3, 3, 0}, 1.0, 3.0f));
+    const auto spread = sent.Spread(samples, 4);
+    ASSERT_NE(spread, nullptr);
+    EXPECT_NEAR(spread->OwnWeight(3, 3), 4.0f, 1e-5);
+    EXPECT_NEAR(spread->OwnShare(4, 3), 4.0f, 1e-5);
+    EXPECT_NEAR(*spread->From(SpreadSums::kShare, 4, 3), *spread->From(SpreadSums::kSamples, 4, 3) * 4.0f / settings.mostSentSamples, 1e-6);
+}
+
+} // namespace
+} // namespace tilt_lens
