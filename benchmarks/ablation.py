@@ -49,6 +49,7 @@ RULES = (
     ("near risk in full", 8, f"chanceRisk={NEVER}"),
     ("chance in the near risk", 8, f"chanceRisk={ALWAYS}"),
     ("samples that serve other pixels", 8, "spreadWeight=0"),
+    ("more than four samples of a pixel that serve others", 8, "mostSentSamples=4"),
     ("preference of the spread estimate", 8, "spreadWeight=1"),
     ("the same where pixels missed something", 8, "missedWeight=0"),
     ("rows without noise left alone", 8, f"leastRowVariance={ALWAYS}"),

@@ -42,6 +42,7 @@ const std::map<std::string, Field> fields = {
     FIELD(greatestRisk),
     FIELD(riskLimit),
     FIELD(chanceRisk),
+    FIELD(mostSentSamples),
     FIELD(spreadWeight),
     FIELD(missedWeight),
     FIELD(leastRowVariance),

@@ -41,7 +41,7 @@ struct Settings
     /// From a sample's pixel to the farthest pixel that it serves, along rows and columns (section 8).
     static constexpr int spreadReach = 7;
     /// Samples of a pixel that serve other pixels, at most: its first. More would cost more time than they save rays.
-    static constexpr std::uint32_t mostSentSamples = 32;
+    std::uint32_t mostSentSamples = 32;
     /// Cells, in a row, of the table of an opening that is no disc.
     static constexpr int densityCells = 64;
     /// @}
