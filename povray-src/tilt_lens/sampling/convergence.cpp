@@ -74,7 +74,8 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
             continue;
         const double others = estimate.SamplesReceivedBy(i), together = others / (others + settings.samplesToDecideTogether);
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target);
-        pixel.active = searching || pixel.excess + together * (around[i] - pixel.excess) > 1.0;
+        // also of variances that are beyond a double
+        pixel.active = searching || !(pixel.excess + together * (around[i] - pixel.excess) <= 1.0);
     }
 }
 
