@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file reconstruction.h
-/// Reconstructs the picture from its pixels' means: docs/sampling.md, section 8. ~ The folder reconstruction/ answers: which picture do the
-/// samples make? It spreads samples over their circles of confusion, filters noise from the pixels' means, and says how much noise remains.
-/// ~ Candidates, most of them linear filters F of the means (filters.h), are averaged at each pixel with weights of 1 / risk^2, where
-/// Stein's estimate of the risk is
+/// Reconstructs the picture from its pixels' means: docs/sampling.md, section 8.
+///
+/// The folder reconstruction/ answers: which picture do the samples make? It spreads samples over their circles of confusion, filters noise
+/// from the pixels' means, and estimates the remaining noise. The sampler uses it, and uses its estimates in the stop rule.
+///
+/// Candidates, most of them linear filters F of the means (filters.h), are averaged at each pixel with weights of 1 / risk^2, where Stein's
+/// estimate of the risk is
 ///
 ///     risk = mean over the 7 by 7 pixels q around of (|F q - q|^2 - (1 - 2 F_0) var q) / var q
 ///

@@ -35,7 +35,7 @@ double Shrinkage(std::uint32_t samples);
 double ConfidenceFactor(std::uint32_t samples, double shrinkage, double confidence);
 
 /// Variance assumed for the mean of `samples` samples because isolated pixels have hit something that others may have missed. A feature hit
-/// by one of firstSamples samples covers on average a multiple of 1 / firstSamples; the missed share falls as samples grow.
+/// by one of firstSamples samples covers about 1 / firstSamples of the pixel; the missed share falls as samples grow.
 double LoneVariance(const Neighbourhood& around, std::uint32_t firstSamples, std::uint32_t samples);
 
 /// Decides which pixels are active, and records variance and excess of those that have been active, with `samples` samples.

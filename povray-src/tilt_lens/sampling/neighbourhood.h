@@ -31,7 +31,7 @@ class Neighbourhood
     /// Variation of the samples in a pixel's 3 by 3 window (all samples so far inside the block, first rounds outside): mean variance and
     /// greatest deviation.
     SampleVariation Around(const BlockEstimate& estimate, std::size_t pixel) const;
-    /// null where unknown
+    /// The first rounds; null outside the picture.
     const FirstRounds& Rounds() const { return rounds; }
     /// Samples spread by the first rounds; null: none.
     std::shared_ptr<const PaddedSpread> Spread() const;
