@@ -44,7 +44,6 @@ inline BlockEstimate FirstEstimate(const Area& area, std::uint32_t samples, cons
     return estimate;
 }
 
-/// A block without neighbours.
 inline FirstRounds Alone(const FirstRound& round)
 {
     FirstRounds rounds{};

@@ -140,7 +140,6 @@ std::vector<Case> Cases()
             {"real picture", 0.0, Window(), {far, near, sharp}, Real()}};
 }
 
-/// A case with and without emitter sampling.
 struct Prepared
 {
     Lens lens;
@@ -156,7 +155,6 @@ Prepared Ready(const Case& one)
             EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, {}, vignetting)};
 }
 
-/// Pixels around the sharp images of all lamps.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& lens, const Case& one)
 {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pixels;

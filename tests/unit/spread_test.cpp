@@ -25,7 +25,6 @@ namespace
 {
 
 constexpr int kSide = int(settings.blockSide), kReach = SpreadSums::kReach;
-/// Far from the edges of the picture.
 constexpr Area kBlock{10 * settings.blockSide, 10 * settings.blockSide, settings.blockSide, settings.blockSide};
 constexpr double kWidth = 640.0, kHeight = 480.0;
 

@@ -19,7 +19,6 @@ namespace tilt_lens
 namespace
 {
 
-/// A picture with known pixels.
 struct Picture
 {
     const char* name;
@@ -85,7 +84,6 @@ const Picture kPictures[] = {{"white noise", WhiteNoise, Half}, {"linear", Linea
     {"blurred edge", BlurredEdge, BlurredEdgeMean}, {"checker", Checker, Half}};
 const Picture kLamp = {"lamp", Lamp, LampMean};
 
-/// Errors of many blocks against the truth.
 struct Score
 {
     double error = 0.0, claimed = 0.0, beyond = 0.0, errorAboveMin = 0.0;

@@ -126,7 +126,6 @@ struct ProductFilter
 {
     const FilteredRows<kChannels, Vector>& rows;
 
-    /// The filter's tap of the pixel itself.
     static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
     static constexpr float Preference(int) { return 1.0f; }
     static constexpr float NoiseLeft(int) { return NoiseLeftBy(kAcross) * NoiseLeftBy(kDown); }
@@ -134,7 +133,6 @@ struct ProductFilter
     TILT_LENS_INLINED Vector Mean(int c, int i) const { return Filtered<Vector, kDown>(&rows.Mean(kAcross, c)[i], kColumns); }
 };
 
-/// The mean of candidates, weighted by their risks.
 template<int kChannels, class Vector>
 class RiskWeightedMean
 {

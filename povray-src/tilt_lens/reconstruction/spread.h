@@ -123,7 +123,6 @@ class SpreadSums
     float OwnWeight(int x, int y) const { return own[y * int(settings.blockSide) + x].weight; }
     /// Sum of each pixel's sample weights.
     float PixelWeight() const { return own[0].weight; }
-    /// True if any sample was spread.
     bool IsSpread() const { return spread; }
 
   private:

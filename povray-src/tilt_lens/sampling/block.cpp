@@ -15,7 +15,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Takes one round of samples of one pixel.
 /// @param results  buffer for the results of one run
 void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::uint32_t until, SentSamples* sent, const Tracer& tracer,
                SampleResult* results)

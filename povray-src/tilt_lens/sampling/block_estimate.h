@@ -43,7 +43,7 @@ using Quadrants = std::array<double, 4>;
 struct BlockEstimate
 {
     Area area;
-    std::uint32_t firstSamples = 0;             ///< samples per pixel of the first round
+    std::uint32_t firstSamples = 0;             ///< per pixel
     std::vector<PixelEstimate> pixels;          ///< row by row
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance estimated by dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: no denoising
@@ -56,7 +56,6 @@ struct BlockEstimate
     {
         return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
     }
-    /// Variance of the samples that a pixel has received.
     CircleVariance CircleVarianceOf(std::size_t pixel) const
     {
         return CircleVariance(spread.get(), PlaceOf(pixel), pixels[pixel].statistics.Samples());
@@ -81,7 +80,7 @@ struct FirstRound
     Area area;
     std::uint32_t samples;                ///< samples per pixel
     std::vector<FirstRoundPixel> pixels;  ///< row by row
-    bool uniform;                         ///< the samples of each pixel are all equal
+    bool uniform;                         ///< as BlockEstimate::IsUniform()
     double loneVariance = 0.0;            ///< mean excess of a pixel's variance over the sum of its eight neighbours' variances; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
     std::shared_ptr<const SpreadSums> spread;           ///< samples spread to other pixels; null: none

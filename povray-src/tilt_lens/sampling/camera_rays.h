@@ -21,7 +21,6 @@ namespace tilt_lens
 /// Seeds (by Hash()) of the random numbers with which samples of a glass lens are redrawn; independent of those used in tracing.
 inline PixelSampler GlassSeeds(std::uint32_t x, std::uint32_t y) { return PixelSampler(x, y, 0x476c61); }
 
-/// A sample and its ray.
 struct CameraRay
 {
     CameraSample sample;  ///< film point, lens point and weight
@@ -108,7 +107,7 @@ class CameraRayBatch
 
     /// @name Of the last run.
     /// @{
-    const PixelSampler& Sampler() const { return sampler; }  ///< sequence of the pixel
+    const PixelSampler& Sampler() const { return sampler; }
     const CameraRays& Rays() const { return rays; }          ///< indexed by the samples' positions in their group
     /// A single sample, to be traced for light of one colour.
     CameraRay One(std::uint32_t place) const;

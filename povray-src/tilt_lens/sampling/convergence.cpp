@@ -21,14 +21,12 @@ namespace tilt_lens
 namespace
 {
 
-/// Variance of a pixel's mean.
 struct MeanVariance
 {
     Radiance whole{}, undetected{};  ///< variance, and its undetected part; each channel relative to its SquaredScale
     double undetectedNoise = 0.0;    ///< undetected variance, summed over the channels, absolute
 };
 
-/// @param circle  from samples of other pixels
 MeanVariance EstimatedVariance(PixelEstimate& pixel, const SampleVariation& around, const CircleVariance& circle, double shrinkage)
 {
     const PixelStatistics& own = pixel.statistics;

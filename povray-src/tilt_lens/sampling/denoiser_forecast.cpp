@@ -22,7 +22,6 @@ std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
     return pixel / estimate.area.width * settings.blockSide + pixel % estimate.area.width;
 }
 
-/// Predicted variance of a candidate after the reconstruction.
 Radiance ForecastVariance(const Candidate& candidate, const PixelEstimate& pixel, std::uint32_t samples)
 {
     const Radiance mean = pixel.statistics.Mean();

@@ -70,7 +70,7 @@ class PixelStatistics
   private:
     std::array<Radiance, 2> sum{};  ///< per buffer
     RadianceTotals totals;          ///< of both buffers
-    Radiance emitterSum{};          ///< of the emitter samples
+    Radiance emitterSum{};
     SampleVariation variation;
     std::uint32_t samples = 0;
     std::uint32_t firstBuffer = 0;  ///< samples in the first buffer

@@ -7,20 +7,13 @@
 ///
 /// Properties (each has its test, but for the last sentence):
 /// - Pure: a sample depends on (pixel, index, seed) alone, not on threads, tiles or the order of calls. Every index below 2^32 is valid.
-///   calls change it. Every index below 2^32 is valid.
 /// - Range: odd multiples of 2^-33, so neither 0 nor 1 occurs and the mean is exactly unbiased.
 /// - Stratification of the first 2^m samples, and of every aligned block of 2^m: each coordinate alone has one sample in each of 2^m equal
 ///   intervals; the lens pair is a (0, m, 2)-net, with one sample in every elementary interval of area 2^-m, and so is the pixel pair. All
 ///   four coordinates of the first 2^m are a (t, m, 4)-net with t <= 2 for m <= 6 and t <= 3 for m <= 14.
-///   alone has one sample in each of 2^m equal intervals; the lens pair is a (0, m, 2)-net, with
-///   one sample in every elementary interval of area 2^-m, and so is the pixel pair. The first 2^m are
-///   a (t, m, 4)-net with t <= 2 for m <= 6 and t <= 3 for m <= 14.
 /// - Independence: each pixel and seed has its own scrambling. Means over two seeds are independent and unbiased, so (A - B)^2 / 4
 ///   estimates the variance of (A + B) / 2 without bias, whatever the integrand. Blocks of samples of one seed repel each other: the halves
 ///   of one sequence would overestimate its error.
-///   independent and unbiased, so (A - B)^2 / 4 estimates the variance of (A + B) / 2 without bias,
-///   whatever the integrand. Within one seed blocks of samples repel each other: the halves of one
-///   sequence would overestimate its error.
 ///
 /// Reason for the reordering: sharp surfaces depend on the pixel pair alone, strongly blurred ones on the lens pair, a blur of about a
 /// pixel on all four. Randomly shuffled pairs (padding) have no common strata, and for such a blur are little better than random samples;

@@ -23,8 +23,8 @@ double MissedSquareError(double share, double n);
 /// @param around  samples of its 3 by 3 window
 Radiance UndetectedError(const PixelStatistics& own, const SampleVariation& around);
 
-/// True if enough emitter samples have missed: the expected error from the pixel's emitters is below the target, or the emitters are taken
-/// for hidden.
+/// True if the pixel needs no further search for its emitters: it has none, the error expected after its misses is below the target, or
+/// there are so many misses that the emitters are taken for hidden.
 bool HasSearchedEmitters(const PixelStatistics& own, double target);
 
 } // namespace tilt_lens
