@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file settings.h
-/// Every number that steers the sampler, the emitter sampling and the reconstruction, with its unit and its meaning.
-/// Sections are those of docs/sampling.md, whose last one has the evidence: what the error costs without each number, or the
-/// reason for its value.
+/// All constants of the sampler, the emitter sampling and the reconstruction, with units. Sections are those of docs/sampling.md; its
+/// section 11 lists the evidence: the error without each constant, or the reason for its value.
 
 #ifndef TILT_LENS_SETTINGS_H
 #define TILT_LENS_SETTINGS_H
@@ -15,151 +14,148 @@
 namespace tilt_lens
 {
 
-/// What the compiler must know, since it sets the size of arrays, or what no picture depends on is constant; the ablation varies
-/// the rest.
+/// A constant is `static constexpr` if it sets the size of arrays or affects no picture; the ablation varies the others.
 struct Settings
 {
     /// @name Windows and blocks, in pixels unless said otherwise
     /// @{
-    /// Side of the blocks that are sampled and reconstructed together, on a grid fixed to the whole picture.
+    /// Side of a block: the pixels that are sampled and reconstructed together, on a grid fixed to the whole picture.
     static constexpr std::uint32_t blockSide = 16;
-    /// Blocks from a pixel's own to the farthest that it depends on (section 10): filtering needs converged neighbours, whose
-    /// stop rule needs their neighbours' first rounds.
+    /// Distance, in blocks, of the farthest block that a pixel depends on (section 10): filters need converged neighbours, and the stop
+    /// rule of these needs the first rounds of their neighbours.
     static constexpr std::int64_t dependencyRadius = 2;
-    /// Rows of blocks, from the first that is not finished on, from which a thread takes work while others take what it needs: two rows
-    /// of the usual tiles and what they depend on. No picture depends on it.
+    /// Rows of blocks, counted from the first unfinished one, in which an idle thread may work ahead: two rows of tiles of the usual size
+    /// and the blocks that they depend on. Affects no picture.
     static constexpr std::int64_t windowRows = 6;
-    /// To the farthest pixels whose sample variance counts for one: 3 by 3 (sections 3 and 4).
+    /// Radius of the 3 by 3 window whose sample variances are averaged (sections 3 and 4).
     static constexpr int neighbourRadius = 1;
     static constexpr int neighbourhoodPixels = (2 * neighbourRadius + 1) * (2 * neighbourRadius + 1);
-    /// To the farthest pixels that local variance ratios are pooled over: 5 by 5 (section 3).
+    /// Radius of the 5 by 5 window over which local variance ratios are pooled (section 3).
     static constexpr int ratioRadius = 2;
-    /// From the middle of a filter to its end (section 8).
+    /// Radius of the longest filters (section 8).
     static constexpr int filterRadius = 4;
-    /// From a pixel to the farthest whose risk counts for it: 7 by 7; and to those whose risk counts in full: 3 by 3 (section 8).
+    /// Radius of the 7 by 7 window over which risks are averaged, and of the 3 by 3 window in which they count in full (section 8).
     static constexpr int riskRadius = 3, nearRiskRadius = 1;
-    /// From a sample's pixel to the farthest pixel that it serves, along rows and columns (section 8).
+    /// Distance of the farthest pixel that a sample is spread to, along rows and columns (section 8).
     static constexpr int spreadReach = 7;
-    /// Samples of a pixel that serve other pixels, at most: its first. More would cost more time than they save rays.
+    /// Greatest number of a pixel's samples that are spread to other pixels: its first. More would cost more time than the rays they save.
     std::uint32_t mostSentSamples = 32;
-    /// Cells, in a row, of the table of an opening that is no disc.
+    /// Cells in a row and in a column of the density table of an aperture that is not a disc.
     static constexpr int densityCells = 64;
     /// @}
 
     /// @name First round
     /// @{
-    /// Samples of a pixel's first round where a scene does not state MIN (section 1): where the picture is reconstructed and samples
-    /// are sent at emitters; and elsewhere, because small lamps are missed by four too often.
+    /// Samples of a pixel's first round if the scene does not state MIN (section 1): the first number with reconstruction and emitter
+    /// sampling; the second without, because four samples miss small lamps too often.
     static constexpr std::uint32_t firstSamples = 4, firstSamplesAlone = 8;
-    /// Up to so many samples the first round of a block is doubled (section 1) while this share of its pixels need more than so many
-    /// times the samples that they have.
+    /// The first round of a block is doubled, up to mostFirstSamples (section 1), while at least farShare of its pixels need more than
+    /// farFactor times the samples taken.
     static constexpr std::uint32_t mostFirstSamples = 16;
     double farShare = 0.25, farFactor = 4.0;
     /// @}
 
     /// @name Steps and limits of computing
     /// @{
-    /// Steps of the iteration for the variance ratio of the mean (section 3).
+    /// Iterations that solve for the variance ratio of the mean (section 3).
     static constexpr int ratioIterations = 4;
-    /// What greater risks, and those that are no number, are taken for (section 8): sums of 49 of them are still floats.
+    /// Upper bound of risks; NaN is replaced with it, too (section 8). The sum of 49 such risks is a finite float.
     static constexpr float greatestFiniteRisk = 1e12f;
-    /// Camera rays that are made at a time, side by side in registers: 4, 8 or 16. No picture depends on it.
+    /// Camera rays computed together in vector registers: 4, 8 or 16. Affects no picture.
     static constexpr std::uint32_t cameraRaysOfBatch = 8;
-    /// Samples of the pixel of each block that the progress display tries; no picture depends on it.
+    /// Samples of the pixel that the progress display probes in each block. Affects no picture.
     static constexpr std::uint32_t probeSamples = 8;
     /// @}
 
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
-    /// Samples after which a pixel's sample variance counts as much as that of the 3 by 3 pixels around.
+    /// Number of samples at which a pixel's sample variance has the same weight as the mean of its 3 by 3 window.
     double shrinkageSamples = 4.0;
-    /// Noisy pixels, all as noisy, that what was known before counts as: for a quadrant of a block its variance ratio of
-    /// the round before, for the 5 by 5 pixels around one that of their quadrant.
+    /// Weight of the prior of a variance ratio, in equally noisy pixels. Prior of a quadrant: its ratio of the previous round. Prior of a 5
+    /// by 5 window: the ratio of the quadrant.
     double varianceRatioPrior = 2.0;
-    /// A pixel whose own variance ratio is so many times that of the pixels around keeps its own: filters may then take it for noise.
+    /// A pixel keeps its own variance ratio if it exceeds that of its window by this factor: otherwise filters would take the pixel for
+    /// exact.
     double outlyingRatio = 4.0;
     /// @}
 
     /// @name Undetected error (section 4)
     /// @{
-    /// A converged pixel is reactivated for an undetected error of so many times its target: what its neighbours hit is
-    /// as uncertain as their samples are few.
+    /// A converged pixel is reactivated if its undetected error exceeds its target by this factor; a smaller factor would react to the
+    /// uncertainty of the neighbours' few samples.
     double reactivationFactor = 4.0;
-    /// Samples of other pixels that a pixel's circles must bring, so that its own variance and the mean over the 3 by 3 pixels around
-    /// count alike for whether it has converged.
+    /// Number of samples received from other pixels at which a pixel's own excess and the mean excess of its 3 by 3 window count alike in
+    /// the decision whether it has converged.
     double samplesToDecideTogether = 8.0;
-    /// Factor of the variance that single pixels of a block and of its neighbours have met, as that of all others that may have missed the
-    /// like. With 0 nothing is searched for.
+    /// Factor of the variance seen by isolated pixels of a block and its neighbours, which is assumed as missed in all others. 0: none.
     double loneVarianceFactor = 1.0;
-    /// Variance that a converged pixel has missed, over `variance`, from which on it takes further rounds.
+    /// A converged pixel takes further rounds if the variance that it has missed exceeds `variance` by this factor.
     double missedVariance = 1.0;
     /// @}
 
     /// @name Confidence factor (section 5)
     /// @{
-    /// Pixels as many as whose samples all that is pooled (variance ratio, undetected error, forecast) adds to the degrees
-    /// of freedom.
+    /// Factor of the degrees of freedom, for the pooled estimates (variance ratio, undetected error, forecast).
     double pooledPixels = 2.0;
     /// @}
 
     /// @name Variance target (section 6)
     /// @{
-    /// Variance of one sample where a pixel's target is just `variance`: between those of texture and of blurred edges.
+    /// Variance of one sample for which a pixel's target is `variance`: between those of texture and of blurred edges.
     double typicalSampleVariance = 0.003;
-    /// Least target over `variance`; and the greatest, of pixels that deviate more than those around.
+    /// Least target over `variance`; greatest target over `variance`, for pixels with above-average deviation.
     double leastTarget = 0.75, greatestTarget = 1.75;
     /// @}
 
     /// @name Emitter sampling (section 7)
     /// @{
-    /// Radiance (1 is white) that what is lit seldom exceeds, however bright the lights are. An emitter is brighter by its own
-    /// finish; all else is found as lit surfaces are.
+    /// Radiance (1 is white) that lit surfaces seldom exceed, however bright the lights. An emitter is an object that is brighter by its
+    /// own finish.
     static constexpr double greatestLitRadiance = 1.0;
-    /// Samples that share one decision about their lens coordinate: the sequence has one of each aligned block of four in each
-    /// quarter of it.
+    /// Samples in a stratum of the lens coordinate: each aligned block of four samples has one in each quarter of [0, 1).
     static constexpr std::uint32_t emitterStratum = 4;
-    /// Points around the opening of the lens from which an emitter's disc of confusion is bounded.
+    /// Points on a circle around the aperture from which the bounding box of an emitter's circle of confusion is computed.
     static constexpr int blurBoxPoints = 16;
-    /// Bins of pixels in a row or column of the picture, at most; their least side in pixels; and the emitters that a bin lists,
-    /// the brightest.
+    /// Greatest number of bins in a row or column of the picture; least side of a bin, in pixels; greatest number of emitters in a bin, the
+    /// brightest.
     static constexpr std::uint32_t emitterBins = 64, leastEmitterBinSide = 8;
     static constexpr std::size_t emittersOfBin = 1024;
-    /// Blur, in pixels, from which on the lens point is chosen and not the film point.
+    /// Blur, in pixels, above which the lens point is importance-sampled; below, the film point.
     double lensPointBlur = 1.5;
-    /// Share of a pixel's samples that is sent at emitters: a multiple of 1 / emitterStratum.
+    /// Share of a pixel's samples that is aimed at emitters: a multiple of 1 / emitterStratum.
     double emitterShare = 0.5;
-    /// Emitters that one pixel's samples are sent at, at most: the brightest. With 0, no sample is.
+    /// Greatest number of emitters that a pixel's samples are aimed at: the brightest. 0: no emitter sampling.
     std::uint32_t emittersOfPixel = 16;
-    /// Emitter samples that must have missed before the emitter is believed hidden: an object fills only a part of the
-    /// sphere around it, and that may lie over two pixels.
+    /// Emitter samples that must miss before the emitter is taken for hidden: an object fills only a part of its bounding sphere, and this
+    /// part may lie in two pixels.
     std::uint32_t hiddenEmitterSamples = 16;
     /// @}
 
     /// @name Reconstruction (section 8)
     /// @{
-    /// Risk of a filter over that of the unfiltered pixels from which on it has no weight; below the inverse, less is chance.
+    /// A filter with a risk above this multiple of the unfiltered pixels' risk has no weight; risks below the inverse are chance.
     float greatestRisk = 20.0f;
-    /// Limit of a pixel's risk over its noise, for pixels not beside it.
+    /// Limit of a pixel's risk over its noise, outside its 3 by 3 window.
     float riskLimit = 8.0f;
-    /// Risk over noise of the 3 by 3 pixels around one that may be chance.
+    /// Risk over noise of a 3 by 3 window that chance can explain.
     float chanceRisk = 2.0f;
-    /// Weight of a spread estimate that is wholly made of other pixels' samples, over that of a filter with the same risk.
+    /// Weight of a spread estimate made of other pixels' samples alone, relative to a filter with the same risk.
     float spreadWeight = 8.0f;
-    /// How many times more it weighs where other pixels' samples tell all of the noise, and the pixel's own none of it.
+    /// Additional factor of this weight if other pixels' samples show all of the noise, and the pixel's own samples none.
     float missedWeight = 100.0f;
-    /// Mean variance of a row of a block, over `variance`, below which the row is not reconstructed.
+    /// A row of a block is reconstructed if its mean variance over `variance` is at least this.
     double leastRowVariance = 1.0 / 32.0;
     /// @}
 
     /// @name Forecast of the reconstruction in the stop rule (section 9)
     /// @{
-    /// Rays a pixel of a block that a forecast must save: about what it takes the time of.
+    /// Rays per pixel of a block that a forecast must save: about the cost of computing it.
     double forecastCost = 2.0;
     /// @}
 };
 
 #ifdef TILT_LENS_VARIABLE_SETTINGS
-extern Settings settings;  // of the ablation's programs (benchmarks/tools)
+extern Settings settings;  // varied by the ablation's programs (benchmarks/tools)
 #else
 constexpr Settings settings;
 #endif

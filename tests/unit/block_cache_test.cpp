@@ -37,7 +37,7 @@ void SlowNoise(const SampleId& id, SampleResult& result)
     WhiteNoise(id, result);
 }
 
-/// Samples all tiles of a picture with some threads, which take tiles in turn as POV-Ray's do.
+/// Samples all tiles of a picture with several threads, which take tiles in turn as POV-Ray's do.
 std::vector<Radiance> PictureOf(int threads, const Tracer& trace)
 {
     BlockCache cache(DenoisedLimits(), kWidth, kWidth, {0, 0, kWidth, kWidth});
@@ -65,7 +65,7 @@ std::vector<Radiance> PictureOf(int threads, const Tracer& trace)
     return picture;
 }
 
-TEST(BlockCache, SamplesNothingTwiceWhateverTheThreads)
+TEST(BlockCache, TakesEachSampleOnceWithManyThreads)
 {
     std::vector<std::atomic<std::uint32_t>> traced(kWidth * kWidth);
     const Tracer counting([&](const SampleId& id, SampleResult& result)
@@ -77,8 +77,8 @@ TEST(BlockCache, SamplesNothingTwiceWhateverTheThreads)
     EXPECT_EQ(PictureOf(5, counting), alone);
 }
 
-/// A thread whose block another one samples goes on with others: all first rounds but one are taken while one sample takes its time.
-TEST(BlockCache, NoThreadWaitsForABlockThatAnotherSamples)
+/// While one sample takes its time, the other thread must finish all first rounds but one.
+TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
 {
     const std::uint32_t others = 2 * settings.blockSide;
     std::atomic<bool> held{false};
@@ -87,7 +87,7 @@ TEST(BlockCache, NoThreadWaitsForABlockThatAnotherSamples)
     {
         if (id.x == 0 && id.y == 0 && id.index == 0 && !held.exchange(true))
         {
-            // as long as it takes the other thread to get to rows that its own tile does not need
+            // until the other thread reaches rows that its own tile does not need
             for (int i = 0; i < 20000 && reached < others; i++)
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
@@ -109,7 +109,7 @@ TEST(BlockCache, NoThreadWaitsForABlockThatAnotherSamples)
     EXPECT_GE(reached, others);
 }
 
-TEST(BlockCache, AStepThatIsBrokenOffIsTakenByAnotherThread)
+TEST(BlockCache, AnotherThreadRetakesAnInterruptedStep)
 {
     std::atomic<bool> thrown{false};
     const Tracer trace([&](const SampleId& id, SampleResult& result)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_estimates.h
-/// Blocks whose pixels have taken one round of samples, for the tests of what is estimated and decided from these.
+/// Blocks after one round of samples, for tests of estimates and decisions.
 
 #ifndef TILT_LENS_TESTS_BLOCK_ESTIMATES_H
 #define TILT_LENS_TESTS_BLOCK_ESTIMATES_H
@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Samples up to number `until` of every active pixel, in one round.
+/// Takes samples up to number `until` of every active pixel, in one round.
 inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
 {
     const Area& area = estimate.area;
@@ -44,7 +44,6 @@ inline BlockEstimate FirstEstimate(const Area& area, std::uint32_t samples, cons
     return estimate;
 }
 
-/// A block alone in the picture, without neighbours.
 inline FirstRounds Alone(const FirstRound& round)
 {
     FirstRounds rounds{};

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The three steps of a block: who decides with whom, and who learns what others have found.
+// The three steps of a block: joint decisions of neighbouring pixels, and exchange with neighbouring blocks.
 
 #include "tilt_lens/sampling/block.h"
 
@@ -27,7 +27,7 @@ const LensFootprint& Footprint()
     return lens;
 }
 
-/// A sample of this brightness whose point is seen by all pixels so many around.
+/// A sample of this brightness, blurred over pixels up to `radius` away.
 SampleResult Blurred(const SampleId& id, double grey, float radius)
 {
     SampleResult result;
@@ -43,7 +43,7 @@ SamplingLimits Denoised(double variance)
     return limits;
 }
 
-/// Share of the light that is kept where one sample in 64 meets something bright, as the plain means of the pixels' samples.
+/// Fraction of the light that the plain means keep where one sample in 64 hits something bright.
 double LightKept(float blur)
 {
     const Tracer trace([blur](const SampleId& id, SampleResult& result)
@@ -55,15 +55,15 @@ double LightKept(float blur)
     return 64.0 * light / Square(side);
 }
 
-/// A pixel that stops because all its samples are dark, beside one that goes on because one of its is not, loses light.
-TEST(Block, PixelsThatSeeTheSameDecideTogetherAndKeepTheirLight)
+/// If pixels decided alone, those with dark samples only would stop, those with a bright one would go on, and light would be lost.
+TEST(Block, BlurredPixelsDecideTogetherAndLoseNoLight)
 {
     EXPECT_LT(LightKept(0.0f), 0.5);
     EXPECT_GT(LightKept(6.0f), 0.8);
 }
 
-/// A lamp that is met by later samples alone, and only where the left block is noisy; its light reaches the right block.
-TEST(Block, LearnsWhatItsNeighbourFindsInLaterRounds)
+/// Only later samples hit the lamp, and only the left block takes these; its light must reach the right block.
+TEST(Block, UsesLaterRoundsOfItsNeighbours)
 {
     const std::uint32_t seen = kSide + 4;  // columns of pixels that the lamp reaches
     const Tracer trace([&](const SampleId& id, SampleResult& result)
@@ -82,7 +82,7 @@ TEST(Block, LearnsWhatItsNeighbourFindsInLaterRounds)
     EXPECT_GT(mean, 0.4) << "a part of the lamp's light is there";
 }
 
-TEST(Block, AStepIsTakenOnce)
+TEST(Block, TakesEachStepOnce)
 {
     const Area area{0, 0, kSide, kSide};
     const SamplingLimits limits = Denoised(1e-3);
@@ -99,7 +99,7 @@ TEST(Block, AStepIsTakenOnce)
     EXPECT_EQ(block.StepsTaken(), Block::kSteps);
 }
 
-TEST(SentSamples, PixelsWeighAlikeWhateverTheirSamples)
+TEST(SentSamples, EachPixelHasTheSameTotalWeight)
 {
     const Area area{0, 0, kSide, kSide};
     SentSamples few(area, 2 * kSide, kSide), many(area, 2 * kSide, kSide);
@@ -123,7 +123,7 @@ TEST(SentSamples, PixelsWeighAlikeWhateverTheirSamples)
     EXPECT_NEAR(unequal->PixelWeight(), 4.0f, 1e-5);
 }
 
-TEST(SentSamples, SharpOnesAndThoseBeyondTheMostServeTheirOwnPixel)
+TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
 {
     const Area area{0, 0, kSide, kSide};
     SentSamples sent(area, 2 * kSide, kSide);

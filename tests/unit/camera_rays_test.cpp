@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Rays of a group of samples, made together: to the last bit those that are made one by one.
+// Rays computed in groups: bit for bit equal to rays computed one by one.
 
 #include "tilt_lens/sampling/camera_rays.h"
 
@@ -20,7 +20,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// Runs within one group: whole, the halves, what rounds of 1, 2, 4 and of other numbers ask for.
+/// Runs within one group: whole, halves, and those of rounds of 1, 2, 4 and other numbers.
 std::vector<SampleRun> Runs(std::uint32_t x, std::uint32_t y)
 {
     std::vector<SampleRun> runs;
@@ -45,7 +45,7 @@ Lens SomeLens(const Character& character = {}, double scale = 1.0)
     return lens;
 }
 
-/// Every number of a ray, for comparisons that tell -0 from 0 by no means: the two are the same ray.
+/// All numbers of a ray, for comparison; -0 equals 0.
 std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
 {
     const CameraSamples& s = rays.samples;
@@ -74,7 +74,7 @@ void ExpectRaysOneByOne(const Lens& lens, const EmitterSampler& emitters)
     }
 }
 
-TEST(CameraRays, AreThoseOfTheSamplesOneByOne)
+TEST(CameraRays, EqualRaysComputedOneByOne)
 {
     Character distorts, curves, rims;
     distorts.distortion1 = -0.05;
@@ -93,7 +93,7 @@ TEST(CameraRays, AreThoseOfTheSamplesOneByOne)
     ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}, vignetting));
 }
 
-TEST(CameraRays, AreThoseOfSamplesThatAreSentAtEmitters)
+TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
 {
     const Lens lens = SomeLens();
     const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
@@ -101,8 +101,8 @@ TEST(CameraRays, AreThoseOfSamplesThatAreSentAtEmitters)
     ExpectRaysOneByOne(lens, emitters);
 }
 
-/// A double Gauss, wide open, at the picture's edge: its rims refuse some samples, and some pixels see nothing.
-TEST(CameraRays, OfALensOfGlassAreThoseOfTheSamplesOneByOne)
+/// A double Gauss, wide open, at the picture's edge: its rims block some samples, and some pixels see nothing.
+TEST(CameraRays, OfAGlassLensEqualRaysComputedOneByOne)
 {
     Statement statement;
     statement.prescription = std::make_shared<const Prescription>(ReadPrescription(
@@ -143,8 +143,8 @@ TEST(CameraRays, OfALensOfGlassAreThoseOfTheSamplesOneByOne)
     EXPECT_GT(refusedInAll, 100u);
 }
 
-/// Squares of these would be infinite or 0: such lengths are found another way.
-TEST(CameraRays, MayBeOfAnyLength)
+/// Squares of such lengths overflow or underflow, so they are computed another way.
+TEST(CameraRays, MayHaveAnyLength)
 {
     for (const double scale : {1e-170, 1e-101, 1e101, 1e160})
     {
@@ -155,8 +155,8 @@ TEST(CameraRays, MayBeOfAnyLength)
     }
 }
 
-/// A lens point on the film: no ray leads from a point to itself, and the chief ray stands in.
-TEST(CameraRays, ThatLeadNowhereAreChiefRays)
+/// A lens point on the film: no ray leads from a point to itself, so the chief ray replaces it.
+TEST(CameraRays, WithoutDirectionAreChiefRays)
 {
     Lens lens = SomeLens();
     lens.direction = lens.lensX = {0.25, 0.0, 0.0};

@@ -20,7 +20,7 @@ namespace
 constexpr int kSide = int(settings.blockSide);
 constexpr double kLamp = 10.0;
 
-/// Sent to the pixels of a block that take four samples each: of all samples, one in `every` has hit a red lamp, and the rest nothing.
+/// Samples received by a block whose pixels take four samples each: one in `every` has hit a red lamp, the others darkness.
 std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
 {
     static const LensFootprint lens(Lens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
@@ -38,7 +38,7 @@ std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
 
 constexpr std::size_t kMiddle = std::size_t(PaddedBlock::At(8, 8));
 
-TEST(CircleVariance, TellsPixelsThatMissedTheLamp)
+TEST(CircleVariance, ReachesPixelsThatMissedTheLamp)
 {
     const auto spread = LampHitByOneIn(64);
     const double variance = spread->variance[kMiddle];
@@ -50,7 +50,7 @@ TEST(CircleVariance, TellsPixelsThatMissedTheLamp)
     EXPECT_NEAR(circle.AtLeast(0.0), blend[0], 1e-6);
 }
 
-TEST(CircleVariance, PixelsThatMetTheLampDecideAsTheOthers)
+TEST(CircleVariance, IsTheSameForPixelsThatHitTheLamp)
 {
     const auto spread = LampHitByOneIn(64);
     const CircleVariance circle(spread.get(), kMiddle, 4.0);
@@ -59,7 +59,7 @@ TEST(CircleVariance, PixelsThatMetTheLampDecideAsTheOthers)
     EXPECT_EQ(circle.AtLeast(met[0]), met[0]) << "its own noise is that of its own samples";
 }
 
-TEST(CircleVariance, ManySamplesOfThePixelsOwnCountAlone)
+TEST(CircleVariance, IsIgnoredWhereAPixelHasManySamples)
 {
     const auto spread = LampHitByOneIn(64);
     const Radiance own{0.5, 0.25, 0.125, 0.0, 0.0};
@@ -76,7 +76,7 @@ TEST(CircleVariance, NothingSentChangesNothing)
     EXPECT_EQ(CircleVariance(nullptr, kMiddle, 4.0).AtLeast(0.25), 0.25);
 }
 
-TEST(CircleVariance, EvenLightHasNone)
+TEST(CircleVariance, IsZeroInEvenLight)
 {
     const auto spread = LampHitByOneIn(1);
     EXPECT_NEAR(CircleVariance(spread.get(), kMiddle, 4.0).AtLeast(0.0), 0.0, 1e-4);

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Decisions about a block, from statistics alone: who stays active, who is made active again, and what the
-// reconstruction is expected to take off.
+// Decisions about a block from statistics alone: active pixels, reactivation, and the forecast of the reconstruction.
 
 #include "tilt_lens/sampling/convergence.h"
 
@@ -26,7 +25,7 @@ std::size_t ActiveIn(const BlockEstimate& estimate)
     return std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [](const PixelEstimate& pixel) { return pixel.active; });
 }
 
-/// A block alone in the picture after its first round.
+/// A block without neighbours after its first round.
 struct Prepared
 {
     BlockEstimate estimate;
@@ -43,14 +42,14 @@ struct Prepared
     bool Update(std::uint32_t samples) { return UpdateConvergence(estimate, around, limits, samples); }
 };
 
-TEST(Shrinkage, IsAHalfAfterItsSamplesAndFallsWithTheirSquare)
+TEST(Shrinkage, IsOneHalfAtShrinkageSamplesAndFallsWithTheirSquare)
 {
     const std::uint32_t half = settings.shrinkageSamples;
     EXPECT_EQ(Shrinkage(half), 0.5);
     EXPECT_NEAR(Shrinkage(1000 * half), 1e-6, 1e-9);
 }
 
-TEST(ConfidenceFactor, IsTheUpperLimitOfChiSquare)
+TEST(ConfidenceFactor, IsTheUpperChiSquareLimit)
 {
     const double freedom = settings.pooledPixels * 7;
     const double limit = boost::math::quantile(boost::math::chi_squared(freedom), 0.1);
@@ -67,9 +66,9 @@ TEST(UpdateConvergence, EvenLightConvergesAtOnce)
     EXPECT_EQ(ActiveIn(even.estimate), 0u);
 }
 
-TEST(UpdateConvergence, NoiseStaysActiveUntilItsVarianceIsTheTarget)
+TEST(UpdateConvergence, NoiseStaysActiveUntilItsVarianceMeetsTheTarget)
 {
-    Prepared noisy(Limits(8, 4096, 1e-3), WhiteNoise);  // 1/12 of one sample
+    Prepared noisy(Limits(8, 4096, 1e-3), WhiteNoise);  // variance 1/12 of one sample
     std::uint32_t samples = 8;
     while (noisy.Update(samples))
     {
@@ -83,7 +82,7 @@ TEST(UpdateConvergence, NoiseStaysActiveUntilItsVarianceIsTheTarget)
         EXPECT_LE(pixel.excess, 1.0);
 }
 
-TEST(UpdateConvergence, AtTheMostSamplesNothingIsLeftToTake)
+TEST(UpdateConvergence, StopsAtMaximumSamples)
 {
     Prepared noisy(Limits(8, 8, 1e-6), WhiteNoise);
     EXPECT_FALSE(noisy.Update(8));
@@ -97,14 +96,14 @@ TEST(UpdateConvergence, VarianceZeroKeepsEveryPixelActive)
     EXPECT_EQ(ActiveIn(even.estimate), kMiddle.Size());
 }
 
-TEST(UpdateConvergence, OneSampleSaysNothing)
+TEST(UpdateConvergence, OneSampleDecidesNothing)
 {
     Prepared one(Limits(1, 16, 1.0), Constant);
     EXPECT_TRUE(one.Update(1));
     EXPECT_EQ(ActiveIn(one.estimate), kMiddle.Size());
 }
 
-TEST(Reactivate, FollowsWhatAllMissedAtFirst)
+TEST(Reactivate, FollowsAnEdgeThatAllMissedAtFirst)
 {
     // only a later round hits anything, in one column
     const auto late = [](const SampleId& id, SampleResult& result)
@@ -122,13 +121,13 @@ TEST(Reactivate, FollowsWhatAllMissedAtFirst)
     }
 }
 
-/// One sample of one pixel in the middle hits something bright.
+/// A single sample, of a pixel in the middle, hits something bright.
 void LoneHit(const SampleId& id, SampleResult& result)
 {
     result = Grey(id.x == kMiddle.left + 8 && id.y == kMiddle.top + 8 && id.index == 3 ? 1.0 : 0.0);
 }
 
-TEST(FirstRound, LoneVarianceIsThatOfSinglePixelsOnly)
+TEST(FirstRound, LoneVarianceCountsIsolatedPixelsOnly)
 {
     const double inside = Square(settings.blockSide - 2.0);
     EXPECT_NEAR(FirstRound(FirstEstimate(kMiddle, 8, LoneHit)).loneVariance, 1.0 / 8.0 / inside, 1e-9);
@@ -137,7 +136,7 @@ TEST(FirstRound, LoneVarianceIsThatOfSinglePixelsOnly)
     EXPECT_EQ(FirstRound(FirstEstimate(kMiddle, 8, Constant)).loneVariance, 0.0);
 }
 
-TEST(UpdateConvergence, WhatASinglePixelHitIsSearchedForInAll)
+TEST(UpdateConvergence, AHitOfOnePixelKeepsTheBlockActive)
 {
     const double lone = 1.0 / 8.0 / Square(settings.blockSide - 2.0);
     Prepared often(Limits(8, 1024, 0.1 * lone / 8.0), LoneHit), seldom(Limits(8, 1024, 10.0 * lone / 8.0), LoneHit);
@@ -149,7 +148,7 @@ TEST(UpdateConvergence, WhatASinglePixelHitIsSearchedForInAll)
     EXPECT_NEAR(LoneVariance(often.around, 8, 16), LoneVariance(often.around, 8, 8) / 4.0, 1e-12);
 }
 
-TEST(Neighbourhood, LooksAtFirstSamplesBesideTheBlock)
+TEST(Neighbourhood, UsesFirstRoundsOutsideTheBlock)
 {
     const BlockEstimate own = FirstEstimate(kMiddle, 8, Constant);
     const BlockEstimate left = FirstEstimate({0, settings.blockSide, settings.blockSide, settings.blockSide}, 8, WhiteNoise);
@@ -161,15 +160,15 @@ TEST(Neighbourhood, LooksAtFirstSamplesBesideTheBlock)
     EXPECT_NEAR(around.MeanDeviation(), 0.5 * std::sqrt(1.0 / 12.0), 0.02);
     EXPECT_TRUE(IsNonZero(around.Around(own, 3 * settings.blockSide).variance));
     EXPECT_FALSE(IsNonZero(around.Around(own, 3 * settings.blockSide + 1).variance));
-    // two rows of three outside, of variance 1/12 each, and six pixels inside
+    // three pixels outside, of variance 1/12 each, and six inside
     EXPECT_NEAR(around.Around(own, 3 * settings.blockSide).variance[0], 1.0 / 12.0 / 3.0, 0.02);
 }
 
-TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
+TEST(DenoiserForecast, SubtractsNoiseOfSmoothPixelsButNoUndetectedError)
 {
     SamplingLimits limits = Limits(8, 1024, 1e-3);
     limits.denoise = true;
-    // dim noise around 0.7: known beside its brightness
+    // dim noise around 0.7
     Prepared block(limits, [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); });
     const double undetected = 3e-3;
     std::vector<Candidate> candidates;
@@ -195,7 +194,7 @@ TEST(DenoiserForecast, TakesOffWhatSmoothPixelsWillLoseAndNothingUndetected)
     EXPECT_LT(block.estimate.pixels[100].residualVarianceRatio, 0.5);
 }
 
-/// What the samples of a pixel missed counts as its noise, so that filters may bring it from those around.
+/// Undetected error counts as a pixel's noise, so that filters may replace the pixel by its surroundings.
 TEST(BlockStatistics, NoiseIncludesUndetectedError)
 {
     const auto noisyColumn = [](const SampleId& id, SampleResult& result)
@@ -216,7 +215,7 @@ TEST(BlockStatistics, NoiseIncludesUndetectedError)
     }
 }
 
-TEST(DenoiserForecast, IsLeftOutWhereItSavesTooFewRays)
+TEST(DenoiserForecast, IsSkippedWhereItSavesTooFewRays)
 {
     SamplingLimits limits = Limits(8, 1024, 1e-3);
     limits.denoise = true;

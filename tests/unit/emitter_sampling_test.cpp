@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Emitter sampling: the mean stays that of plain samples, the variance falls, and samples are sent only at what is
-// small and bright.
+// Emitter sampling: the mean equals that of plain samples, the variance falls, and only small bright objects are targets.
 
 #include "tilt_lens/sampling/emitter_sampling.h"
 
@@ -22,8 +21,7 @@ namespace
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 constexpr double kBackground = 0.3;
 
-/// A lens one unit wide at the origin that looks along z and is focused at 10, the plane of focus turned
-/// by `turn` degrees.
+/// A lens one unit wide at the origin that looks along z and is focused at 10, with the plane of focus turned by `turn` degrees.
 Lens LensOf(double turn, const Character& character = {})
 {
     Statement statement;
@@ -40,7 +38,7 @@ Aperture Window()
     return Aperture::Picture([](double u, double v) { return u < 0.4 || v > 0.7 ? 1.0 : 0.2; });
 }
 
-/// Spheres of light before an even background.
+/// Luminous spheres before an even background.
 struct World
 {
     std::vector<Emitter> spheres;
@@ -60,8 +58,8 @@ struct World
     }
 };
 
-/// Mean of a pixel's first n samples and the variance of one; and what of this is left within the two strata that emitter samples
-/// and plain ones are: their shares are fixed, so that only this makes noise.
+/// Mean of a pixel's first n samples, variance of one sample, and variance within the two strata of emitter and plain samples: their shares
+/// are fixed, so only this is noise.
 struct Pixel
 {
     double mean, variance, withinStrata;
@@ -109,7 +107,7 @@ struct Case
     Character character = {};
 };
 
-/// Everything that a real lens does otherwise.
+/// All deviations of a real lens.
 Character Real()
 {
     Character character;
@@ -120,7 +118,7 @@ Character Real()
     return character;
 }
 
-/// Lamps out of focus and in focus, alone and over one another, for every kind of opening.
+/// Blurred and sharp lamps, alone and overlapping, for every shape of aperture.
 std::vector<Case> Cases()
 {
     const Emitter far{{1.0, 0.5, 40.0}, 0.03, 40.0}, near{{-0.4, 0.3, 5.0}, 0.005, 40.0},
@@ -142,7 +140,6 @@ std::vector<Case> Cases()
             {"real picture", 0.0, Window(), {far, near, sharp}, Real()}};
 }
 
-/// A case ready to be sampled, with emitter sampling and without.
 struct Prepared
 {
     Lens lens;
@@ -158,7 +155,6 @@ Prepared Ready(const Case& one)
             EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, {}, vignetting)};
 }
 
-/// Pixels around the sharp images of all lamps.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& lens, const Case& one)
 {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pixels;
@@ -173,7 +169,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& le
     return pixels;
 }
 
-TEST(EmitterSampler, LeaveEveryMeanAsItIs)
+TEST(EmitterSampler, IsUnbiased)
 {
     for (const Case& one : Cases())
     {
@@ -195,7 +191,7 @@ TEST(EmitterSampler, LeaveEveryMeanAsItIs)
     }
 }
 
-TEST(EmitterSampler, LowerTheVarianceOfLamps)
+TEST(EmitterSampler, LowersTheVarianceOfLamps)
 {
     for (const Case& one : Cases())
     {
@@ -210,7 +206,7 @@ TEST(EmitterSampler, LowerTheVarianceOfLamps)
     }
 }
 
-/// A lamp behind something costs samples, but leaves no trace.
+/// A hidden lamp costs samples but leaves no trace.
 TEST(EmitterSampler, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
@@ -228,7 +224,7 @@ TEST(EmitterSampler, HiddenLampsLeaveEvenLightEven)
     EXPECT_LT(reached, 100);
 }
 
-TEST(EmitterSampler, ReachEveryPixelThatSeesThem)
+TEST(EmitterSampler, ReachesEveryPixelThatSeesALamp)
 {
     for (const Case& one : Cases())
     {
@@ -242,7 +238,7 @@ TEST(EmitterSampler, ReachEveryPixelThatSeesThem)
     }
 }
 
-TEST(EmitterSampler, OnlyWhatIsSmallAndBrightAndBefore)
+TEST(EmitterSampler, KeepsOnlySmallBrightEmittersInFront)
 {
     const Lens lens = LensOf(0.0);
     const auto empty = [&](const Emitter& emitter, const SamplingLimits& limits = Limits())
@@ -258,7 +254,7 @@ TEST(EmitterSampler, OnlyWhatIsSmallAndBrightAndBefore)
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}, Limits(1, 2))) << "fewer samples than a block of four";
 }
 
-TEST(EmitterSampler, AFixedShareOfEveryBlockOfFour)
+TEST(EmitterSampler, EveryBlockOfFourHasTheSameShare)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
@@ -278,7 +274,7 @@ TEST(EmitterSampler, AFixedShareOfEveryBlockOfFour)
         }
 }
 
-TEST(ApertureDensity, IsThatOfThePoints)
+TEST(ApertureDensity, MatchesTheSampledPoints)
 {
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(3, 0.2), Aperture::Polygon(8, 2.0), Window(),
                                      Aperture::Graded(Aperture::Disc(), 0.4), Aperture::Graded(Aperture::Polygon(6, 0.1, 0.5), -0.6)})

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// What the samples of one pixel tell: mean, variance of one sample, the two buffers, samples sent at emitters.
+// Statistics of one pixel: mean, variance of one sample, the two buffers, emitter samples.
 
 #include "tilt_lens/sampling/pixel_statistics.h"
 
@@ -24,7 +24,7 @@ SampleResult Result(double value)
     return result;
 }
 
-/// After rounds of 4, 8, 16, ... samples.
+/// Statistics after rounds of 4, 8, 16, ... samples.
 PixelStatistics StatisticsOf(const std::vector<double>& values)
 {
     PixelStatistics pixel;
@@ -38,7 +38,7 @@ PixelStatistics StatisticsOf(const std::vector<double>& values)
     return pixel;
 }
 
-TEST(PixelStatistics, MeanVarianceAndDeviationAreThoseOfTheSamples)
+TEST(PixelStatistics, HasMeanVarianceAndDeviationOfTheSamples)
 {
     const std::vector<double> values = {0.1, 0.9, 0.4, 0.2, 0.3, 0.3, 0.8, 0.2};
     const PixelStatistics pixel = StatisticsOf(values);
@@ -56,7 +56,7 @@ TEST(PixelStatistics, MeanVarianceAndDeviationAreThoseOfTheSamples)
     EXPECT_NEAR(pixel.Variation().maxSquaredDeviation[0], Square(0.9 - mean), 1e-15);
 }
 
-TEST(PixelStatistics, BuffersAreTheHalvesOfTheFirstRoundAndTheRoundsBeforeTheLast)
+TEST(PixelStatistics, BuffersSplitTheFirstRoundAndSeparateTheLast)
 {
     const PixelStatistics first = StatisticsOf({0.0, 1.0, 2.0, 4.0});
     EXPECT_EQ(first.FirstBufferSamples(), 2u);
@@ -66,7 +66,7 @@ TEST(PixelStatistics, BuffersAreTheHalvesOfTheFirstRoundAndTheRoundsBeforeTheLas
     EXPECT_NEAR(third.DualBufferDifference()[0], 1.5 - 5.0, 1e-15);
 }
 
-TEST(PixelStatistics, ASampleThatIsNotFiniteCountsAsBlackAndIsCounted)
+TEST(PixelStatistics, NonFiniteSamplesAreBlackAndCounted)
 {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL})
     {
@@ -78,8 +78,8 @@ TEST(PixelStatistics, ASampleThatIsNotFiniteCountsAsBlackAndIsCounted)
     }
 }
 
-/// Rounds, and groups of samples that are added at once.
-TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
+/// Various rounds, and groups of samples added at once.
+TEST(PixelStatistics, AddingGroupsEqualsAddingOneByOne)
 {
     for (const double odd : {0.3, 1e200, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})
         for (const std::uint32_t group : {2u, 3u, 8u, 16u})
@@ -113,7 +113,7 @@ TEST(PixelStatistics, SamplesAddedTogetherAreThoseAddedOneByOne)
         }
 }
 
-TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)
+TEST(PixelStatistics, VarianceIsWithinEmitterSamplesAndWithinPlainOnes)
 {
     PixelStatistics pixel;
     pixel.BeginRound(8);
@@ -130,7 +130,7 @@ TEST(PixelStatistics, OnlyDifferencesAmongEmitterSamplesAndAmongTheOthersCount)
     EXPECT_NEAR(pixel.Mean()[0], 1.625, 1e-15);
 }
 
-TEST(SampleVariation, MergesBySumAndByTheGreater)
+TEST(SampleVariation, MergeAddsVariancesAndKeepsTheGreaterDeviation)
 {
     SampleVariation a, b;
     a.variance[0] = 1.0, a.maxSquaredDeviation[0] = 5.0;

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The share of the work that is done: what is expected of a pixel, and how tiles add up.
+// The finished share of the work: expected cost of pixels, and the sum over tiles.
 
 #include "tilt_lens/sampling/progress_estimator.h"
 #include "tilt_lens/settings.h"
@@ -26,16 +26,16 @@ SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance)
 
 Radiance Grey(double value) { return {value, value, value, 0.0, 0.0}; }
 
-/// Gives every block a weight by its column: 1 to the left of `x`, `right` from there on.
+/// Sets each block's weight: 1 left of `x`, `right` from there on.
 void TryAll(ProgressEstimator& map, std::uint32_t x, double right)
 {
     while (const std::optional<ProgressEstimator::Probe> probe = map.NextProbe())
         map.SetWeight(probe->block, probe->x < x ? 1.0 : right);
 }
 
-TEST(ExpectedSamples, IsTheSpreadOverTheVariance)
+TEST(ExpectedSamples, IsTheSampleVarianceOverTheTarget)
 {
-    // 0 and 1 by turns: variance 8/7 * 1/4 of one sample
+    // 0 and 1 in turn: variance 8/7 * 1/4 of one sample
     std::vector<Radiance> tried;
     for (int i = 0; i < 8; i++)
         tried.push_back(Grey(i % 2));
@@ -44,14 +44,14 @@ TEST(ExpectedSamples, IsTheSpreadOverTheVariance)
     EXPECT_EQ(ExpectedSamples(Limits(8, 100, 0.0), tried), 100.0) << "variance 0 takes MAX";
 }
 
-TEST(ExpectedSamples, EvenPixelsTakeTheLeast)
+TEST(ExpectedSamples, IsTheMinimumForEvenPixels)
 {
     EXPECT_EQ(ExpectedSamples(Limits(8, 1024, 1e-4), std::vector<Radiance>(8, Grey(0.3))), 8.0);
     EXPECT_EQ(ExpectedSamples(Limits(64, 1024, 1e-4), std::vector<Radiance>(8, Grey(0.3))), 64.0);
     EXPECT_EQ(ExpectedSamples(Limits(1, 1, 1e-4), std::vector<Radiance>(1, Grey(0.3))), 1.0);
 }
 
-TEST(ExpectedSamples, AboveWhiteTheErrorIsRelative)
+TEST(ExpectedSamples, IsRelativeAboveWhite)
 {
     std::vector<Radiance> dark, bright;
     for (int i = 0; i < 8; i++)
@@ -60,7 +60,7 @@ TEST(ExpectedSamples, AboveWhiteTheErrorIsRelative)
     EXPECT_NEAR(ExpectedSamples(limits, bright), ExpectedSamples(limits, dark) * 1e4 / 2500.0, 1e-6 * ExpectedSamples(limits, dark));
 }
 
-TEST(ExpectedSamples, SamplesThatAreNoNumberCountAsBlack)
+TEST(ExpectedSamples, NonFiniteSamplesAreBlack)
 {
     std::vector<Radiance> tried(8, Grey(1.0));
     tried[3] = Grey(std::numeric_limits<double>::quiet_NaN());
@@ -70,7 +70,7 @@ TEST(ExpectedSamples, SamplesThatAreNoNumberCountAsBlack)
     EXPECT_EQ(ExpectedSamples(Limits(8, 1024, 1e-3), tried), ExpectedSamples(Limits(8, 1024, 1e-3), black));
 }
 
-TEST(ProgressEstimator, KnowsNothingBeforeAllBlocksAreTried)
+TEST(ProgressEstimator, ShareIsUnknownUntilAllBlocksAreProbed)
 {
     ProgressEstimator map;
     EXPECT_FALSE(map.Share());
@@ -87,7 +87,7 @@ TEST(ProgressEstimator, KnowsNothingBeforeAllBlocksAreTried)
     EXPECT_EQ(map.Share(), 0.0);
 }
 
-TEST(ProgressEstimator, TriesAPixelOfEachBlockInThePart)
+TEST(ProgressEstimator, ProbesAPixelOfEachRenderedBlock)
 {
     ProgressEstimator map;
     const Area part{100, 7, 37, 50};
@@ -134,7 +134,7 @@ TEST(ProgressEstimator, TilesOfAnySizeAddUpToOneAndNeverFall)
     }
 }
 
-TEST(ProgressEstimator, CountsTilesThatWereDoneBeforeTheProbes)
+TEST(ProgressEstimator, CountsTilesFinishedBeforeTheProbes)
 {
     ProgressEstimator map;
     map.Plan({0, 0, 64, 16}, true);
@@ -143,7 +143,7 @@ TEST(ProgressEstimator, CountsTilesThatWereDoneBeforeTheProbes)
     EXPECT_NEAR(*map.Share(), 0.75, 1e-12);
 }
 
-TEST(ProgressEstimator, TilesMayReachOverThePart)
+TEST(ProgressEstimator, TilesMayExtendBeyondTheRenderedPart)
 {
     ProgressEstimator map;
     map.Plan({8, 8, 20, 20}, false);
@@ -151,7 +151,7 @@ TEST(ProgressEstimator, TilesMayReachOverThePart)
     EXPECT_EQ(map.Share(), 1.0);
 }
 
-TEST(ProgressEstimator, WithoutProbesPixelsCount)
+TEST(ProgressEstimator, CountsPixelsWithoutProbes)
 {
     ProgressEstimator map;
     map.Plan({0, 0, 100, 10}, false);
@@ -161,7 +161,7 @@ TEST(ProgressEstimator, WithoutProbesPixelsCount)
     EXPECT_NEAR(*map.Share(), 0.25, 1e-12);
 }
 
-TEST(ProgressEstimator, NothingToDoIsDone)
+TEST(ProgressEstimator, EmptyPictureIsFinished)
 {
     ProgressEstimator map;
     map.Plan({0, 0, 32, 16}, true);

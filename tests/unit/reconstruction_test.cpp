@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The reconstruction: what has no noise stays, noise goes, edges remain, and it says what is left.
+// The reconstruction: pixels without noise stay, noise is removed, edges remain, and the remaining variance is reported.
 
 #include "tilt_lens/reconstruction/reconstruction.h"
 
@@ -26,7 +26,7 @@ struct Pixel
     double noise = 0.0;
 };
 
-/// A grey pixel with Gaussian noise of the given variance, as its samples would tell.
+/// A grey pixel with Gaussian noise of the given variance.
 Pixel Noisy(double truth, double variance, std::mt19937& random)
 {
     std::normal_distribution<double> normal(0.0, std::sqrt(variance));
@@ -38,7 +38,7 @@ Pixel Noisy(double truth, double variance, std::mt19937& random)
     return pixel;
 }
 
-/// A block's surroundings, all in the picture.
+/// A block and its neighbours, all in the picture.
 PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
 {
     std::array<BlockStatistics, 9> blocks;
@@ -61,7 +61,7 @@ struct Errors
     double before = 0.0, after = 0.0, claimed = 0.0;
 };
 
-/// Mean square errors over the blocks of many pictures of noise over `truth`.
+/// Mean square errors over many blocks of noise around `truth`.
 Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
 {
     std::mt19937 random(7);
@@ -93,7 +93,7 @@ TEST(Reconstruction, LeavesPixelsWithoutNoiseAlone)
             EXPECT_NEAR(rebuilt.mean[0][y * kSide + x], picture(x, y).mean[0], 1e-6);
 }
 
-TEST(Reconstruction, TakesNoiseOffWhatIsSmoothAndSaysWhatIsLeft)
+TEST(Reconstruction, RemovesNoiseOfSmoothAreasAndReportsTheRest)
 {
     for (const double variance : {1e-6, 1e-3})
         for (const double slope : {0.0, 0.2 * std::sqrt(variance)})
@@ -105,9 +105,9 @@ TEST(Reconstruction, TakesNoiseOffWhatIsSmoothAndSaysWhatIsLeft)
         }
 }
 
-// Of waves of 100 to 6 pixels, a tenth to ten standard deviations of the noise high: from pictures whose noise goes away to
-// such as keep it.
-TEST(Reconstruction, SaysWhatIsLeftOfNoiseAndBias)
+// Waves of 100 to 6 pixels, with amplitudes of a tenth to ten standard deviations of the noise: in some the noise is removed, in others it
+// must stay.
+TEST(Reconstruction, ReportsRemainingNoiseAndBias)
 {
     double least = 1.0, greatest = 0.0;
     for (const double length : {100.0, 40.0, 15.0, 6.0})
@@ -124,26 +124,26 @@ TEST(Reconstruction, SaysWhatIsLeftOfNoiseAndBias)
     EXPECT_GT(greatest, 0.5);
 }
 
-TEST(Reconstruction, KeepsEdgesThatStandOutOfTheNoise)
+TEST(Reconstruction, KeepsEdgesAboveTheNoise)
 {
     const auto edge = [](int x, int y) { return x + 0.4 * y > 5.0 ? 0.9 : 0.1; };
     const Errors e = ErrorsOf(edge, 1e-3);
     EXPECT_LT(e.after, 0.6 * e.before);
 }
 
-TEST(Reconstruction, DoesNoHarmToDetailThatItCannotTellFromNoise)
+TEST(Reconstruction, KeepsDetailThatResemblesNoise)
 {
     const auto detail = [](int x, int y) { return (x + y) % 2 ? 0.53 : 0.5; };
     const Errors e = ErrorsOf(detail, 1e-3);
     EXPECT_LT(e.after, e.before);
     const auto strong = [](int x, int y) { return (x + y) % 2 ? 0.6 : 0.5; };
     const Errors s = ErrorsOf(strong, 1e-4);
-    EXPECT_LT(s.after, 1.00001 * s.before);  // filters that blur it keep a trace of weight
+    EXPECT_LT(s.after, 1.00001 * s.before);  // blurring filters keep a trace of weight
 }
 
-TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
+TEST(Reconstruction, MirrorsBlocksForUnknownNeighbours)
 {
-    // each block but the middle one known or not; a pixel is 1000 times its block's number and its place there
+    // all combinations of known neighbours; a pixel's value is 1000 times its block's number plus its index
     for (int known = 0; known < 256; known++)
     {
         std::array<BlockStatistics, 9> blocks;
@@ -163,7 +163,7 @@ TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
                 const auto blockOf = [](int at) { return at < 0 ? 0 : at < kSide ? 1 : 2; };
                 const auto mirror = [](int& at) { at = at < 0 ? -1 - at : at < kSide ? at : 2 * kSide - 1 - at; };
                 int u = x, v = y;
-                if (!places[3 * blockOf(v) + blockOf(u)])  // the nearest in this row, or else in this column, or in the block
+                if (!places[3 * blockOf(v) + blockOf(u)])  // the nearest in this row, else in this column, else the middle block
                 {
                     const bool sameRow = places[3 * blockOf(v) + 1], sameColumn = places[3 + blockOf(u)];
                     if (sameRow || !sameColumn)
@@ -178,7 +178,7 @@ TEST(Reconstruction, MirrorsCellsWhereNeighboursAreNotKnown)
     }
 }
 
-TEST(Reconstruction, ACellAtTheEdgeRepeatsItsOwnPixels)
+TEST(Reconstruction, RepeatsPixelsBeyondThePicturesEdge)
 {
     BlockStatistics block;
     for (int y = 0; y < 3; y++)
@@ -191,9 +191,9 @@ TEST(Reconstruction, ACellAtTheEdgeRepeatsItsOwnPixels)
                 EXPECT_EQ((*plane)[y * kSide + x], 10.0f * std::min(y, 2) + std::min(x, 4));
 }
 
-TEST(Reconstruction, WhatIsBrightHarmsNothingDarkBesideIt)
+TEST(Reconstruction, LampsLeaveDarkPixelsBesideThemUnharmed)
 {
-    // a lamp whose own noise is far above all that is around it
+    // a lamp whose noise is far above all around it
     for (const double lamp : {10.0, 1e3, 1e6})
         for (const double dark : {0.0, 0.5})
         {
@@ -214,13 +214,13 @@ TEST(Reconstruction, WhatIsBrightHarmsNothingDarkBesideIt)
         }
 }
 
-TEST(Reconstruction, TransparencyGoesWithTheColours)
+TEST(Reconstruction, TransparencyIsFilteredWithTheColours)
 {
     std::mt19937 random(6);
     const PaddedBlock around = Make([&](int x, int)
     {
         Pixel e = Noisy(0.5, 1e-3, random);
-        e.mean[4] = x < 4 ? 1.0f : 0.0f;  // an outline that only transparency shows
+        e.mean[4] = x < 4 ? 1.0f : 0.0f;  // an outline in the transparency alone
         return e;
     });
     const ReconstructedBlock rebuilt = Reconstruct(around);
@@ -229,7 +229,7 @@ TEST(Reconstruction, TransparencyGoesWithTheColours)
             EXPECT_NEAR(rebuilt.mean[4][y * kSide + x], x < 4 ? 1.0 : 0.0, 0.05 * std::sqrt(0.5e-3));
 }
 
-TEST(Reconstruction, ReachesNotBeyondWhatColoursCanBe)
+TEST(Reconstruction, KeepsColoursAndTransparencyInRange)
 {
     std::mt19937 random(11);
     int touched = 0;
@@ -255,7 +255,7 @@ TEST(Reconstruction, ReachesNotBeyondWhatColoursCanBe)
     EXPECT_GT(touched, 100) << "there was nothing to hold back";
 }
 
-TEST(Reconstruction, NoVarianceIsLeftOutBesideAnEdge)
+TEST(Reconstruction, ReportsMoreVarianceBesideAnEdge)
 {
     std::mt19937 random(9);
     const auto leftAt = [&](int x, double step)
@@ -267,7 +267,7 @@ TEST(Reconstruction, NoVarianceIsLeftOutBesideAnEdge)
     EXPECT_GT(leftAt(8, 0.5), 1.5f * even) << "filters across the edge have no weight";
 }
 
-TEST(Reconstruction, NothingIsTooBrightForIt)
+TEST(Reconstruction, AcceptsAnyBrightness)
 {
     for (const float bright : {1e18f, 1e25f, 3e38f, HUGE_VALF})
     {
@@ -278,7 +278,7 @@ TEST(Reconstruction, NothingIsTooBrightForIt)
             if (x == 2 && y == 3)
             {
                 e.mean.fill(bright);
-                e.noise = 0.001f * bright * bright;  // from 1e21 on more than a float holds
+                e.noise = 0.001f * bright * bright;  // not a finite float from 1e21 on
             }
             return e;
         });

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Properties of the sampler, not values: strata, replay, independence, error. Where chance decides,
-// seeds are fixed and bounds are those of the stated significance.
+// Properties of the sequence, not values: strata, reproducibility, independence, error. Tests of random quantities have fixed seeds and
+// bounds of the stated significance.
 
 #include "tilt_lens/sampling/sequence.h"
 
@@ -59,8 +59,7 @@ std::vector<Point> Block(const Pixel& p, std::uint32_t first, int count)
     return points;
 }
 
-/// Checks that every elementary interval with 2^split[d] parts along dimension d has `expected`
-/// points.
+/// Checks that every elementary interval with 2^split[d] parts along dimension d has `expected` points.
 void ExpectStratified(const std::vector<Point>& points, const std::array<int, dimensions>& split,
                       int expected)
 {
@@ -81,7 +80,7 @@ void ExpectStratified(const std::vector<Point>& points, const std::array<int, di
                                   << ") intervals, " << points.size() << " points";
 }
 
-TEST(Sampler, LensPairAndPixelPairHaveOneSampleInEveryElementaryInterval)
+TEST(PixelSampler, LensPairAndPixelPairHaveOneSampleInEveryElementaryInterval)
 {
     for (const Pixel& pixel : somePixels)
         for (int m = 0; m <= 12; ++m)
@@ -93,7 +92,7 @@ TEST(Sampler, LensPairAndPixelPairHaveOneSampleInEveryElementaryInterval)
             }
 }
 
-TEST(Sampler, EachCoordinateHasOneSampleInEveryInterval)
+TEST(PixelSampler, EachCoordinateHasOneSampleInEveryInterval)
 {
     for (const Pixel& pixel : somePixels)
         for (int m = 0; m <= 12; ++m)
@@ -106,7 +105,7 @@ TEST(Sampler, EachCoordinateHasOneSampleInEveryInterval)
             }
 }
 
-TEST(Sampler, AllFourTogetherAreANetOfQualityTwoAndThree)
+TEST(PixelSampler, AllFourCoordinatesAreANetOfQualityTwoAndThree)
 {
     for (const Pixel& pixel : somePixels)
         for (int m = 2; m <= 14; ++m)
@@ -123,7 +122,7 @@ TEST(Sampler, AllFourTogetherAreANetOfQualityTwoAndThree)
         }
 }
 
-TEST(Sampler, AlignedBlocksAreStratifiedUpToTheLastIndex)
+TEST(PixelSampler, AlignedBlocksAreStratifiedUpToTheLastIndex)
 {
     for (std::uint32_t first : {3u << 10, 1u << 20, (1u << 31) + 1024, 0u - 1024})
         for (int i = 0; i <= 10; ++i)
@@ -134,7 +133,7 @@ TEST(Sampler, AlignedBlocksAreStratifiedUpToTheLastIndex)
         }
 }
 
-TEST(Sampler, EveryBitOfTheIndexMatters)
+TEST(PixelSampler, EveryBitOfTheIndexMatters)
 {
     for (const Pixel& pixel : somePixels)
         for (int bit = 0; bit < 32; ++bit)
@@ -146,7 +145,7 @@ TEST(Sampler, EveryBitOfTheIndexMatters)
         }
 }
 
-TEST(Sampler, ReplayInAnotherOrderGivesTheSameValues)
+TEST(PixelSampler, ValuesDoNotDependOnTheOrderOfCalls)
 {
     for (const Pixel& pixel : somePixels)
     {
@@ -160,9 +159,9 @@ TEST(Sampler, ReplayInAnotherOrderGivesTheSameValues)
     }
 }
 
-TEST(Sampler, TheSequenceIsTheOneThatReferenceImagesWereMadeWith)
+TEST(PixelSampler, TheSequenceIsThatOfTheReferenceImages)
 {
-    // The only test of values: a change, however good, changes every picture with an aperture.
+    // The only test of values: any change of the sequence changes every picture with an aperture.
     const struct
     {
         Pixel pixel;
@@ -184,7 +183,7 @@ TEST(Sampler, TheSequenceIsTheOneThatReferenceImagesWereMadeWith)
     }
 }
 
-TEST(Sampler, ValuesStayInsideTheOpenUnitInterval)
+TEST(PixelSampler, ValuesStayInsideTheOpenUnitInterval)
 {
     for (const Pixel& pixel : somePixels)
     {
@@ -195,9 +194,9 @@ TEST(Sampler, ValuesStayInsideTheOpenUnitInterval)
     }
 }
 
-TEST(Sampler, OneIndexIsUniformOverPixels)
+TEST(PixelSampler, OneIndexIsUniformOverPixels)
 {
-    // 40 tests: p below 1e-5 somewhere has probability 4e-4 for a perfect sampler.
+    // 40 tests: for a perfect sampler one has p below 1e-5 with probability 4e-4
     for (std::uint32_t index : {0u, 1u, 5u, 1000u})
         for (int d = 0; d < dimensions; ++d)
             for (int e = d; e < dimensions; ++e)
@@ -214,11 +213,10 @@ TEST(Sampler, OneIndexIsUniformOverPixels)
             }
 }
 
-TEST(Sampler, ScramblingIsOwens)
+TEST(PixelSampler, ScramblingIsOwens)
 {
-    // Two samples that agree in a coordinate's first bits only keep no relation after the first bit
-    // in which they differ. 48 tests: p below 1e-5 somewhere has probability 5e-4 for true
-    // randomness.
+    // Two samples that agree in a coordinate's first bits only are unrelated after the first bit in which they differ. 48 tests: with true
+    // randomness one has p below 1e-5 with probability 5e-4.
     const std::uint32_t pairs[][2] = {{0, 1}, {0, 2},  {0, 3}, {1, 5},  {0, 4},    {2, 3},
                                       {0, 8}, {3, 11}, {5, 6}, {0, 16}, {0, 1024}, {7, 1000}};
     for (const auto& pair : pairs)
@@ -243,7 +241,7 @@ TEST(Sampler, ScramblingIsOwens)
 
 // ---- independence of pixels and seeds ---------------------------------------------------------
 
-/// A function on the samples with its exact mean.
+/// An integrand with its exact mean.
 struct Integrand
 {
     const char* name;
@@ -256,7 +254,7 @@ std::ostream& operator<<(std::ostream& out, const Integrand& i)
     return out << i.name;
 }
 
-/// An edge across the pixel seen through a lens of width 2c pixels: share of x + c (2u - 1) > t.
+/// An edge across the pixel blurred by 2c pixels: fraction of x + c (2u - 1) > t.
 Integrand BlurredEdge(const char* name, double c, double t)
 {
     const auto part = [](double s) { return s > 0 ? s * s / 2 : 0.0; };
@@ -290,7 +288,7 @@ double MeanOf(const Integrand& integrand, const Pixel& p, int samples)
     return sum / samples;
 }
 
-/// Sums for the mean of a random quantity and that mean's standard error.
+/// Sums for a mean and its standard error.
 struct Tally
 {
     double n = 0, sum = 0, squares = 0;
@@ -324,7 +322,7 @@ TEST_P(SamplerIntegral, IsUnbiased)
 
 TEST_P(SamplerIntegral, ErrorsOfNeighboursAndSeedsAreUncorrelated)
 {
-    // Of neighbours in the picture, on the diagonals, and of consecutive seeds.
+    // neighbours along rows, columns and diagonals, and consecutive seeds
     const Pixel steps[] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0},
                            {0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {1, 0, 0u - 1}};
     for (int samples : {1, 4, 16})
@@ -347,7 +345,7 @@ TEST_P(SamplerIntegral, ErrorsOfNeighboursAndSeedsAreUncorrelated)
         }
 }
 
-TEST_P(SamplerIntegral, TwoSeedsTellTheTrueError)
+TEST_P(SamplerIntegral, TwoSeedsGiveTheTrueError)
 {
     for (int samples : {4, 16, 64, 100, 256})
     {
@@ -381,14 +379,14 @@ TEST_P(SamplerIntegral, ErrorFallsFasterThanForRandomSamples)
     const double few = RootMeanSquareError(GetParam(), 16),
                  many = RootMeanSquareError(GetParam(), 4096);
     const double slope = std::log2(many / few) / 8;
-    // Bounded variation would allow 1.5, an edge in two dimensions 0.75; random samples have 0.5.
+    // exponents: 1.5 is possible for bounded variation, 0.75 for an edge in two dimensions; random samples have 0.5
     const bool smooth = GetParam().name == integrands[0].name;
     EXPECT_LT(slope, smooth ? -0.7 : -0.6) << "errors " << few << " and " << many;
 }
 
 // ---- the hash ---------------------------------------------------------------------------------
 
-TEST(SamplerHash, IsTheSameFromTheSamplerAndAlone)
+TEST(PixelHash, IsTheSameFromTheSamplerAndTheFunction)
 {
     for (const Pixel& p : somePixels)
         for (std::uint32_t salt : {0u, 1u, 77u, 4294967295u})
@@ -396,7 +394,7 @@ TEST(SamplerHash, IsTheSameFromTheSamplerAndAlone)
                 << p << ", salt " << salt;
 }
 
-TEST(Sampler, APointOfAGroupIsThatOfItsIndex)
+TEST(PixelSampler, GroupsContainThePointsOfTheirIndices)
 {
     for (const Pixel& p : somePixels)
         for (const std::uint32_t index : {0u, 3u, 7u, 8u, 21u, 1000u, 123456789u, 4294967295u})
@@ -410,7 +408,7 @@ TEST(Sampler, APointOfAGroupIsThatOfItsIndex)
         }
 }
 
-TEST(SamplerHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
+TEST(PixelHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
 {
     for (int argument = 0; argument < 4; ++argument)
         for (int bit = 0; bit < 32; ++bit)
@@ -425,7 +423,7 @@ TEST(SamplerHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
                 for (int out = 0; out < 32; ++out)
                     flips[out] += static_cast<int>((change >> out) & 1u);
             }
-            // 6 standard deviations of a binomial of 4096 fair coins, which is 32 each.
+            // 6 standard deviations, 32 each, of a binomial of 4096 fair coins
             for (int out = 0; out < 32; ++out)
                 EXPECT_NEAR(flips[out], 2048, 192)
                     << "argument " << argument << ", bit " << bit << ", output bit " << out;

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Samples that serve all pixels of their circles of confusion: where the circles lie, and what is sent and received.
+// Samples spread over their circles of confusion: the circles' positions, and the shares sent and received.
 
 #include "tilt_lens/reconstruction/padded_spread.h"
 
@@ -25,7 +25,6 @@ namespace
 {
 
 constexpr int kSide = int(settings.blockSide), kReach = SpreadSums::kReach;
-/// Far from the edges of the picture.
 constexpr Area kBlock{10 * settings.blockSide, 10 * settings.blockSide, settings.blockSide, settings.blockSide};
 constexpr double kWidth = 640.0, kHeight = 480.0;
 
@@ -56,7 +55,7 @@ FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint&
     return PixelOf(lens, chief);
 }
 
-TEST(LensFootprint, CirclesLieWhereThePointIsSeen)
+TEST(LensFootprint, CirclesMatchRaysThroughTheLens)
 {
     Random random(11);
     for (int i = 0; i < 2000; i++)
@@ -97,7 +96,7 @@ CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float ra
     return {x, y, radius, 0.0f, 0.0f, radius, &lens};
 }
 
-/// What a pixel has received: red, green, blue, and the shares.
+/// Sums received by a pixel: red, green, blue, and shares.
 Float4 SentTo(const SpreadSums& sums, int x, int y)
 {
     Float4 sent;
@@ -106,7 +105,7 @@ Float4 SentTo(const SpreadSums& sums, int x, int y)
     return sent;
 }
 
-TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
+TEST(SpreadSums, SharesAddUpToOneInCirclesWithinReach)
 {
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
     {
@@ -136,14 +135,14 @@ TEST(SpreadSums, SharesOfCirclesWithinReachAddUpToOneWithTheSamplesOwn)
     }
 }
 
-/// The part of a circle's extent along an axis from which samples reach a pixel.
+/// Length of the part of a circle's extent along an axis that is within reach of a pixel.
 double SendersTo(int pixel, double middle, double half, double begin, double end)
 {
     return std::max(1.0, std::min({middle + half, pixel + kReach + 1.0, end}) - std::max({middle - half, pixel - double(kReach), begin}));
 }
 
-/// Within the picture and in its corner, where circles are cut by it, too.
-TEST(SpreadSums, SharesAreOneOverTheNumberOfPixelsThatCouldHaveSentThem)
+/// Inside the picture, and in its corner, which cuts off circles.
+TEST(SpreadSums, SharesAreOneOverTheNumberOfPossibleSenders)
 {
     Random random(13);
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
@@ -179,8 +178,8 @@ TEST(SpreadSums, SharesAreOneOverTheNumberOfPixelsThatCouldHaveSentThem)
     }
 }
 
-/// Circles of all sizes and shapes about pixels of a block that lies at edges of the picture.
-TEST(SpreadSums, AreTheSameWithAvx2AndWithout)
+/// Circles of all sizes and shapes, at edges of the picture.
+TEST(SpreadSums, AreTheSameWithAndWithoutAvx2)
 {
     if (!HasAvx2())
         GTEST_SKIP() << "This processor has no AVX2.";
@@ -210,8 +209,8 @@ TEST(SpreadSums, AreTheSameWithAvx2AndWithout)
     }
 }
 
-/// Spread estimate of a pixel of what all pixels of a picture of 3 by 3 blocks send, whose radiance is the squared distance of
-/// the point from the pixel's middle.
+/// Spread estimate of a pixel in a picture of 3 by 3 blocks, whose samples' radiance is the squared distance of the point from the pixel's
+/// centre.
 double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
@@ -238,7 +237,7 @@ double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
     return received[0] / received[3];
 }
 
-TEST(SpreadSums, AllPartsOfTheLensCountAlikeHoweverWideTheCircle)
+TEST(SpreadSums, AllPartsOfTheLensCountAlikeInCirclesOfAnyWidth)
 {
     for (const float radius : {4.0f, 8.0f, 12.0f, 20.0f})
     {
@@ -248,7 +247,7 @@ TEST(SpreadSums, AllPartsOfTheLensCountAlikeHoweverWideTheCircle)
     }
 }
 
-TEST(SpreadSums, WhatIsSharpOrNotFiniteServesItsOwnPixelAlone)
+TEST(SpreadSums, SharpOrNonFiniteSamplesServeTheirOwnPixelAlone)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     const double infinite = std::numeric_limits<double>::infinity();
@@ -264,8 +263,8 @@ TEST(SpreadSums, WhatIsSharpOrNotFiniteServesItsOwnPixelAlone)
     EXPECT_EQ(sums->OwnShare(6, 5), 2.0f);
 }
 
-/// What blocks receive whose pixels each take two samples of the given radiance, all blurred alike.
-/// @param leftSamples  of the pixels of the block to the left of the middle
+/// Samples received by blocks whose pixels each take two samples of the given radiance, all equally blurred.
+/// @param leftSamples  number of samples per pixel of the block to the left of the middle
 std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey,
                                              int leftSamples = 2)
 {
@@ -286,7 +285,7 @@ std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float ra
     return PaddedSpread::Of(places, 2);
 }
 
-TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesAreTheSamples)
+TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesSumToTheSamples)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     const auto received = Received(lens, 3.0f, [](int, int, int) { return 0.7; });
@@ -300,7 +299,7 @@ TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesAreTheSamples)
         }
 }
 
-TEST(PaddedSpread, VarianceIsThatOfTheSamplesSent)
+TEST(PaddedSpread, VarianceIsThatOfTheReceivedSamples)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     const auto received = Received(lens, 3.0f, [](int, int, int sample) { return sample == 0 ? 0.2 : 0.8; });
@@ -309,8 +308,8 @@ TEST(PaddedSpread, VarianceIsThatOfTheSamplesSent)
             EXPECT_NEAR(received->variance[PaddedBlock::At(x, y)], 3.0 * 0.3 * 0.3, 1e-5) << x << ", " << y;
 }
 
-/// A surface is not seen more where more rays have met it.
-TEST(PaddedSpread, NeighboursCountAsIfTheyHadTakenAsManySamples)
+/// A surface is not brighter where more rays have hit it.
+TEST(PaddedSpread, SamplesOfNeighboursAreScaledToTheBlocksNumber)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     const auto leftIsBright = [](int x, int, int) { return x < 0 ? 1.0 : 0.25; };
@@ -328,12 +327,12 @@ TEST(PaddedSpread, NeighboursCountAsIfTheyHadTakenAsManySamples)
     EXPECT_TRUE(mixed);
 }
 
-TEST(PaddedSpread, IsNothingWhereNothingWasSent)
+TEST(PaddedSpread, IsNullWhereNothingWasSent)
 {
     EXPECT_EQ(PaddedSpread::Of({}, 2), nullptr);
 }
 
-TEST(PaddedSpread, WhatHasReceivedNothingKeepsItsOwn)
+TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
@@ -348,8 +347,8 @@ TEST(PaddedSpread, WhatHasReceivedNothingKeepsItsOwn)
     EXPECT_EQ(received->ownShare[PaddedBlock::At(10, 10)], 1.0f);
 }
 
-/// The middle block of a picture of noise blurred everywhere alike, reconstructed with what its samples have sent.
-TEST(Reconstruction, SpreadSamplesTakeOffMoreNoiseThanFilters)
+/// The middle block of an evenly blurred picture of noise, reconstructed with spread samples.
+TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     Random random(9);

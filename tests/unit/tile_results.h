@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tile_results.h
-/// What the tests of the sampling loop share: simple light, and the results of a tile.
+/// Common to the tests of the sampling loop: simple light, and the results of a tile.
 
 #ifndef TILT_LENS_TESTS_TILE_RESULTS_H
 #define TILT_LENS_TESTS_TILE_RESULTS_H
@@ -21,19 +21,19 @@ inline Radiance Grey(double value)
     return {value, value, value, 0.0, 0.0};
 }
 
-/// A uniform number in (0, 1) of its own for every sample.
+/// An independent uniform number in (0, 1) for each sample.
 inline double Noise(const SampleId& id, std::uint32_t salt)
 {
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
 }
 
-/// The sample that a Tracer is asked for.
+/// The sequence point of a sample.
 inline SequencePoint SequencePointOf(const SampleId& id)
 {
     return PixelSampler(id.x, id.y, 0)(id.index);
 }
 
-/// One sample alone.
+/// Traces a single sample.
 inline void TraceOne(const Tracer& trace, const SampleId& id, SampleResult& light)
 {
     trace.Trace({id, 1}, &light);
@@ -44,13 +44,13 @@ inline void Constant(const SampleId&, SampleResult& light)
     light = Grey(0.7);
 }
 
-/// Independent noise of variance 1/12 that no stratification sees.
+/// Independent noise of variance 1/12, on which stratification has no effect.
 inline void WhiteNoise(const SampleId& id, SampleResult& light)
 {
     light = Grey(Noise(id, 1));
 }
 
-/// A slanted edge between black and white, seen in focus.
+/// A sharp slanted edge between black and white.
 inline void Edge(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -69,7 +69,7 @@ struct Result
     }
 };
 
-/// Of the tile's pixels, row by row.
+/// Results of the tile's pixels, row by row.
 inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, const Tracer& trace)
 {
     sampler.Run(tile, trace);
@@ -80,7 +80,7 @@ inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, con
     return results;
 }
 
-/// Of a tile that is all that is rendered of a picture of `width` by `height`.
+/// Results of a tile, the only rendered part of a picture of `width` by `height`.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width,
     std::uint32_t height, const Tracer& trace)
 {
@@ -89,7 +89,7 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
     return ResultsOf(sampler, tile, trace);
 }
 
-/// Of the block at (left, top), anywhere in a large picture.
+/// Results of the block at (left, top) of a large picture.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
     std::uint32_t top, const Tracer& trace)
 {

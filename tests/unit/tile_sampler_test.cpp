@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The sampling loop: limits, independence of order, when a pixel may stop, and the statistics of it.
+// The sampling loop: limits, independence of order, the stop rule, and its statistics.
 
 #include "tilt_lens/sampling/tile_sampler.h"
 
@@ -24,7 +24,7 @@ namespace tilt_lens
 namespace
 {
 
-TEST(TileSamplerLimits, AConstantEndsAtTheMinimum)
+TEST(TileSamplerLimits, ConstantLightTakesTheMinimum)
 {
     for (const std::uint32_t min : {2u, 8u, 64u})
         for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * settings.blockSide, settings.blockSide, Constant))
@@ -42,7 +42,7 @@ TEST(TileSamplerLimits, VarianceZeroTakesTheMaximumEverywhere)
             EXPECT_EQ(r.samples, max);
 }
 
-TEST(TileSamplerLimits, MinimumAndMaximumAreKept)
+TEST(TileSamplerLimits, SamplesStayWithinMinimumAndMaximum)
 {
     const std::uint32_t cases[][2] = {
         {1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 100}, {7, 9}, {8, 1000}, {37, 37}, {100, 400}};
@@ -97,7 +97,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
 // a picture of 45 by 37 pixels: no multiple of a block
 constexpr std::uint32_t kWidth = 45, kHeight = 37;
 
-/// Minima, kinds of light, with and without the reconstruction.
+/// Minima and kinds of light, with and without the reconstruction.
 struct Way
 {
     std::uint32_t min;
@@ -144,7 +144,7 @@ TEST(TileSamplerOrder, AnySubImageGivesTheSamePixels)
             ExpectPartOf(way.Whole(), ResultsOf(way.Limited(), tile, kWidth, kHeight, way.trace), tile);
 }
 
-TEST(TileSamplerOrder, AnyTilesInAnyOrderGiveTheSamePixelsAndLeaveNothingBehind)
+TEST(TileSamplerOrder, AnyTilesInAnyOrderGiveTheSamePixelsAndFreeAllBlocks)
 {
     for (const Way& way : Ways())
     {
@@ -167,7 +167,7 @@ TEST(TileSamplerOrder, AnyTilesInAnyOrderGiveTheSamePixelsAndLeaveNothingBehind)
     }
 }
 
-TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
+TEST(TileSamplerOrder, ThreadsShareBlocksAndGiveTheSamePixels)
 {
     for (const Way& way : Ways())
     {
@@ -199,7 +199,7 @@ TEST(TileSamplerOrder, ThreadsShareCellsAndGiveTheSamePixels)
     }
 }
 
-TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
+TEST(TileSamplerOrder, AnInterruptedStepStartsAgain)
 {
     for (const Way& way : Ways())
     {
@@ -225,9 +225,9 @@ TEST(TileSamplerOrder, AStepThatIsBrokenOffBeginsAnew)
     }
 }
 
-TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
+TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNotTrusted)
 {
-    // Pixels left and right of the one that the edge crosses see it through 3 % of the lens.
+    // pixels left and right of the one that the edge crosses see it through 3 % of the lens
     const auto trace = [](const SampleId& id, SampleResult& light)
     {
         const SequencePoint s = SequencePointOf(id);
@@ -245,7 +245,7 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNoCertainty)
     EXPECT_EQ(stopped, 0);
 }
 
-TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
+TEST(TileSamplerReconstruction, NoiseFarBelowTheTargetIsNotFiltered)
 {
     const auto trace = [](const SampleId& id, SampleResult& light)
     { light = Grey(0.5 + (id.y < 5 ? 0.02 : 1.0) * (Noise(id, 1) - 0.5)); };
@@ -255,13 +255,13 @@ TEST(TileSamplerReconstruction, NoiseFarBelowWhatIsAskedForIsLeftAlone)
     const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
     for (std::uint32_t i = 0; i < rebuilt.size(); i++)
     {
-        if (i / settings.blockSide == 4)  // there what is beside may have been missed
+        if (i / settings.blockSide == 4)  // pixels there may have missed the noise beside them
             continue;
         EXPECT_EQ(rebuilt[i] == plain[i], i / settings.blockSide < 4) << i;
     }
 }
 
-TEST(TileSamplerStop, BrightPixelsAreJudgedRelativeToTheirBrightness)
+TEST(TileSamplerStop, ErrorOfBrightPixelsIsRelative)
 {
     const auto bright = [](const SampleId& id, SampleResult& light)
     { light = Grey(1000.0 * Noise(id, 1)); };
@@ -286,7 +286,7 @@ TEST(TileSamplerStop, EveryChannelCounts)
     }
 }
 
-TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
+TEST(TileSamplerStop, NonFiniteSamplesAreBlackAndCounted)
 {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
              std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
@@ -317,7 +317,7 @@ TEST(TileSamplerStop, ASampleThatIsNoLightCountsAsBlackAndIsCounted)
     }
 }
 
-TEST(SamplingStatistics, AddsUpAndKnowsItsQuantiles)
+TEST(SamplingStatistics, AddsUpAndHasQuantiles)
 {
     SamplingStatistics statistics, other;
     EXPECT_EQ(statistics.Pixels(), 0u);
@@ -348,8 +348,8 @@ TEST(SamplingStatistics, AddsUpAndKnowsItsQuantiles)
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }
 
-/// Pixels at the rim of a small lamp's disc see it through a small part of the lens, so that most of them miss it with all first
-/// samples. They must not stay black beside others that do not.
+/// Pixels at the rim of a blurred lamp's disc see it through a small part of the lens, so most of them miss it with all first samples. They
+/// must not stay black beside others that hit it.
 TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
 {
     constexpr double blur = 12.0, lamp = 3.0, brightness = 0.5, middle = 32.0;
@@ -372,7 +372,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     for (int y = 0; y < 64; y++)
         for (int x = 0; x < 64; x++)
         {
-            // half of the lamp is seen at a distance of `blur`
+            // half of the lamp is visible at a distance of `blur`
             const double distance = std::hypot(x + 0.5 - middle, y + 0.5 - middle);
             if (distance < blur - 1.0 || distance > blur + 1.0)
                 continue;
@@ -383,7 +383,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
 }
 
-/// Samples of each pixel of a block's first round, where so many of its columns are noise.
+/// Samples per pixel of a block's first round, if this many of its columns are noise.
 std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
 {
     std::uint32_t most = 0;
@@ -412,7 +412,7 @@ TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
     limits = Limits(4, 8, 1e-4);
     limits.denoise = true;
     EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), 8u);
-    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);  // nothing is reconstructed
+    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);  // no reconstruction
 }
 
 // the figures of docs/sampling.md, section 10

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// What a pixel may have missed: how long it looks for what its neighbours met, and for an emitter that it sends samples at.
+// Undetected error: a pixel's search for features that its neighbours hit, and for emitters at which it aims samples.
 
 #include "tilt_lens/sampling/tile_sampler.h"
 
@@ -17,13 +17,13 @@ namespace tilt_lens
 namespace
 {
 
-/// Black and white noise in every fourth column, grey beside it.
+/// Black and white noise in every fourth column, grey elsewhere.
 void NoisyColumns(const SampleId& id, SampleResult& light)
 {
     light = Grey(id.x % 4 == 0 ? (Noise(id, 1) > 0.5 ? 1.0 : 0.0) : 0.5);
 }
 
-/// Samples of the quiet pixels beside the noise.
+/// Samples of the pixels beside the noise.
 std::uint32_t SamplesBesideNoise(double variance)
 {
     std::uint32_t most = 0;
@@ -34,7 +34,7 @@ std::uint32_t SamplesBesideNoise(double variance)
     return most;
 }
 
-// What the samples have not shown, no filter takes off: it stays in the variance of the pixels beside the noise.
+// No filter removes undetected error: it stays in the variance of the pixels beside the noise.
 TEST(TileSamplerUndetectedError, StaysAfterTheReconstruction)
 {
     SamplingLimits limits = Limits(8, 8, 1e-4);
@@ -56,9 +56,9 @@ TEST(TileSamplerUndetectedError, StaysAfterTheReconstruction)
     EXPECT_GT(undetected, 0.5 * all);
 }
 
-// What leaves the mean by 1/2 and fills a share p is missed by n samples with an expected square error of at most
-// (2 / n / e)^2 / 4, so that n = 0.37 / sqrt(V) suffice: the round after that is the last, and the first is not.
-TEST(TileSamplerUndetectedError, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSeenIt)
+// A feature that deviates from the mean by 1/2 and covers a fraction p is missed by n samples with an expected square error of at most (2 /
+// n / e)^2 / 4. So n = 0.37 / sqrt(V) suffice: the round after that is the last, and the first is not.
+TEST(TileSamplerUndetectedError, PixelsBesideNoiseStopOnceTheyWouldHaveHitIt)
 {
     for (const double variance : {1e-4, 1e-5, 1e-6})
     {
@@ -68,13 +68,13 @@ TEST(TileSamplerUndetectedError, EqualSamplesBesideNoiseStopOnceTheyWouldHaveSee
     }
 }
 
-/// One sample in twelve meets something bright.
+/// One sample in twelve hits something bright.
 void Seldom(const SampleId& id, SampleResult& light)
 {
     light = Grey(Noise(id, 1) < 1.0 / 12.0 ? 1.0 : 0.5);
 }
 
-/// Pixels whose samples all missed it.
+/// Number of pixels whose samples all missed it.
 std::uint32_t MissedBy(bool denoise)
 {
     SamplingLimits limits = Limits(8, 65536, 3e-4);
@@ -95,30 +95,30 @@ std::uint32_t MissedBy(bool denoise)
     return missed;
 }
 
-// The reconstruction averages noise that a pixel has; what it has not met is still to be looked for.
+// The reconstruction averages noise that a pixel shows; features that it missed must still be searched for.
 TEST(TileSamplerUndetectedError, IsNotLeftToTheReconstruction)
 {
-    EXPECT_LE(MissedBy(true), MissedBy(false));  // fewer where first rounds are longer
+    EXPECT_LE(MissedBy(true), MissedBy(false));  // fewer with longer first rounds
 }
 
-/// A black line along a row of pixels that fills a sixteenth of each.
+/// A black line that covers a sixteenth of each pixel of a row.
 void LineAlongRow(const SampleId& id, SampleResult& light)
 {
     light = Grey(id.y == settings.blockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
 }
 
-// Of three pixels side by side all may have missed it with eight samples; what is seen around them is then all alike.
-TEST(TileSamplerUndetectedError, WhatAllBesideAPixelHaveMissedIsLookedForWhereLittleNoiseIsAllowed)
+// Three adjacent pixels may all have missed it with eight samples; then their samples show no difference.
+TEST(TileSamplerUndetectedError, FindsAThinLineThatNeighboursMissedAtLowVariance)
 {
     const std::uint32_t width = 32 * settings.blockSide;
     const std::vector<Result> results =
         ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, settings.blockSide}, width, settings.blockSide, LineAlongRow);
     for (std::uint32_t x = 0; x < width; x++)
         EXPECT_NEAR(results[settings.blockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
-    EXPECT_LE(results[0].samples, 256u);  // and not without end, far from the line
+    EXPECT_LE(results[0].samples, 256u);  // but not without limit, far from the line
 }
 
-/// Every fourth sample is sent at an emitter of so much light and meets what hides it.
+/// Every fourth sample is aimed at an emitter of this expected emission and hits an object in front of it.
 Tracer HiddenLamp(double light)
 {
     return [light](const SampleId& id, SampleResult& traced)
@@ -137,12 +137,12 @@ std::uint32_t SamplesForHiddenLamp(double light, double variance)
     return most;
 }
 
-TEST(TileSamplerUndetectedError, AHiddenLampIsSoughtAsLongAsItsLightIsWorth)
+TEST(TileSamplerUndetectedError, SearchForAHiddenLampGrowsWithItsLight)
 {
     EXPECT_EQ(SamplesForHiddenLamp(0.02, 1e-3), 8u);
     EXPECT_GT(SamplesForHiddenLamp(0.2, 1e-3), 8u);
     EXPECT_LT(SamplesForHiddenLamp(0.2, 1e-3), 64u);
-    // whatever it is worth, after sixteen that met what hides it, it is believed hidden
+    // after sixteen misses any emitter is taken for hidden
     EXPECT_EQ(SamplesForHiddenLamp(1.0, 1e-5), 64u);
     EXPECT_EQ(SamplesForHiddenLamp(100.0, 1e-5), 64u);
 }

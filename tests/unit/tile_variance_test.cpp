@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Whether the variance asked for is the variance got, on pictures whose true pixels are known.
+// The error of sampled pictures with known pixels against the requested variance.
 
 #include "tilt_lens/sampling/tile_sampler.h"
 #include "tilt_lens/sampling/variance_target.h"
@@ -19,13 +19,12 @@ namespace tilt_lens
 namespace
 {
 
-/// A picture whose pixels are known.
 struct Picture
 {
     const char* name;
     Tracer trace;
     double (*mean)(std::uint32_t x, std::uint32_t y);
-    double leap = 4.0;  ///< how many times better than asked for the first round may be that is good enough
+    double leap = 4.0;  ///< factor by which the last necessary round may undershoot the requested variance
 };
 
 double Half(std::uint32_t, std::uint32_t)
@@ -33,7 +32,7 @@ double Half(std::uint32_t, std::uint32_t)
     return 0.5;
 }
 
-/// The share of the lens that sees the bright side, pixel by pixel: an edge out of focus.
+/// Fraction of the lens that sees the bright side, pixel by pixel: a blurred edge.
 double BlurredEdgeMean(std::uint32_t x, std::uint32_t)
 {
     return std::min(1.0, (x % 64 + 0.5) / 64.0);
@@ -50,7 +49,7 @@ double LinearMean(std::uint32_t x, std::uint32_t)
     return 0.5 + 0.5 * ((x % 8) - 3.5) / 8.0;
 }
 
-/// Smooth light: what stratified samples are best at.
+/// Smooth light, the best case of stratified samples.
 void Linear(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -58,14 +57,14 @@ void Linear(const SampleId& id, SampleResult& light)
                  0.2 * (s.pixelX - 0.5));
 }
 
-/// A checker board far out of focus: half of the lens sees white, in small fields.
+/// A strongly blurred checker board: half of the lens sees white, in small squares.
 void Checker(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
     light = Grey((int(s.lensU * 6) + int(s.lensV * 6)) % 2 ? 1.0 : 0.0);
 }
 
-/// One percent of the lens sees a lamp; it lies elsewhere for each pixel.
+/// One percent of the lens sees a lamp, elsewhere in each pixel.
 void Lamp(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -85,7 +84,6 @@ const Picture kPictures[] = {{"white noise", WhiteNoise, Half}, {"linear", Linea
     {"blurred edge", BlurredEdge, BlurredEdgeMean}, {"checker", Checker, Half}};
 const Picture kLamp = {"lamp", Lamp, LampMean};
 
-/// Errors of many blocks against the truth.
 struct Score
 {
     double error = 0.0, claimed = 0.0, beyond = 0.0, errorAboveMin = 0.0;
@@ -157,14 +155,14 @@ TEST_P(VarianceAskedFor, IsGot)
     }
 }
 
-TEST_P(VarianceAskedFor, IsNotMuchBetteredWhereNoiseIsIndependent)
+TEST_P(VarianceAskedFor, IsNotFarExceededForIndependentNoise)
 {
     EXPECT_GE(ReportedScoreOf(kPictures[0], GetParam()).MeanErrorAboveMin(), GetParam() / 4);
 }
 
-// A round doubles the samples. Of smooth light that divides the variance by eight, so that the first round
-// that is good enough may be far better; of all else it must not be.
-TEST_P(VarianceAskedFor, IsNotMuchBetteredWhereStratificationHelps)
+// A round doubles the samples. In smooth light that divides the variance by eight, so the last round may be far better than necessary;
+// otherwise it must not be.
+TEST_P(VarianceAskedFor, IsNotFarExceededForStratifiedSamples)
 {
     for (const Picture& picture : kPictures)
     {
@@ -176,7 +174,7 @@ TEST_P(VarianceAskedFor, IsNotMuchBetteredWhereStratificationHelps)
     }
 }
 
-// Most pixels and their neighbours miss the lamp in their first samples; what is blurred over them tells.
+// The first samples of most pixels and their neighbours miss the lamp, but spread samples reveal it.
 TEST_P(VarianceAskedFor, IsGotWhereOneSampleInAHundredMatters)
 {
     const Score s = ReportedScoreOf(kLamp, GetParam());
@@ -184,49 +182,49 @@ TEST_P(VarianceAskedFor, IsGotWhereOneSampleInAHundredMatters)
     EXPECT_LE(s.Beyond(), 0.05);
 }
 
-/// Weak noise, and beside it strong noise in every fourth column.
+/// Weak noise, with strong noise in every fourth column.
 void Columns(const SampleId& id, SampleResult& light)
 {
     light = Grey(0.5 + (id.x % 4 == 0 ? 0.8 : 0.08) * (Noise(id, 1) - 0.5));
 }
 
-// Rays in proportion to the standard deviation, not to the variance: the same error for fewer of them.
-TEST_P(VarianceAskedFor, NoisyPixelsAmongQuietOnesKeepMore)
+// Rays proportional to the standard deviation, not the variance: the same error with fewer rays.
+TEST_P(VarianceAskedFor, NoisyPixelsAmongQuietOnesKeepMoreVariance)
 {
     const double V = GetParam();
     const Picture columns = {"columns", Columns, Half};
     const Score adaptive = ReportedScoreOf(columns, V);
     EXPECT_LE(adaptive.MeanError(), 1.2 * V);
     EXPECT_LE(adaptive.Beyond(), 0.05);
-    // what as many rays leave where each pixel has the same number of them
+    // variance with as many rays, equally distributed
     const double even = (0.64 + 3 * 0.0064) / 4 / 12 / (double(adaptive.samples) / adaptive.pixels);
     EXPECT_LT(adaptive.MeanError(), even);
 }
 
-TEST(VarianceTarget, IsWhatWasAskedForWhereAllAreAsNoisy)
+TEST(VarianceTarget, IsTheRequestedVarianceForEqualNoise)
 {
     const SamplingLimits limits = Limits(8, 65536, 1e-4);
     for (const std::uint32_t n : {8u, 64u, 65536u})
     {
         const VarianceTarget target(limits, n);
-        // 0/0: a pixel among those without any noise
+        // 0/0: a pixel among pixels without noise
         for (const double like : {1.0, std::nan("")})
         {
             EXPECT_LE(target(like), limits.variance) << n;
             EXPECT_GE(target(like), settings.leastTarget * limits.variance) << n;
         }
         EXPECT_GE(target(0.0), settings.leastTarget * limits.variance) << n;
-        // what stands out may keep more, but not without end
+        // pixels with above-average noise may keep more, within limits
         EXPECT_LE(target(100.0), settings.greatestTarget * limits.variance) << n;
     }
     EXPECT_EQ(VarianceTarget(limits, 65536)(100.0), settings.greatestTarget * limits.variance);
-    // strong noise that took many samples may keep more, weak noise beside it may not
+    // strong noise with many samples may keep more, weak noise beside it may not
     EXPECT_LT(VarianceTarget(limits, 8)(2.0), limits.variance);
     EXPECT_GT(VarianceTarget(limits, 4096)(2.0), limits.variance);
     EXPECT_LE(VarianceTarget(limits, 4096)(0.2), limits.variance);
 }
 
-TEST(TileSamplerStop, ClaimedVarianceOfWhiteNoiseIsItsVariance)
+TEST(TileSamplerStop, ReportsTheVarianceOfWhiteNoise)
 {
     for (const std::uint32_t n : {16u, 64u, 100u})
     {

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The error of what a pixel's samples may all have missed, in closed form and against integration.
+// The undetected error, in closed form and against integration.
 
 #include "tilt_lens/sampling/undetected_error.h"
 
@@ -47,7 +47,7 @@ TEST(MissedSquareError, IsTheMeanOverAllShares)
         }
 }
 
-TEST(UndetectedError, IsOfWhatOthersHitAndThePixelShowsLessOf)
+TEST(UndetectedError, GrowsWithVarianceThatOnlyOthersShow)
 {
     SampleVariation around;
     around.variance[1] = 0.25, around.maxSquaredDeviation[1] = 1.0;
@@ -68,7 +68,7 @@ TEST(UndetectedError, IsOfWhatOthersHitAndThePixelShowsLessOf)
     EXPECT_EQ(UndetectedError(noisy, around)[1], 0.0) << "the pixel has hit as much itself";
 }
 
-TEST(HasSearchedEmitters, AsLongAsTheyMayExceedTheTarget)
+TEST(HasSearchedEmitters, IsTrueOnceTheirErrorIsBelowTheTarget)
 {
     EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5), 1e-9)) << "no emitter samples";
     EXPECT_FALSE(HasSearchedEmitters(Equal(4, 0.5, 1.0), 1e-3));

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// How much smaller than that of independent samples the variance of a mean is, as the two buffers tell it.
+// The variance ratio of stratified and independent samples, estimated from the two buffers.
 
 #include "tilt_lens/sampling/variance_ratio.h"
 
@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Smooth light, which stratified samples are good at.
+/// Smooth light, the best case of stratified samples.
 void Ramp(const SampleId& id, SampleResult& result)
 {
     result = Grey(SequencePointOf(id).lensU);
@@ -35,7 +35,7 @@ Quadrants RatiosOf(const Tracer& trace, std::uint32_t rounds)
             estimate.pixels[settings.blockSide * (settings.blockSide - 1)].varianceRatio, estimate.pixels.back().varianceRatio};
 }
 
-TEST(VarianceRatio, OfIndependentSamplesIsAboutOne)
+TEST(VarianceRatio, IsAboutOneForIndependentSamples)
 {
     double sum = 0.0;
     constexpr std::uint32_t blocks = 25;
@@ -48,11 +48,11 @@ TEST(VarianceRatio, OfIndependentSamplesIsAboutOne)
             sum += ratio / (4 * blocks);
         }
     }
-    EXPECT_GT(sum, 0.85);  // ratios above 1 are taken for 1, so that the mean lies below
+    EXPECT_GT(sum, 0.85);  // ratios above 1 are clamped, so the mean lies below 1
 }
 
-// The variance of a ramp's mean falls by eight with each doubling of stratified samples.
-TEST(VarianceRatio, OfStratifiedSamplesFallsWithTheirNumber)
+// Each doubling of stratified samples divides the variance of a ramp's mean by eight.
+TEST(VarianceRatio, FallsWithTheNumberOfStratifiedSamples)
 {
     double before = 1.0;
     for (std::uint32_t rounds = 1; rounds < 5; rounds++)
@@ -66,7 +66,7 @@ TEST(VarianceRatio, OfStratifiedSamplesFallsWithTheirNumber)
     EXPECT_LT(before, 1.0 / 32.0);
 }
 
-TEST(VarianceRatio, IsOfEachQuadrantAlone)
+TEST(VarianceRatio, IsEstimatedForEachQuadrant)
 {
     const Quadrants ratios = RatiosOf([](const SampleId& id, SampleResult& result)
         { (id.x < kMiddle.left + settings.blockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
@@ -76,7 +76,7 @@ TEST(VarianceRatio, IsOfEachQuadrantAlone)
     EXPECT_GT(ratios[3], 0.6);
 }
 
-TEST(VarianceRatio, OfConvergedPixelsStaysAndTheyTellNothing)
+TEST(VarianceRatio, ConvergedPixelsKeepTheirsAndDoNotContribute)
 {
     BlockEstimate estimate = FirstEstimate(kMiddle, 8, Ramp);
     for (PixelEstimate& pixel : estimate.pixels)
@@ -87,7 +87,7 @@ TEST(VarianceRatio, OfConvergedPixelsStaysAndTheyTellNothing)
     EXPECT_EQ(estimate.dualBufferRatio, (Quadrants{1.0, 1.0, 1.0, 1.0}));
 }
 
-TEST(VarianceRatio, OfFewNoisyPixelsLeansTowardsTheOneBefore)
+TEST(VarianceRatio, IsShrunkTowardsThePriorForFewNoisyPixels)
 {
     const double prior = settings.varianceRatioPrior;
     VarianceRatioTerms one;
@@ -98,8 +98,8 @@ TEST(VarianceRatio, OfFewNoisyPixelsLeansTowardsTheOneBefore)
     EXPECT_EQ(VarianceRatioTerms().Ratio(0.9, 1.0), 0.9) << "no noise at all";
 }
 
-// Four steps of an iteration: a few per cent where samples are few.
-TEST(VarianceRatio, OfTheMeanSolvesBothEquations)
+// Four iterations leave an error of a few per cent for few samples.
+TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
 {
     for (const double n : {8.0, 64.0, 4096.0})
         for (const double slope : {1.0, 1.25, 1.5})
@@ -109,7 +109,7 @@ TEST(VarianceRatio, OfTheMeanSolvesBothEquations)
         }
 }
 
-TEST(LocalVarianceRatios, TellSmoothPixelsFromNoisyOnesBesideThem)
+TEST(LocalVarianceRatios, DifferForSmoothAndNoisyPixels)
 {
     const auto half = [](const SampleId& id, SampleResult& result)
     { (id.y < kMiddle.top + settings.blockSide / 2 ? Ramp : WhiteNoise)(id, result); };
@@ -128,8 +128,8 @@ TEST(LocalVarianceRatios, TellSmoothPixelsFromNoisyOnesBesideThem)
     EXPECT_GT(noisy, 0.5);
 }
 
-/// Of four samples of all pixels but one, two are white and two black in each half.
-TEST(LocalVarianceRatios, APixelThatStandsOutKeepsItsOwn)
+/// Each half of four samples is one white and one black, in all pixels but one.
+TEST(LocalVarianceRatios, AnOutlierKeepsItsOwn)
 {
     const auto split = [](const SampleId& id, SampleResult& result)
     {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_statistics.h
-/// What the reconstruction knows of the pixels of a block, and of those around it: planes of one number a pixel.
+/// Input of the reconstruction: statistics of the pixels of a block and its surroundings, one plane per number.
 ///
-/// A further number of each pixel is one more name of BlockStatistics::Plane; edges, borders and copies then follow.
+/// To add a number, add a name to BlockStatistics::Plane; edges, borders and copies follow.
 
 #ifndef TILT_LENS_BLOCK_STATISTICS_H
 #define TILT_LENS_BLOCK_STATISTICS_H
@@ -19,31 +19,31 @@
 namespace tilt_lens
 {
 
-/// A value of each pixel of a block, row by row.
+/// One value per pixel of a block, row by row.
 using BlockPlane = std::array<float, settings.blockSide * settings.blockSide>;
 
-/// What is known of a block's pixels. Beyond the picture's edge pixels are repeated.
+/// Statistics of a block's pixels. Beyond the picture's edge the outermost pixels are repeated.
 class BlockStatistics
 {
   public:
-    /// What there is of each pixel: five channels as Radiance has them, or one number.
+    /// The planes: five channels of the mean, ordered as in Radiance, and single numbers.
     enum Plane
     {
         kMean = 0,                  ///< five channels
-        kNoise = 5,    ///< variance of the mean and its undetected error, estimated, summed over the channels
-        kMissed = 6,   ///< share of the noise that other pixels' samples tell and the pixel's own do not, [0, 1]
-        kSamples = 7,  ///< taken
+        kNoise = 5,    ///< estimated variance of the mean plus undetected error, summed over the channels
+        kMissed = 6,   ///< fraction of the noise shown by other pixels' samples but not by the pixel's own, [0, 1]
+        kSamples = 7,
         kPlanes
     };
 
     void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, double noise, double missed, std::uint32_t samples);
-    /// @param width, height  of what was Set
+    /// @param width, height  of the area that was Set
     void RepeatEdges(std::uint32_t width, std::uint32_t height);
 
     const BlockPlane& operator[](std::size_t plane) const { return planes[plane]; }
     const BlockPlane& Mean(std::size_t channel) const { return planes[kMean + channel]; }
     const BlockPlane& Noise() const { return planes[kNoise]; }
-    /// Whether filter or transmit are not zero anywhere.
+    /// True if any pixel has a nonzero filter or transmit channel.
     bool IsTransparent() const { return transparent; }
 
   private:
@@ -51,21 +51,21 @@ class BlockStatistics
     bool transparent = false;
 };
 
-/// A block's pixels and those around it, as far as filters and their risks look.
+/// A block with a border as wide as filters and their risks reach.
 class PaddedBlock
 {
   public:
     static constexpr int kBorder = settings.filterRadius + settings.riskRadius;
     static constexpr int kRows = int(settings.blockSide) + 2 * kBorder;
-    static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< as many, rounded up to whole vector registers
+    static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< kRows, rounded up to whole vector registers
 
     using Plane = std::array<float, kRows * kColumns>;
 
-    /// Where in a Plane pixel (x, y) is, relative to the block's first one, -kBorder <= x, y < blockSide + kBorder.
+    /// Index in a Plane of pixel (x, y), relative to the block's first pixel, -kBorder <= x, y < blockSide + kBorder.
     static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
-    /// @param blocks  the block, which is in the middle, and its eight neighbours, row by row. Those that are null are
-    ///                outside the picture or not known: there the nearest block is mirrored.
+    /// @param blocks  the block in the middle and its eight neighbours, row by row. For null (outside the picture or unknown) the nearest
+    ///     block is mirrored.
     explicit PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks);
 
     const Plane& Mean(std::size_t channel) const { return planes[BlockStatistics::kMean + channel]; }

@@ -16,11 +16,11 @@
 namespace tilt_lens
 {
 
-/// What is done to pixels of a row or of a column: nothing, a parabola fitted to 5 or 9 of them, the mean of 9, or of the
-/// pixel and 4 on one side of it, where there is an edge on the other.
+/// One-dimensional filters: none, a parabola fitted to 5 or 9 pixels, the mean of 9, or the mean of the pixel and 4 on one side, for an
+/// edge on the other side.
 enum Filter { kNone, kFit5, kFit9, kMean9, kAhead5, kBehind5, kFilters };
 
-/// Taps from the middle one to one end, or to both.
+/// Taps from the centre to one end, symmetric except for the one-sided filters.
 constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {1.0f},
     {17.0f / 35, 12.0f / 35, -3.0f / 35},
@@ -30,7 +30,7 @@ constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {0.2f, 0.2f, 0.2f, 0.2f, 0.2f},
 };
 
-/// The bank: what is done across and what is done down.
+/// The bank: filter along rows, filter along columns.
 constexpr Filter kBank[][2] = {
     {kNone, kNone}, {kFit5, kNone}, {kNone, kFit5}, {kFit5, kFit5},
     {kFit9, kNone}, {kNone, kFit9}, {kFit9, kFit9}, {kFit5, kFit9}, {kFit9, kFit5},
@@ -38,8 +38,8 @@ constexpr Filter kBank[][2] = {
     {kAhead5, kNone}, {kBehind5, kNone}, {kNone, kAhead5}, {kNone, kBehind5},
 };
 
-/// Neighbouring pixels filtered along steps of 1 (a row) or PaddedBlock::kColumns (a column). What compilers make of
-/// plain loops over so short rows takes three times as long.
+/// Filters neighbouring pixels with steps of 1 (a row) or PaddedBlock::kColumns (a column). Plain loops over such short rows compile to
+/// code that takes three times as long.
 template<class Vector, Filter kFilter>
 TILT_LENS_INLINED Vector Filtered(const float* at, int step)
 {

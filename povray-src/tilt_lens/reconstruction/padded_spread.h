@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file padded_spread.h
-/// What the pixels of a block and those around it have received from the samples of others: docs/sampling.md, section 8.
+/// Spread samples received by the pixels of a block and its border: docs/sampling.md, section 8.
 
 #ifndef TILT_LENS_PADDED_SPREAD_H
 #define TILT_LENS_PADDED_SPREAD_H
@@ -17,7 +17,7 @@
 namespace tilt_lens
 {
 
-/// The spread estimates of a block's pixels and of those around it, before their own samples are added.
+/// The spread estimates of the pixels of a block and its border, before their own samples are added.
 class PaddedSpread
 {
   public:
@@ -25,19 +25,19 @@ class PaddedSpread
 
     using Sent = std::array<const SpreadSums*, 9>;
 
-    /// @param sent  by the pixels of the block, which is in the middle, and of its eight neighbours, row by row; null: nothing
-    /// @param weight  of a pixel's samples, as many as those of the block's first round. Those of neighbours count as if they had the same: a
-    ///     surface is not seen more where more rays have met it.
-    /// @return null where nothing was sent at all
+    /// @param sent  samples spread by the block, in the middle, and its eight neighbours, row by row; null: none
+    /// @param weight  sum of a pixel's sample weights: the number of samples of the block's first round. Neighbours' sums are scaled to the
+    ///     same value, because a surface is not brighter where more rays have hit it.
+    /// @return null if nothing was spread at all
     static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t weight);
 
-    std::array<Plane, 3> mean;  ///< of what other pixels' samples have sent; 0: nothing
-    Plane variance;  ///< of one of these samples, summed over the channels
-    Plane share;     ///< that these samples have sent, times their weights
-    Plane samples;   ///< the same without their weights
-    Plane ownShare;  ///< that a sample of the pixel keeps for it, on average, [0, 1]
+    std::array<Plane, 3> mean;  ///< mean radiance of received samples; 0: none
+    Plane variance;  ///< variance of one received sample, summed over the channels
+    Plane share;     ///< sum of received shares times weights
+    Plane samples;   ///< sum of received shares
+    Plane ownShare;  ///< share that a sample of the pixel keeps for it, on average, [0, 1]
 
-    /// Number of other pixels' samples that have reached a pixel, about.
+    /// Approximate number of received samples.
     float SamplesAt(std::size_t at) const { return share[at] > 0.0f && ownShare[at] > 0.0f ? samples[at] / ownShare[at] : 0.0f; }
 
   private:

@@ -28,7 +28,7 @@ constexpr int kWidth = kVectorWidth<Vector>;
 
 constexpr int At(int x, int y) { return PaddedBlock::At(x, y); }
 
-/// Pixels that something is wanted of: `margin` more than the wanted rows on all sides.
+/// The wanted rows with a margin on all sides.
 struct Part
 {
     int left, right, top, bottom;
@@ -38,7 +38,7 @@ struct Part
     {
     }
 
-    /// Calls with the place of as many pixels as fill a vector; the last ones of a row may lie beyond it.
+    /// Calls `visit` with the index of the first of each vector of pixels; the last vector of a row may extend beyond it.
     template<class Vector, class Visit>
     TILT_LENS_INLINED void ForEach(const Visit& visit) const
     {
@@ -48,7 +48,7 @@ struct Part
     }
 };
 
-/// Means over the pixels around each that is wanted, at most `kRadius` columns and rows away.
+/// Means over a window of radius `kRadius` around each pixel of the wanted rows.
 template<class Vector, int kRadius>
 TILT_LENS_INLINED void MeanAround(const Plane& values, const Rows& rows, Plane& means)
 {
@@ -73,7 +73,7 @@ TILT_LENS_INLINED void MeanAround(const Plane& values, const Rows& rows, Plane& 
     }
 }
 
-/// The filters' results along rows, kept for all products with what is done down.
+/// Results of the filters along rows, for all products with filters along columns.
 template<int kChannels, class Vector>
 class FilteredRows
 {
@@ -111,7 +111,7 @@ class FilteredRows
     }
 };
 
-/// The variance that a filter leaves of noise of variance 1 at each pixel.
+/// Variance of filtered white noise of variance 1.
 constexpr float NoiseLeftBy(Filter filter)
 {
     float sum = kTaps[filter][0] * kTaps[filter][0];
@@ -120,13 +120,12 @@ constexpr float NoiseLeftBy(Filter filter)
     return sum;
 }
 
-/// A candidate of the bank: pixels of a channel filtered across and down.
+/// A candidate of the bank: a channel filtered along rows and columns.
 template<int kChannels, class Vector, Filter kAcross, Filter kDown>
 struct ProductFilter
 {
     const FilteredRows<kChannels, Vector>& rows;
 
-    /// The filter's own tap of the pixel.
     static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
     static constexpr float Preference(int) { return 1.0f; }
     static constexpr float NoiseLeft(int) { return NoiseLeftBy(kAcross) * NoiseLeftBy(kDown); }
@@ -134,7 +133,6 @@ struct ProductFilter
     TILT_LENS_INLINED Vector Mean(int c, int i) const { return Filtered<Vector, kDown>(&rows.Mean(kAcross, c)[i], kColumns); }
 };
 
-/// The mean of candidates, weighted by their risks.
 template<int kChannels, class Vector>
 class RiskWeightedMean
 {
@@ -154,9 +152,9 @@ class RiskWeightedMean
         MeanAround<Vector, settings.nearRiskRadius>(noises, rows, noiseNear);
     }
 
-    /// @param candidate  linear in the pixels: its Mean(channel, i) of the pixels from place i on, its CentreTap(i), that is the
-    ///                   pixel's own share in it, NoiseLeft(i), the share of the pixel's variance that it leaves, and Preference(i),
-    ///                   its weight over that of a filter with the same risk
+    /// @param candidate  a linear estimate of the pixels from index i on: Mean(channel, i); CentreTap(i), its tap of the pixel itself;
+    ///     NoiseLeft(i), the fraction of the pixel's variance that it leaves; Preference(i), its weight relative to a filter with the same
+    ///     risk
     template<class Candidate>
     TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
@@ -173,17 +171,18 @@ class RiskWeightedMean
         });
     }
 
-    /// Of a pixel of the block. Pixels among such as have no noise stay.
+    /// Result for a pixel of the block; unchanged if its surroundings have no noise.
     float MeanOf(int c, int i) const
     {
         const float own = around.Mean(c)[i];
         if (!(weights[i] > 0.0f))
             return own;
-        // parabolas reach beyond what they are fitted to: colours are not negative for it, and no transparency is above 1
+        // fitted parabolas overshoot: keep colours non-negative and transparency at most 1
         const float mean = std::max(means[c][i] / weights[i], std::min(0.0f, own));
         return c < 3 ? mean : std::min(mean, std::max(1.0f, own));
     }
-    /// A bound of the variance that is left of a pixel's: that of a mean of estimates is at most the mean of their variances.
+    /// Upper bound of the remaining fraction of a pixel's variance: the variance of a mean of estimates is at most the mean of their
+    /// variances.
     float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
 
     const Part& Risky() const { return risky; }
@@ -225,8 +224,8 @@ class RiskWeightedMean
     }
 };
 
-/// The spread estimate S = t q + (1 - t) others of each pixel, with its own samples' share t, as a candidate; corrected it is
-/// S + F (q - S), where F is the mean over 9 by 9 pixels.
+/// Each pixel's spread estimate S = t q + (1 - t) o, with the mean o of received samples and the weight t of its own; corrected, S + F (q -
+/// S) with the mean F over 9 by 9 pixels.
 template<class Vector, bool kCorrected>
 class SpreadCandidate
 {
@@ -252,7 +251,7 @@ class SpreadCandidate
         return Load<Vector>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
     }
     TILT_LENS_INLINED Vector NoiseLeft(int i) const { return Load<Vector>(&noiseLeft[i]) + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f); }
-    /// Geometry speaks for it where the pixel's value is made of others' samples, and more where the pixel's own have missed something.
+    /// Geometry favours S where it is made of other pixels' samples, and more where the pixel's own samples have missed something.
     TILT_LENS_INLINED Vector Preference(int i) const
     {
         const Vector others = 1.0f - Load<Vector>(&ownTap[i]), square = others * others;

@@ -2,30 +2,33 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file reconstruction.h
-/// The picture from its pixels' means: docs/sampling.md, section 8. Candidates, most of them linear filters F of the means
-/// (filters.h), are averaged at each pixel with weights of 1 / risk^2, where Stein's estimate of the risk is
+/// Reconstructs the picture from its pixels' means: docs/sampling.md, section 8.
+///
+/// The folder reconstruction/ answers: which picture do the samples make? It spreads samples over their circles of confusion, filters noise
+/// from the pixels' means, and estimates the remaining noise. The sampler uses it, and uses its estimates in the stop rule.
+///
+/// Candidates, most of them linear filters F of the means (filters.h), are averaged at each pixel with weights of 1 / risk^2, where Stein's
+/// estimate of the risk is
 ///
 ///     risk = mean over the 7 by 7 pixels q around of (|F q - q|^2 - (1 - 2 F_0) var q) / var q
 ///
-/// with F_0 a filter's own tap of the pixel, and squares and variances summed over the channels. What a filter changes is
-/// noise that it takes off and error that it makes; what is more than the noise explains is error. It counts in units of a
-/// pixel's noise, since beside a lamp a dark pixel would take harm from what is good for the lamp. Errors that stand out of the noise count in full for the 3 by 3 pixels around, for others at
-/// most settings.riskLimit times the noise, so that an edge does not keep all that is around it noisy.
+/// F_0 is the filter's tap of the pixel itself; squares and variances are summed over the channels. A filter's change is noise that it
+/// removes plus error that it makes; the part that the noise cannot explain is error. The risk is relative to each pixel's noise, since
+/// otherwise a dark pixel beside a lamp would suffer from filters that suit the lamp. Errors well above the noise count in full for the 3
+/// by 3 pixels around, for others at most settings.riskLimit times the noise, so that an edge does not leave its whole surroundings noisy.
 ///
-/// Two candidates are the spread estimate S of each pixel (padded_spread.h), alone and with the mean over 9 by 9 pixels of
-/// what it misses, S + mean9x9(q - S). What S gets wrong, behind an edge or in a mirror, shows in its risk as in any other's.
+/// Two candidates are each pixel's spread estimate S (padded_spread.h), and S corrected by a smoothed difference, S + mean9x9(q - S).
+/// Errors of S, such as behind an edge or in a mirror, raise its risk.
 ///
-/// Weights come from nothing but colours and their variances: no depth, no normals. So a mirror image, a refraction, a medium
-/// or a far blurred light is treated as what it looks like. Pixels among such as have no noise stay what they are. The step is
-/// biased: what it smooths may differ by less than the noise. It is one of the things that `denoise off` leaves out.
+/// Weights depend only on colours and their variances, not on depth or normals, so reflections, refractions, media and blurred lights need
+/// no rules of their own. Pixels whose surroundings have no noise stay unchanged. The reconstruction is biased: it may smooth differences
+/// smaller than the noise. `denoise off` disables it.
 ///
-/// Sources: C. M. Stein, "Estimation of the mean of a multivariate normal distribution", Ann. Statist. 9(6), 1981, for the
-/// risk; F. Rousselle, C. Knaus, M. Zwicker, "Adaptive sampling and reconstruction using greedy error minimization", ACM
-/// Trans. Graph. 30(6), 2011, and T.-M. Li, Y.-T. Wu, Y.-Y. Chuang, "SURE-based optimization for adaptive sampling and
-/// reconstruction", ACM Trans. Graph. 31(6), 2012, for choosing among filters by it. Here: no one filter is chosen, since the
-/// choice would be as noisy as the risk; and what is left of the variance is not told by the risk, which may be none by
-/// chance, but by filtering the difference of the two sample buffers, which is noise and nothing else, and by the bias that goes
-/// with as much noise.
+/// Sources: C. M. Stein, "Estimation of the mean of a multivariate normal distribution", Ann. Statist. 9(6), 1981, for the risk; F.
+/// Rousselle, C. Knaus, M. Zwicker, "Adaptive sampling and reconstruction using greedy error minimization", ACM Trans. Graph. 30(6), 2011,
+/// and T.-M. Li, Y.-T. Wu, Y.-Y. Chuang, "SURE-based optimization for adaptive sampling and reconstruction", ACM Trans. Graph. 31(6), 2012,
+/// for choosing filters by it. Unlike these, no single filter is chosen, since the choice would be as noisy as the risk; and the remaining
+/// variance is bounded by the weighted mean of the candidates' variances, because the risk may vanish by chance.
 
 #ifndef TILT_LENS_RECONSTRUCTION_H
 #define TILT_LENS_RECONSTRUCTION_H
@@ -39,7 +42,7 @@
 namespace tilt_lens
 {
 
-/// Rows of a block, from the first to before the end.
+/// A range of rows of a block: begin <= row < end.
 struct Rows
 {
     int begin = 0, end = int(settings.blockSide);
@@ -48,21 +51,20 @@ struct Rows
     bool Has(int row) const { return row >= begin && row < end; }
 };
 
-/// A block's pixels reconstructed.
 struct ReconstructedBlock
 {
     std::array<BlockPlane, 5> mean;
-    BlockPlane residualVarianceRatio;  ///< share of a pixel's variance that the filters leave, (0, 1]
+    BlockPlane residualVarianceRatio;  ///< fraction of a pixel's variance that the filters leave, (0, 1]
 
-    /// Not finite beside a pixel that is brighter than a float can hold.
+    /// Not finite beside a pixel that is too bright for a float.
     Radiance MeanOf(std::size_t pixel) const;
 };
 
-/// @param spread  of the same blocks; null: nothing
-/// @param rows  that are wanted; the others stay as they are
+/// @param spread  of the same blocks; null: none
+/// @param rows  to reconstruct; the others stay unchanged
 ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread = nullptr, const Rows& rows = Rows());
 
-/// The spread estimates alone: of pixels with one sample, whose noise nothing tells, so that no risk is known.
+/// The spread estimates alone, for pixels with one sample: without a noise estimate no risk is known.
 ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread);
 
 } // namespace tilt_lens

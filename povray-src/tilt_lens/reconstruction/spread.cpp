@@ -12,7 +12,7 @@ namespace tilt_lens
 LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height) :
     width(width), height(height), boundingRadius(float(aperture.BoundingRadius()))
 {
-    // right and up need not be at right angles: what has one of them alone is at right angles to the other
+    // project along vectors perpendicular to the other axes, since right and up need not be perpendicular
     const Vec3 rightAlone = Cross(lens.up, lens.axis), upAlone = Cross(lens.axis, lens.right);
     const auto axis = [&](const Vec3& of)
     {
@@ -33,7 +33,7 @@ LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double 
 
 void LensFootprint::FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const
 {
-    // places in the table in units of 2^-kShift cells; a row of kReach pixels on both sides cannot overflow
+    // table positions in units of 2^-kShift cells; kReach pixels on either side cannot overflow
     constexpr int kShift = 16, kMost = 1024, last = settings.densityCells - 1;
     const float scale = 0.5f * settings.densityCells / boundingRadius;
     const auto places = [](float cells) { return int(std::min(std::max(cells, float(-kMost)), float(kMost)) * (1 << kShift)); };
@@ -43,13 +43,13 @@ void LensFootprint::FindDensities(const AperturePoints& first, const AperturePoi
         densities[i] = density[std::clamp(row >> kShift, 0, last) * settings.densityCells + std::clamp(column >> kShift, 0, last)];
 }
 
-/// The hit lies along the chief ray's direction plus `vergence` times the lens point; M is the derivative by the lens point.
+/// The hit lies in the direction of the chief ray plus `vergence` times the lens point; M is the derivative by the lens point.
 CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const
 {
     const double depth = 1.0 + vergence * (point.a * axisA.depth + point.b * axisB.depth);
     const double x = (film.x + vergence * (point.a * axisA.x + point.b * axisB.x)) / depth;
     const double y = (film.y + vergence * (point.a * axisA.y + point.b * axisB.y)) / depth;
-    // the vergence that the point has for the ray through the lens centre
+    // vergence of the point for the ray through the lens centre
     const double central = vergence * (1.0 - point.a * axisA.focus - point.b * axisB.focus) / depth;
     const double across = width * central, down = -height * central;
     return {float((x + 0.5) * width), float((0.5 - y) * height),
@@ -60,13 +60,13 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
 namespace
 {
 
-/// Rows or columns that a sample reaches, from kReach before its own to kReach behind it.
+/// Rows or columns within reach of a sample: kReach before its own to kReach behind it.
 constexpr int kRows = 2 * SpreadSums::kReach + 1;
-/// As many numbers fill vectors: one more, which nobody uses.
+/// kRows, padded to whole vectors.
 constexpr int kLanes = kRows + 1;
 static_assert(kLanes % SpreadSums::kMostLanes == 0, "vectors hold them without a rest");
 
-/// What follows them is read where a row's last vector reaches beyond it, and not used.
+/// Numbers with padding: a row's last vector may read beyond it.
 struct alignas(32) LaneNumbers
 {
     float of[kLanes + SpreadSums::kMostLanes]{};
@@ -82,19 +82,19 @@ constexpr LaneNumbers Numbered()
 
 constexpr LaneNumbers kOffsets = Numbered();
 
-/// Of the pixels of a row's last vector, those that belong to the row: as many ones as there are from the place kMostLanes - count on.
+/// Mask of a row's last vector: loaded from index kMostLanes - count, it starts with `count` ones.
 constexpr float kInRow[2 * SpreadSums::kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 
 template<class Vector>
 constexpr int kWidth = kVectorWidth<Vector>;
 
-/// A circle of confusion along one axis of the picture.
+/// Extent of a circle of confusion along one axis of the picture.
 struct Extent
 {
     float middle, half;  ///< pixels
 
-    /// Pixels' sides of it from which samples reach a pixel: those at most kReach away that lie in the picture. Of the pixels that a
-    /// sample of `own` reaches.
+    /// For each pixel within reach of a sample of pixel `own`: length, in pixels, of the part of the extent that lies in the picture and
+    /// within reach of that pixel.
     template<class Vector>
     TILT_LENS_INLINED void FindSenders(int own, const PictureSpan& picture, LaneNumbers& senders) const
     {
@@ -109,7 +109,7 @@ struct Extent
     }
 };
 
-/// The matrix of a circle of confusion, of pixels squared.
+/// The matrix of a circle of confusion, in squared pixels.
 struct Ellipse
 {
     float xx = 0.0f, yy = 0.0f, lean = 0.0f, determinant = 0.0f;
@@ -126,7 +126,7 @@ struct Ellipse
         determinant = std::isfinite(circle.x) ? xx * yy - xy * xy : 0.0f;
     }
 
-    /// Whether it is wider than a pixel.
+    /// True if the circle is wider than a pixel.
     bool IsWide() const { return std::min(xx, yy) >= 1.0f && determinant >= 1.0f && std::isfinite(determinant); }
 };
 
@@ -137,11 +137,11 @@ bool ServesOthers(const CircleOfConfusion& circle)
     return Ellipse(circle).IsWide();
 }
 
-/// The pixels of a circle of confusion that are at most kReach away from the sample's own, row by row.
+/// The pixels of a circle of confusion at most kReach away from the sample's own, row by row.
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
-    unsigned int rows = 0;  ///< a bit for each row that has any
+    unsigned int rows = 0;  ///< a bit for each row that is not empty
     Extent across{}, down{};
 
     template<class Vector>
@@ -166,13 +166,13 @@ struct CirclePixels
     {
         using Whole = std::conditional_t<std::is_same_v<Vector, Float8>, Mask8, Mask4>;
         const Vector none = Vector(), below = Load<Vector>(kOffsets.of + i) + row + 0.5f - circle.y;
-        const Vector open = 1.0f - below * below / ellipse.yy;  // of the squared half width
+        const Vector open = 1.0f - below * below / ellipse.yy;  // remaining fraction of the squared half width
         const Whole met = open > none;
         const Vector middle = circle.x + ellipse.lean * below - 0.5f, half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? open : none));
         const float left = float(column - SpreadSums::kReach), right = float(column + SpreadSums::kReach);
         const Vector least = Clamp(middle - half, left, right + 1.0f), most = Clamp(middle + half, left - 1.0f, right);
         Whole from = __builtin_convertvector(least, Whole), to = __builtin_convertvector(most, Whole);
-        // a comparison that holds is -1: rounded up, and down
+        // a true comparison is -1: round up, and down
         from -= __builtin_convertvector(from, Vector) < least;
         to += __builtin_convertvector(to, Vector) > most;
         const Whole first = from & met, last = Max<Whole>(to + 1, from) & met;
@@ -191,10 +191,10 @@ struct CirclePixels
 namespace
 {
 
-/// The densities of a lens that is not the unit disc, at the pixels of a circle, row by row.
+/// Densities of a lens that is not the unit disc, at the pixels of a circle, row by row.
 struct Densities
 {
-    float of[kRows * kRows + SpreadSums::kMostLanes];  ///< the last ones are read and not used
+    float of[kRows * kRows + SpreadSums::kMostLanes];  ///< padding: read, not used
     float sum = 0.0f;
 
     void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int row)
@@ -216,19 +216,19 @@ struct Densities
     }
 };
 
-/// Of a colour, summed over its channels.
+/// Squared length of a colour.
 TILT_LENS_INLINED float SquareOf(const Float4& value) { return value[0] * value[0] + value[1] * value[1] + value[2] * value[2]; }
 
-/// The pixels of a circle in one row, by their columns, and their shares relative to the sample's own.
+/// One row of a circle's pixels, with their shares relative to the sample's own pixel.
 struct RowShares
 {
     const float* ofColumns;
     int begin, end;
-    const float* density;  ///< of the lens, from the first pixel on; null: the same at all
+    const float* density;  ///< of the lens, from the first pixel on; null: uniform
 
     float DensityAt(int column) const { return density != nullptr ? density[column - begin] : 1.0f; }
 
-    /// Of as many pixels as fill a vector; none of what is beyond the row.
+    /// Shares of a vector of pixels; zero beyond the row.
     template<class Vector>
     TILT_LENS_INLINED Vector From(int column) const
     {
@@ -238,11 +238,11 @@ struct RowShares
     }
 };
 
-/// @param planes  red, green, blue, and the shares of pixels
-/// @param first  place of column 0 in a plane
-/// @param value  that they get shares of
-/// @param square  of the colour, summed over the channels
-/// @param samples  as many as the sample counts for
+/// @param planes  the sums, in the order of SpreadSums::Sum
+/// @param first  index of column 0 in a plane
+/// @param value  red, green, blue and 1, times the sample's weight
+/// @param square  squared colour, summed over the channels
+/// @param samples  number of samples that this one counts for
 template<class Vector, class Planes>
 TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square, float samples)
 {
@@ -292,7 +292,7 @@ template<class Vector>
 TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
                                         int column, int row)
 {
-    LaneNumbers ofColumns, ofRows;  // shares: of columns relative to the sample's own, of rows those of the value
+    LaneNumbers ofColumns, ofRows;  // shares: of columns relative to the sample's own, of rows absolute
     pixels.across.FindSenders<Vector>(column, columns, ofColumns);
     pixels.down.FindSenders<Vector>(row, rows, ofRows);
     const float toColumn = ofColumns.of[kReach], toRow = ofRows.of[kReach];

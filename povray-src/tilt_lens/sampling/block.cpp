@@ -15,8 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// A round of one pixel.
-/// @param results  place for those of a run
+/// @param results  buffer for the results of one run
 void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::uint32_t until, SentSamples* sent, const Tracer& tracer,
                SampleResult* results)
 {
@@ -33,9 +32,9 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
     pixel.EndRound();
 }
 
-/// Takes the samples of active pixels that are missing up to number `until`. A pixel that was made active again catches up by the rounds
-/// that it left out, so that its buffers are as those of others.
-/// @param sent  takes those that serve other pixels; may be null
+/// Takes the missing samples of active pixels, up to number `until`. A reactivated pixel catches up round by round, so that its two buffers
+/// divide as those of other pixels.
+/// @param sent  receives the samples that serve other pixels; may be null
 void TakeSamples(BlockEstimate& estimate, std::uint32_t until, SentSamples* sent, const Tracer& trace)
 {
     const Area& area = estimate.area;
@@ -50,11 +49,11 @@ void TakeSamples(BlockEstimate& estimate, std::uint32_t until, SentSamples* sent
         }
 }
 
-/// Whether so many pixels will take several more rounds that the first may as well be longer. What is seen of it by others, and what
-/// its samples send to other pixels, is then of more samples.
+/// True if many pixels will take several more rounds anyway, so that a longer first round is free. Its samples, seen by other blocks and
+/// spread to other pixels, are then more reliable.
 bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& limits)
 {
-    if (!limits.Denoises() || estimate.firstSamples < 2)  // one sample tells no variance
+    if (!limits.Denoises() || estimate.firstSamples < 2)  // one sample shows no variance
         return false;
     const double far = settings.farFactor * limits.variance * estimate.firstSamples;
     const auto pixels = std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [far](const PixelEstimate& pixel)
@@ -102,7 +101,7 @@ void Block::Look(const SamplingLimits& limits, const Tracer& trace)
 {
     auto first = std::make_unique<BlockEstimate>(area);
     std::uint32_t& samples = first->firstSamples;
-    sent.Clear();  // of a step that was broken off
+    sent.Clear();  // left by an interrupted step
     do
     {
         samples = samples == 0 ? limits.FirstRound() : 2 * samples;
@@ -198,7 +197,7 @@ void Block::SetResults(const BlockEstimate& last)
     }
 }
 
-/// @param own  statistics after the last sample; of neighbours those of the step before are read
+/// @param own  final statistics of the block; neighbours' statistics are those of the previous step
 void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own, const PaddedSpread* received)
 {
     const Rows rows = NoisyRows(limits);
@@ -217,7 +216,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
         const int row = int(i / area.width);
         const std::size_t place = row * settings.blockSide + i % area.width;
         const Radiance mean = reconstructed.MeanOf(place);
-        if (!rows.Has(row) || !IsFinite(mean))  // beside what a float cannot hold
+        if (!rows.Has(row) || !IsFinite(mean))  // beside a pixel too bright for a float
             continue;
         pixel.mean = mean;
         pixel.variance = pixel.undetected + reconstructed.residualVarianceRatio[place] * (pixel.variance - pixel.undetected);
@@ -227,7 +226,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
 
 Rows Block::NoisyRows(const SamplingLimits& limits) const
 {
-    if (limits.max == 1)  // nothing tells their noise
+    if (limits.max == 1)  // one sample shows no noise
         return {0, int(area.height)};
     Rows rows{int(area.height), 0};
     for (int y = 0; y < int(area.height); y++)

@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block.h
-/// A square of pixels on a grid fixed to the whole picture: docs/sampling.md, section 1.
+/// Adaptive sampling of a block, a square of pixels on a grid fixed to the whole picture: docs/sampling.md, section 1.
 ///
-/// A block is made in three steps, each of which reads only what the step before has left of the block and of its eight neighbours:
+/// The folder sampling/ answers: which samples, and how many? It chooses the number of samples of each pixel, draws their film and lens
+/// points, and estimates their variance. Render threads enter by tile_sampler.h; sample.h is the interface to the ray tracer.
+///
+/// A block is computed in three steps. Each reads only results of the previous step, of the block and its eight neighbours:
 ///
 ///     look      a first round of samples
-///     converge  further rounds, until the stop rule is content with the block's own samples and its neighbours' first rounds
-///     finish    further rounds where the samples of all rounds around tell that pixels have missed something, then the reconstruction
+///     converge  further rounds, until the stop rule holds for the block's samples and its neighbours' first rounds
+///     finish    further rounds of pixels that have missed something by the evidence of all samples around, then the reconstruction
 ///
-/// Values depend on places in the picture alone, so that neither threads nor tiles nor sub-images change one (section 10).
-/// Threads may ask for any step at any time: each is taken once, by the first that asks, and nobody waits for it here. A step that is
-/// broken off by an exception of the tracer leaves the block as it was.
+/// Results depend on positions in the picture alone, never on threads, tiles or sub-images (section 10). Any thread may request any step at
+/// any time: the first one takes it, and none waits here. If the tracer throws during a step, the block stays unchanged.
 
 #ifndef TILT_LENS_BLOCK_H
 #define TILT_LENS_BLOCK_H
@@ -37,8 +39,8 @@ namespace tilt_lens
 /// A pixel after its last sample.
 struct PixelResult
 {
-    double variance = 0.0;  ///< of the mean, largest channel; relative to the square of what is above 1
-    double undetected = 0.0;  ///< of that, what the samples do not show
+    double variance = 0.0;  ///< variance of the mean, largest channel; above 1 relative to the square of the mean
+    double undetected = 0.0;  ///< undetected part of `variance`
     Radiance mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;
@@ -52,13 +54,13 @@ class Block
 
     static constexpr int kSteps = 3;
 
-    /// Whether a block reads its neighbours in the step numbered `step`, 1 to kSteps. The plain mean of the most samples asks none.
+    /// True if step `step`, 1 to kSteps, reads the neighbours. A plain mean of `max` samples does not.
     static bool LooksAtNeighbours(int step, const SamplingLimits& limits)
     {
         return step == 2 ? limits.variance > 0.0 : step == kSteps && limits.Denoises();
     }
 
-    /// @param width, height  of the whole picture
+    /// @param width, height  of the whole picture, pixels
     Block(const Area& area, std::uint32_t width, std::uint32_t height) :
         area(area), width(width), height(height), sent(area, width, height)
     {
@@ -66,18 +68,18 @@ class Block
 
     const Area area;
 
-    /// Steps that have been taken, 0 to kSteps.
+    /// Steps taken so far, 0 to kSteps.
     int StepsTaken() const { return phase / 2; }
-    /// Takes the next step, after the block and its neighbours have taken so many.
-    /// @return  false, with nothing done, where another thread has begun it
+    /// Takes the next step. The block and its neighbours must have taken `stepsTaken` steps.
+    /// @return  false, with nothing done, if another thread has begun this step
     bool TakeStep(int stepsTaken, const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
-    /// Of a block that has taken all steps; (x, y) is in the whole picture.
+    /// Valid after all steps; (x, y) in the whole picture.
     const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
 
   private:
     const std::uint32_t width, height;
-    std::atomic<int> phase{0};  ///< twice the steps taken, and one more during a step
+    std::atomic<int> phase{0};  ///< twice the steps taken, plus 1 during a step
 
     /// @name Left by the first step
     /// @{
@@ -85,12 +87,12 @@ class Block
     /// @}
     /// @name Left by the second step
     /// @{
-    std::shared_ptr<const BlockStatistics> statistics;  ///< null where nothing is denoised
-    std::shared_ptr<const SpreadSums> spread;           ///< of the samples of all rounds so far; null: nothing
+    std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
+    std::shared_ptr<const SpreadSums> spread;           ///< samples of all rounds so far; null: none spread
     /// @}
     /// @name Of the block alone
     /// @{
-    std::unique_ptr<const BlockEstimate> estimate;  ///< after the last step, until the last but one
+    std::unique_ptr<const BlockEstimate> estimate;  ///< until the last step
     SentSamples sent;                               ///< until the second step
     std::vector<PixelResult> results;
     /// @}
@@ -100,15 +102,15 @@ class Block
     void Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
     FirstRounds FirstRoundsOf(const Neighbours& neighbours) const;
-    /// Samples that all rounds of the neighbours and of the block have sent; null: none.
+    /// Samples spread by the block and its neighbours in all rounds; null: none.
     std::shared_ptr<const PaddedSpread> ReceivedFrom(const Neighbours& neighbours) const;
-    /// Takes further rounds of active pixels until all have converged.
-    /// @param samples  of the active pixels with the fewest
+    /// Takes further rounds until no pixel is active.
+    /// @param samples  fewest samples of an active pixel
     void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
                     SentSamples* sent, const Tracer& trace) const;
     void SetResults(const BlockEstimate& estimate);
     void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own, const PaddedSpread* received);
-    /// Rows whose noise is noticed beside the `variance` asked for; with one sample a pixel all.
+    /// Rows whose noise is noticeable compared with `variance`; with one sample per pixel all rows.
     Rows NoisyRows(const SamplingLimits& limits) const;
 };
 

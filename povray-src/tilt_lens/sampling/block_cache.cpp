@@ -78,7 +78,7 @@ std::shared_ptr<Block> BlockCache::Get(const Place& place)
     for (std::int64_t dy = -settings.dependencyRadius; dy <= settings.dependencyRadius; dy++)
         for (std::int64_t dx = -settings.dependencyRadius; dx <= settings.dependencyRadius; dx++)
             users += HasToCome({place.first + dy, place.second + dx});
-    if (users == 0)  // released while a thread was looking for work
+    if (users == 0)  // released while a thread looked for work
         return nullptr;
     return entries.emplace(place, Entry{std::make_shared<Block>(PixelsOf(place), width, height), users}).first->second.block;
 }
@@ -109,7 +109,7 @@ void BlockCache::Finish(const std::vector<Place>& wanted, const Tracer& trace)
     }
 }
 
-/// Tells all threads that wait, also of a step that was broken off.
+/// Wakes all waiting threads, also after an interrupted step.
 template<class Step>
 bool BlockCache::TakeStep(const Step& step)
 {
@@ -129,8 +129,8 @@ bool BlockCache::TakeStep(const Step& step)
     return tell.taken = step();
 }
 
-/// Takes steps that no other thread has begun, until a block has taken so many.
-/// @return  whether there was any
+/// Takes steps that no other thread has begun, until the block has taken `steps`.
+/// @return  whether a step was taken
 bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
 {
     const std::shared_ptr<Block> block = Get(place);
@@ -156,7 +156,7 @@ bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
     return advanced;
 }
 
-/// The same for the first block of the window that has any to take.
+/// Calls Advance() for the blocks of the window until one succeeds.
 bool BlockCache::AdvanceAny(const Tracer& trace)
 {
     for (const Place& place : Window())
@@ -165,7 +165,7 @@ bool BlockCache::AdvanceAny(const Tracer& trace)
     return false;
 }
 
-/// Blocks with pixels to come in the first rows that have any, as many as two rows of tiles depend on.
+/// Blocks with remaining pixels in the first settings.windowRows rows that have any.
 std::vector<BlockCache::Place> BlockCache::Window()
 {
     const std::lock_guard<std::mutex> lock(mutex);

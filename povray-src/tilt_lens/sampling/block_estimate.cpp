@@ -31,7 +31,7 @@ FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), sam
     loneVariance /= std::max<std::size_t>(inside, 1);
 }
 
-/// Of a pixel that has all eight neighbours in the block.
+/// All eight neighbours of the pixel must lie in the block.
 double FirstRound::LoneVarianceOf(std::uint32_t column, std::uint32_t row) const
 {
     double around = 0.0;

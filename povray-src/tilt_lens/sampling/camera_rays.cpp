@@ -14,17 +14,17 @@ namespace tilt_lens
 namespace
 {
 
-/// Squared lengths between these need no scaling (Length()), and are not that of a ray that is none.
+/// Within these bounds a squared length neither overflows nor underflows (else Length() scales), and belongs to a ray with a direction.
 constexpr double kLeastSquared = 1e-200, kGreatestSquared = 1e200;
 
-/// Points of film and lens, and w, of samples side by side.
+/// Film points (x, y), lens points (a, b) and w of several samples, one vector each.
 template<class Vector>
 struct RayStarts
 {
     Vector x, y, a, b, w;
 
-    /// RayFromIdeal() along one axis of the world.
-    /// @param direction, right, up, lensX, lensY  of the lens
+    /// One world coordinate of RayFromIdeal().
+    /// @param direction, right, up, lensX, lensY  this coordinate of the lens's vectors
     TILT_LENS_INLINED void FindAlong(double direction, double right, double up, double lensX, double lensY, double* origin,
                                      Vector& along) const
     {
@@ -35,9 +35,9 @@ struct RayStarts
     }
 };
 
-/// RayFromIdeal() and the length of its direction, for samples side by side and a lens that maps planes onto planes: the same
-/// operations in the same order.
-/// @return  whether all lengths are usual ones; if not, the rays are not right
+/// RayFromIdeal() and the length of its direction, for several samples and a lens that maps planes onto planes: the same operations in the
+/// same order.
+/// @return  whether all lengths are within the bounds above; if not, the rays are invalid
 template<class Vector>
 TILT_LENS_INLINED bool FindPlainRays(const Lens& lens, const Quads& quads, CameraRays& rays)
 {
@@ -79,7 +79,6 @@ void FindRaysOneByOne(const Lens& lens, const SampleRun& run, CameraRays& rays)
         rays.Put(i, CameraRay(lens, rays.samples[i]));
 }
 
-/// Four samples of a lens of glass.
 void PutFour(const FourGlassSamples& four, std::uint32_t first, CameraRays& rays)
 {
     for (std::uint32_t i = 0; i < 4; i++)
@@ -138,12 +137,12 @@ void CameraRayBatch::MakeOfGlass(const SampleRun& run)
             DrawFour(run, first);
 }
 
-/// @param first  place in the group of the first of the four
+/// @param first  position in the group of the first of the four
 void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
 {
     FourGlassPoints four;
     four.wanted = 0;
-    const std::uint32_t begin = run.first.index - run.Place();  // of the group
+    const std::uint32_t begin = run.first.index - run.Place();  // index of the group's first sample
     for (std::uint32_t i = 0; i < 4; i++)
     {
         const std::uint32_t place = first + i;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file camera_rays.h
-/// From the number of a sample to its ray: film point and lens point from the sequence or from emitter sampling,
-/// then the ray from one through the other. Rays of a group of samples are made together, side by side in vector registers.
+/// Camera rays: a sample's index gives a film point and a lens point, by the sequence or by emitter sampling, and these give the ray. The
+/// rays of a group of samples are computed together in vector registers.
 
 #ifndef TILT_LENS_CAMERA_RAYS_H
 #define TILT_LENS_CAMERA_RAYS_H
@@ -18,21 +18,19 @@
 namespace tilt_lens
 {
 
-/// Seeds of the random numbers that a pixel's samples of a lens of glass are drawn again with (Hash()): others than those of their rays.
+/// Seeds (by Hash()) of the random numbers with which samples of a glass lens are redrawn; independent of those used in tracing.
 inline PixelSampler GlassSeeds(std::uint32_t x, std::uint32_t y) { return PixelSampler(x, y, 0x476c61); }
 
-/// A sample and its ray.
 struct CameraRay
 {
     CameraSample sample;  ///< film point, lens point and weight
-    LensRay ray;          ///< relative to the lens centre, world axes, scene units
-    std::uint32_t refused = 0;  ///< rays before it that a lens of glass let not through
+    LensRay ray;          ///< origin relative to the lens centre, world axes, scene units
+    std::uint32_t refused = 0;  ///< rays blocked by the glass lens before this one
 
     CameraRay() = default;
-    /// Completes a ray from its start.
     CameraRay(const Lens& lens, const CameraSample& start) : sample(start), ray(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) {}
 
-    /// A sample of a lens of glass and its ray; of one with dispersion only the sample, whose rays DrawColour() finds.
+    /// Draws a sample of a glass lens and its ray; with dispersion only the sample: DrawColour() then computes its rays.
     void Draw(const GlassCamera& glass, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
     {
         lensU = point.lensU;
@@ -44,18 +42,18 @@ struct CameraRay
             Take(glass.Draw(film, lensU, lensV, glassSeed), film);
     }
 
-    /// The ray of such a sample for light of one colour.
+    /// Computes the ray of a sample drawn by Draw() for light of one colour.
     void DrawColour(const GlassCamera& glass, double hue)
     {
         const FilmPoint film{sample.x, sample.y};
         Take(glass.DrawColour(film, lensU, lensV, glassSeed, hue), film);
     }
 
-    /// The same for light of one colour; see MakeColourRay().
+    /// Computes the ray for light of one colour; see MakeColourRay().
     void FindRay(const Lens& lens, double hue) { ray = MakeColourRay(lens, sample.x, sample.y, sample.point.a, sample.point.b, hue); }
 
   private:
-    double lensU = 0.0, lensV = 0.0;  ///< what a sample of a lens of glass is drawn with
+    double lensU = 0.0, lensV = 0.0;  ///< lens coordinates of a glass lens's sample
     std::uint32_t glassSeed = 0;
 
     void Take(const GlassSample& drawn, const FilmPoint& film)
@@ -67,7 +65,7 @@ struct CameraRay
     }
 };
 
-/// The rays of a group of samples, side by side; as CameraRay has them.
+/// The rays of a group of samples, as CameraRay but one array per number.
 struct CameraRays
 {
     CameraSamples samples;
@@ -83,7 +81,7 @@ struct CameraRays
         w[i] = ray.ray.w;
     }
 
-    /// @param along  of any length
+    /// @param along  need not be normalised
     void PutDirection(std::uint32_t i, const Vec3& along)
     {
         length[i] = Length(along);
@@ -91,15 +89,15 @@ struct CameraRays
     }
 };
 
-/// Completes the rays of a run from their samples, as CameraRay does, to the last bit.
+/// Computes the rays of a run from their samples, bit for bit as CameraRay does.
 void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays);
 
-/// The camera rays of samples that are asked for pixel by pixel.
+/// Makes the camera rays of samples, pixel by pixel.
 class CameraRayBatch
 {
   public:
     /// @param glass  null for an ideal lens
-    /// @param seed   of the pattern of samples (Statement::sampleSeed)
+    /// @param seed   of the sampling pattern (Statement::sampleSeed)
     CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t seed) :
         lens(lens), emitters(emitters), glass(glass), seed(seed)
     {
@@ -109,11 +107,11 @@ class CameraRayBatch
 
     /// @name Of the last run.
     /// @{
-    const PixelSampler& Sampler() const { return sampler; }  ///< the sequence of the pixel
-    const CameraRays& Rays() const { return rays; }          ///< at the samples' places in their group
-    /// One of them, to be traced for light of one colour.
+    const PixelSampler& Sampler() const { return sampler; }
+    const CameraRays& Rays() const { return rays; }          ///< indexed by the samples' positions in their group
+    /// A single sample, to be traced for light of one colour.
     CameraRay One(std::uint32_t place) const;
-    std::uint32_t Refused() const { return refused; }        ///< rays that a lens of glass let not through
+    std::uint32_t Refused() const { return refused; }        ///< rays blocked by the glass lens
     /// @}
 
   private:
@@ -121,7 +119,7 @@ class CameraRayBatch
     const EmitterSampler& emitters;
     const GlassCamera* const glass;
     const std::uint32_t seed;
-    bool empty = true;  ///< nothing has been made
+    bool empty = true;  ///< no run yet
     SampleId pixel{};   ///< of the last run
     PixelSampler sampler{0, 0, 0}, glassSeeds{0, 0, 0};
     EmitterSampler::Targets targets;

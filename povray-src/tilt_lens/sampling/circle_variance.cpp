@@ -19,7 +19,7 @@ CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, doubl
         squaredMean += Square(plane[at]);
     if (!(squaredMean > 0.0) || !std::isfinite(squaredMean + total))
         return;
-    // The share of the circle's samples that hit, if one thing in the dark makes both of its moments.
+    // fraction of received samples that hit a light, if a single light against darkness explains both moments
     const double hits = squaredMean / (squaredMean + total), missed = std::exp(-hits * samples);
     weight = missed * others / (others + samples - 1.0);
     for (std::size_t c = 0; c < spread->mean.size(); c++)

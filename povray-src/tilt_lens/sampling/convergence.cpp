@@ -21,14 +21,12 @@ namespace tilt_lens
 namespace
 {
 
-/// Of a pixel's mean.
 struct MeanVariance
 {
-    Radiance whole{}, undetected{};  ///< variance, and its part that is undetected error; each channel relative to its SquaredScale
-    double undetectedNoise = 0.0;    ///< this part, summed over the channels and not relative
+    Radiance whole{}, undetected{};  ///< variance, and its undetected part; each channel relative to its SquaredScale
+    double undetectedNoise = 0.0;    ///< undetected variance, summed over the channels, absolute
 };
 
-/// @param circle  by the samples of other pixels
 MeanVariance EstimatedVariance(PixelEstimate& pixel, const SampleVariation& around, const CircleVariance& circle, double shrinkage)
 {
     const PixelStatistics& own = pixel.statistics;
@@ -46,7 +44,7 @@ MeanVariance EstimatedVariance(PixelEstimate& pixel, const SampleVariation& arou
             std::accumulate(undetected.begin(), undetected.end(), 0.0)};
 }
 
-/// Whether any of the 3 by 3 pixels around one, as far as they are in the block, is active.
+/// True if a pixel of the 3 by 3 window, within the block, is active.
 bool IsBesideActive(const BlockEstimate& estimate, std::size_t pixel)
 {
     const Area& area = estimate.area;
@@ -58,9 +56,9 @@ bool IsBesideActive(const BlockEstimate& estimate, std::size_t pixel)
     return false;
 }
 
-/// Pixels with wide circles decide together with those beside them: all have seen the same, so that what is missed by one is not kept,
-/// and what is met by one not diluted, by chance. Where nothing is blurred each decides alone.
-/// @param samples  of the pixels that have been active; one with fewer that is active has still to catch up
+/// Pixels with wide circles of confusion decide together with their neighbours, since all see the same: if each decided alone, a pixel that
+/// missed a lamp by chance would stop dark, and one that hit it would go on and dilute it. Sharp pixels decide alone.
+/// @param samples  taken by pixels that have been active; active pixels with fewer still have to catch up
 void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
 {
     std::vector<double> excesses;
@@ -88,7 +86,7 @@ double Shrinkage(std::uint32_t samples)
 
 double ConfidenceFactor(std::uint32_t samples, double shrinkage, double confidence)
 {
-    // weights of the pixel's own variance and of those around it
+    // sums of squared weights of the pixel's own variance and of its neighbours'
     constexpr double pixels = settings.neighbourhoodPixels;
     const double own = 1.0 - shrinkage + shrinkage / pixels, others = (pixels - 1.0) * Square(shrinkage / pixels);
     const double freedom = settings.pooledPixels * (samples - 1) / (Square(own) + others);
@@ -104,11 +102,11 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
                        std::uint32_t samples)
 {
     if (samples < 2)
-        return samples < limits.max;  // one sample says nothing of its error
+        return samples < limits.max;  // one sample shows no error
     const double shrinkage = Shrinkage(samples), confidence = ConfidenceFactor(samples, shrinkage, limits.confidence);
     const VarianceTarget target(limits, samples);
     const double lone = LoneVariance(around, estimate.firstSamples, samples);
-    const bool uniform = estimate.IsUniform() && around.IsUniformAround();  // evenly lit: no closer look
+    const bool uniform = estimate.IsUniform() && around.IsUniformAround();  // no noise at all
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
@@ -118,7 +116,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         MeanVariance variance;
         if (!uniform)
             variance = EstimatedVariance(pixel, around.Around(estimate, i), estimate.CircleVarianceOf(i), shrinkage);
-        // what every n-th sample meets, n samples miss with probability exp(-1)
+        // n samples miss a feature of share 1/n with probability exp(-1)
         pixel.variance = std::max(LargestChannel(variance.whole), std::exp(-1.0) * lone);
         pixel.undetected = LargestChannel(variance.undetected);
         pixel.undetectedNoise = variance.undetectedNoise;
@@ -144,7 +142,7 @@ void Reactivate(BlockEstimate& estimate, const Neighbourhood& around)
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
-        if (pixel.active || !IsBesideActive(estimate, i))  // nothing new there
+        if (pixel.active || !IsBesideActive(estimate, i))  // no new samples there
             continue;
         const PixelStatistics& own = pixel.statistics;
         const Radiance undetected = UndetectedError(own, around.Around(estimate, i)), mean = own.Mean();

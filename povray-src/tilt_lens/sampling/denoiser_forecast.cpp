@@ -16,13 +16,12 @@ namespace tilt_lens
 namespace
 {
 
-/// Where in a BlockPlane a pixel of the block is.
+/// Index in a BlockPlane of a pixel of the block.
 std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 {
     return pixel / estimate.area.width * settings.blockSide + pixel % estimate.area.width;
 }
 
-/// A candidate's variance after the reconstruction.
 Radiance ForecastVariance(const Candidate& candidate, const PixelEstimate& pixel, std::uint32_t samples)
 {
     const Radiance mean = pixel.statistics.Mean();
@@ -36,8 +35,8 @@ Radiance ForecastVariance(const Candidate& candidate, const PixelEstimate& pixel
     return variance;
 }
 
-/// Residual variance ratios as far as the block and the first samples of its neighbours tell; once it has more samples
-/// itself, the block alone: noise of theirs would pass for its own error.
+/// Residual variance ratios, by the block's samples and, after the first round, its neighbours'. Later the block alone counts: the greater
+/// noise of the neighbours' first rounds would be taken for its own error.
 BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t samples, bool afterFirstRound)
 {
     UpdateBlockStatistics(estimate, samples);
@@ -49,7 +48,7 @@ BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, 
     return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
 
-/// Variance of one sample, summed over the channels: the mean over the 3 by 3 pixels around each, as far as they are in the block.
+/// Variance of one sample, summed over the channels: mean of each pixel's 3 by 3 window within the block.
 std::vector<double> VarianceAround(const BlockEstimate& estimate)
 {
     std::vector<double> variances;
@@ -66,7 +65,7 @@ std::vector<double> VarianceAround(const BlockEstimate& estimate)
 std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate)
 {
     const Area& area = estimate.area;
-    const bool uniform = estimate.IsUniform() && !estimate.spread;  // then there is no noise to estimate
+    const bool uniform = estimate.IsUniform() && !estimate.spread;  // no noise to estimate
     const std::vector<double> none(uniform ? area.Size() : 0);
     const std::vector<double> ratio = uniform ? none : LocalVarianceRatios(estimate), variance = uniform ? none : VarianceAround(estimate);
     const auto made = std::make_shared<BlockStatistics>();
@@ -94,8 +93,8 @@ void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& es
 {
     if (std::all_of(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.HasConverged(); }))
         return;
-    // The residual ratio rises as noise falls, so that the last round's value is optimistic: no forecast if even that would
-    // save too few rays.
+    // The residual ratio rises as noise falls, so the last round's ratio is optimistic: skip the forecast if even this ratio would save too
+    // few rays.
     const auto saved = std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& one)
     {
         const Candidate denoised{one.pixel, ForecastVariance(one, estimate.pixels[one.pixel], samples), one.target};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file denoiser_forecast.h
-/// What the sampler tells the reconstruction of a block, and what it may expect of it: docs/sampling.md, section 9.
+/// Statistics for the reconstruction of a block, and the forecast of the noise that it will remove: docs/sampling.md, section 9.
 
 #ifndef TILT_LENS_DENOISER_FORECAST_H
 #define TILT_LENS_DENOISER_FORECAST_H
@@ -17,7 +17,7 @@
 namespace tilt_lens
 {
 
-/// An active pixel, and the variance that decides whether it converges: each channel relative to its SquaredScale.
+/// An active pixel and the variance that decides whether it has converged; each channel relative to its SquaredScale.
 struct Candidate
 {
     std::size_t pixel;
@@ -27,15 +27,15 @@ struct Candidate
     bool HasConverged() const { return LargestChannel(variance) <= target; }
 };
 
-/// The block's statistics for the reconstruction, from the samples so far.
+/// Statistics for the reconstruction, from the samples so far.
 std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate);
 
-/// Makes them the estimate's own.
-/// @param samples  of an active pixel: of so many they are made only once
+/// Stores these statistics in `estimate`.
+/// @param samples  of an active pixel; the statistics are computed once for each number
 void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
 
-/// Takes from the candidates' variances what the reconstruction will take: of what their own samples show, not of what is
-/// undetected.
+/// Subtracts the variance that the reconstruction will remove from the candidates' variances: a part of the measured variance, never of the
+/// undetected error.
 void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& estimate, const Neighbourhood& around,
                            std::uint32_t samples);
 

@@ -18,7 +18,7 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// What plain samples of a pixel have before their lens points: FilmPointAt(), and weights of 1.
+/// Film points (by FilmPointAt()) and weights 1 of plain samples.
 template<class Vector>
 TILT_LENS_INLINED void BeginPlain(double column, double row, double width, double height, const Quads& quads,
                                   const SequencePoints& points, CameraSamples& samples)
@@ -82,8 +82,7 @@ void EmitterSampler::GenerateOneByOne(const Targets& targets, const SampleRun& r
         samples.Put(run.Place() + i, Generate(targets, run[i], points[run.Place() + i]));
 }
 
-/// Where on the film, in pixels, the ray through a point of the lens and `through` begins; false where there is none
-/// in front.
+/// Film position, in pixels, of the ray from a lens point through `through`; false if none lies in front of the camera.
 bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
 {
     const std::optional<Vec3> along = ChiefThrough(lens, through, point.a * lens.lensX + point.b * lens.lensY);
@@ -96,7 +95,7 @@ bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& p
     return true;
 }
 
-/// The box around a point's disc of confusion, from points of a circle around the opening; a little more, since they are few.
+/// Bounding box of a point's circle of confusion, from points on a circle around the aperture; the circle is enlarged because they are few.
 EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
     const double radius = aperture.BoundingRadius() / std::cos(pi / settings.blurBoxPoints);
@@ -114,8 +113,8 @@ EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) c
     return box;
 }
 
-/// Takes an emitter into the list if it is worth samples of its own.
-/// @param leastVariance  that it causes in one plain sample, from which on it is
+/// Keeps an emitter if it is worth samples of its own.
+/// @param leastVariance  least variance of one plain sample for which it is worth them
 bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
 {
     const double ahead = Dot(emitter.centre, lens.axis);
@@ -127,11 +126,11 @@ bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
     if (!whole)
         return false;
 
-    // a sphere's image is longer than wide, the more so the farther from the middle
+    // the image of a sphere is elongated, increasingly so towards the picture's edge
     const double pixels = std::max(width / Length(lens.right), height / Length(lens.up));
     const double imageRadius = emitter.radius * pixels * Dot(lens.direction, lens.axis) * distance / (ahead * ahead);
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
-    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected, a sample
+    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected hits per sample
     const double emission = hits * emitter.radiance;
     const double contrast = emitter.radiance - emitter.around;
     const bool foundByChance = hits > 1.0, negligible = hits * contrast * contrast < leastVariance;
@@ -143,14 +142,14 @@ bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
     return true;
 }
 
-/// Notes for bins of pixels which emitters may be seen there, so that a pixel asks few.
+/// Lists, for each bin of pixels, the emitters that may be visible there, so that a pixel tests few.
 void EmitterSampler::Distribute()
 {
     binSide = std::max(settings.leastEmitterBinSide, std::uint32_t(std::ceil(std::max(width, height) / settings.emitterBins)));
     columns = std::uint32_t(std::ceil(width / binSide));
     const std::uint32_t rows = std::uint32_t(std::ceil(height / binSide));
     bins.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
-    // brightest first: what comes first is kept first
+    // brightest first: a full bin keeps the first ones
     std::stable_sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.emission > b.emission; });
     for (std::uint32_t i = 0; i < kept.size(); i++)
     {
@@ -168,7 +167,7 @@ void EmitterSampler::Distribute()
     }
 }
 
-/// Whether some film point of a pixel and some lens point see an emitter.
+/// True if an emitter is visible from some film point of the pixel through some lens point.
 bool EmitterSampler::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
 {
     const Box& box = emitter.covers;
@@ -176,7 +175,7 @@ bool EmitterSampler::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t
         return false;
     if (!emitter.chooseLensPoint)
         return true;
-    // the part of the lens moves by the whole lens while the film point crosses the disc of confusion
+    // while the film point crosses the circle of confusion, the part of the lens moves across the whole lens
     const FilmPoint film = FilmPointAt(x + 0.5, y + 0.5, width, height);
     const Disc part = PartOfLens(emitter, film.x, film.y);
     const double blur = std::min(box.right - box.left, box.bottom - box.top) - 2.0 * emitter.imageRadius;
@@ -236,7 +235,7 @@ void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, 
         }
     }
     sample.weight = 1.0;
-    double density = 1.0 - targets.share;  // of such samples, plain ones being 1
+    double density = 1.0 - targets.share;  // density of such samples relative to plain ones
     if (!vignetting.None())
     {
         const FilmPoint film{sample.x, sample.y};
@@ -249,7 +248,7 @@ void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, 
     sample.weight /= density;
 }
 
-/// The lens points from which a film point sees an emitter, or a little more. On the ray
+/// A disc that contains the lens points through which a film point sees an emitter. On the ray
 /// l (1 - s w) = P - s D, and l lies in the lens plane.
 EmitterSampler::Disc EmitterSampler::PartOfLens(const Kept& emitter, double x, double y) const
 {
@@ -263,7 +262,7 @@ EmitterSampler::Disc EmitterSampler::PartOfLens(const Kept& emitter, double x, d
             emitter.radius * Length(chief) / std::fabs(along * divisor * lensRadius)};
 }
 
-/// Sends a sample with the coordinates u, v in [0, 1) at an emitter; false if it goes past the lens or the pixel.
+/// Aims a sample with the coordinates u, v in [0, 1) at an emitter; false if it misses the lens or the pixel.
 bool EmitterSampler::SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const SequencePoint& point,
                                CameraSample& sample) const
 {
@@ -287,7 +286,7 @@ bool EmitterSampler::SampleOne(const Kept& emitter, double u, double v, const Sa
     return x >= id.x && x < id.x + 1.0 && y >= id.y && y < id.y + 1.0;
 }
 
-/// Density of samples sent at an emitter over that of plain samples.
+/// Density of samples aimed at an emitter over that of plain samples.
 double EmitterSampler::Density(const Kept& emitter, const CameraSample& sample) const
 {
     if (emitter.chooseLensPoint)

@@ -2,21 +2,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file emitter_sampling.h
-/// Samples sent at small bright objects: docs/sampling.md, section 7. An emitter twenty times as bright as white that one
-/// ray in a thousand hits is not seen by a pixel's first samples, nor by its neighbours', so that no stop rule can miss it
-/// less; and where it is seen, nearly all rays of its disc of confusion are in vain. So pixels that such an object may reach
-/// send half of their samples at it:
+/// Importance sampling of small bright objects: docs/sampling.md, section 7. If one ray in a thousand hits an emitter that is twenty times
+/// as bright as white, the first samples of a pixel and of its neighbours miss it, and no stop rule can notice; where they hit it, nearly
+/// all rays of its circle of confusion are wasted. Pixels that such an object may reach therefore aim half of their samples at it:
 ///
-/// - through the part of the lens that sees it from the film point, where its blur is wide;
-/// - from the part of the pixel that it covers, seen from the lens point, where its blur is narrow.
+/// - through the part of the lens that sees it from the film point, if its blur is wide;
+/// - from the part of the pixel that sees it through the lens point, if its blur is narrow.
 ///
-/// A sample is weighted by the density of plain samples over that of all ways to get the same sample (the balance heuristic),
-/// so the mean stays what it is without any emitter, whether the object is hidden, larger, smaller or elsewhere than
-/// believed: unbiased.
+/// A sample is weighted by the density of plain samples over the combined density of all techniques (the balance heuristic), so the mean is
+/// unbiased, even if the object is hidden, larger, smaller or elsewhere than assumed.
 ///
-/// Which sample is sent at an emitter is decided by the interval in which its first lens coordinate lies; what is left of
-/// that coordinate is as well distributed within the interval as it was. Every aligned block of four samples has the same
-/// number of emitter samples, so that even light stays even.
+/// The first lens coordinate selects the technique by interval, and is rescaled within it, so it stays well distributed. Every aligned
+/// block of four samples has the same number of emitter samples, so even light stays free of noise.
 ///
 /// Source: E. Veach, L. J. Guibas, "Optimally combining sampling techniques for Monte Carlo rendering",
 /// SIGGRAPH 1995, section 3.2.
@@ -38,25 +35,25 @@
 namespace tilt_lens
 {
 
-/// A sphere around something bright.
+/// Bounding sphere of a bright object.
 struct Emitter
 {
     Vec3 centre;      ///< relative to the lens centre, world axes, scene units
     double radius;    ///< scene units
-    double radiance;  ///< of the brightest channel, 1 is white
-    double around = 0.0;  ///< radiance that what lies around it may have
+    double radiance;  ///< brightest channel, 1 is white
+    double around = 0.0;  ///< possible radiance of its surroundings
 };
 
-/// Where the ray of a sample begins.
+/// Start of a sample's ray.
 struct CameraSample
 {
     double x, y;              ///< film point as in MakeRay
-    AperturePoint point;      ///< of the lens
-    double weight;            ///< of its radiance; 0: there is nothing to trace
-    double expectedEmission;  ///< as SampleResult has it
+    AperturePoint point;      ///< lens point
+    double weight;            ///< weight of its radiance; 0: no ray to trace
+    double expectedEmission;  ///< as in SampleResult
 };
 
-/// The same of a group of samples, side by side.
+/// The same for a group of samples, one array per number.
 struct CameraSamples
 {
     OfGroup x, y, a, b, weight, expectedEmission;
@@ -73,7 +70,7 @@ struct CameraSamples
 class EmitterSampler
 {
   public:
-    /// Keeps those of `all` that are worth samples: too small on the film and too bright to be found by chance.
+    /// Keeps the emitters of `all` that are too small on the film and too bright to be found by chance.
     /// @param width, height  of the whole picture in pixels
     EmitterSampler(const Lens& lens, const Aperture& aperture, const SamplingLimits& limits, std::uint32_t width,
                    std::uint32_t height, const std::vector<Emitter>& all, const Vignetting& vignetting = {});
@@ -81,15 +78,15 @@ class EmitterSampler
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
 
-    /// The emitters that one pixel's samples are sent at.
+    /// The emitters at which a pixel's samples are aimed.
     struct Targets
     {
-        double share = 0.0;     ///< of the pixel's samples
-        double emission = 0.0;  ///< that all of them bring to the pixel, if nothing hides them
+        double share = 0.0;     ///< share of the pixel's samples that is aimed at emitters
+        double emission = 0.0;  ///< mean radiance that all of them together add to the pixel if nothing hides them
         struct Target
         {
             std::uint32_t emitter;
-            double share;  ///< of all samples
+            double share;  ///< share of all samples
         };
         std::vector<Target> targets;
     };
@@ -110,14 +107,14 @@ class EmitterSampler
         return sample;
     }
 
-    /// Of plain samples of a group all but their lens points.
+    /// Computes plain samples of a group, all but their lens points.
     /// @param points   of the group
-    /// @param samples  takes them at their places in the group
+    /// @param samples  receives them, at their positions in the group
     void BeginSamples(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
-    /// Generate() for some samples of a group.
+    /// Generate() for a run of samples.
     /// @param points   of the group
-    /// @param samples  takes them at their places in the group
+    /// @param samples  receives them, at their positions in the group
     void Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
   private:
@@ -129,9 +126,9 @@ class EmitterSampler
     {
         Vec3 centre;
         double radius;         ///< scene units
-        double imageRadius;    ///< of its sharp image, pixels
-        double emission;       ///< that it brings to a pixel within its disc of confusion, about
-        bool chooseLensPoint;  ///< the part of the lens is chosen, not that of the pixel
+        double imageRadius;    ///< radius of its sharp image, pixels
+        double emission;       ///< approximate mean radiance that it adds to a pixel within its circle of confusion
+        bool chooseLensPoint;  ///< importance-sample the lens point; else the film point
         Box covers;            ///< pixels that may see it
     };
     struct Disc
@@ -144,12 +141,12 @@ class EmitterSampler
     const Aperture aperture;
     const Vignetting vignetting;
     const double width, height;
-    std::uint32_t usable;  ///< samples from here on are not sent at emitters: the last block of four is not whole
+    std::uint32_t usable;  ///< samples from this number on are plain: their block of four is incomplete
     std::vector<Kept> kept;
     std::uint32_t binSide, columns;  ///< side of a bin in pixels, bins in a row
-    std::vector<std::vector<std::uint32_t>> bins;  ///< emitters that each may see, brightest first
+    std::vector<std::vector<std::uint32_t>> bins;  ///< emitters visible from each bin, brightest first
 
-    /// Of the random numbers that a covered lens point is replaced with: others than those that the sample's ray draws.
+    /// Seed of the random numbers that redraw a vignetted lens point; independent of those that the sample's ray draws.
     static std::uint32_t SeedOf(const SampleId& id) { return PixelHash(id.x, id.y, 0x52696d, id.index); }
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;

@@ -12,7 +12,7 @@ Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& li
     rounds(rounds)
 {
     if (!(limits.variance > 0.0))
-        return;  // nobody asks
+        return;  // not used then
     double deviations = 0.0;
     std::size_t pixels = 0;
     for (const FirstRound* round : rounds)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file neighbourhood.h
-/// What the first rounds of a block and of its neighbours tell of its pixels: docs/sampling.md, sections 4 and 6.
+/// Statistics from the first rounds of a block and its neighbours: docs/sampling.md, sections 4 and 6.
 
 #ifndef TILT_LENS_NEIGHBOURHOOD_H
 #define TILT_LENS_NEIGHBOURHOOD_H
@@ -15,25 +15,25 @@
 namespace tilt_lens
 {
 
-/// Found once, before a block's second round. Immutable.
+/// Computed once, before a block's second round. Immutable.
 class Neighbourhood
 {
   public:
-    /// @param rounds  the block's own in the middle; they must outlive this
+    /// @param rounds  the block's own in the middle; they must outlive this object
     Neighbourhood(const FirstRounds& rounds, const SamplingLimits& limits);
 
     /// Mean of the pixels' FirstRoundPixel::deviation.
     double MeanDeviation() const { return meanDeviation; }
     /// Mean of FirstRound::loneVariance.
     double LoneVariance() const { return loneVariance; }
-    /// Whether no sample of the neighbours differs from the others of its pixel.
+    /// True if the samples of each pixel of the neighbours are all equal.
     bool IsUniformAround() const { return uniformAround; }
-    /// How the samples of the 3 by 3 pixels around one vary: by all so far in the block, by the first ones beside it. Mean variance,
+    /// Variation of the samples in a pixel's 3 by 3 window (all samples so far inside the block, first rounds outside): mean variance and
     /// greatest deviation.
     SampleVariation Around(const BlockEstimate& estimate, std::size_t pixel) const;
-    /// The first rounds' BlockStatistics; null where they are not known.
+    /// The first rounds; null outside the picture.
     const FirstRounds& Rounds() const { return rounds; }
-    /// Samples that the first rounds have sent to other pixels; null: none.
+    /// Samples spread by the first rounds; null: none.
     std::shared_ptr<const PaddedSpread> Spread() const;
 
   private:

@@ -14,7 +14,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Sums and extremes of some channels, from the one numbered `first` on; they stay in registers while samples are added.
+/// Sums and extremes of the channels from number `first` on, held in registers while samples are added.
 template<class Channels>
 struct ChannelSums
 {
@@ -39,7 +39,7 @@ struct ChannelSums
     }
 };
 
-/// Adds the radiances of a run to a sum and to totals. False, with nothing added, where one of them may be infinite or no number.
+/// Adds the radiances of a run to a sum and to totals. Returns false, with nothing added, if any may be infinite or NaN.
 template<class Vector>
 TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
                                     double& greatestEmission)
@@ -58,7 +58,7 @@ TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t c
         last.Add(result->radiance[4]);
         expectedEmission = result->expectedEmission > expectedEmission ? result->expectedEmission : expectedEmission;
     }
-    // a sum of squares that is finite has got finite ones only
+    // a finite sum of squares has only finite terms
     double squares = last.squares;
     for (std::size_t k = 0; k < 4; k++)
         squares += four[k / lanes].squares[k % lanes];
@@ -84,7 +84,7 @@ TILT_LENS_FOR_AVX2 bool AddByAvx2(const SampleResult* results, std::uint32_t cou
 
 const auto addRadiances = HasAvx2() ? AddByAvx2 : AddPlain;
 
-/// The same for a sample that is finite, however large.
+/// The same for one finite sample, however large.
 void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
 {
     for (std::size_t c = 0; c < value.size(); c++)
@@ -154,8 +154,7 @@ void PixelStatistics::Add(const SampleResult* results, std::uint32_t count)
         AddToBuffer(results, count, sum[toFirst > 0 ? 0 : 1]);
 }
 
-/// The variance of one sample, where a fixed share of them is sent at emitters: only differences among these and among the
-/// others count.
+/// Variance of one sample, stratified: a fixed share of the samples is aimed at emitters, so only deviations within the two groups count.
 void PixelStatistics::EndRound()
 {
     variation = SampleVariation();

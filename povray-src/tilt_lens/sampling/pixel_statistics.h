@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file pixel_statistics.h
-/// What the samples of one pixel tell: docs/sampling.md, section 3. It accumulates and decides nothing.
+/// Statistics of the samples of one pixel: docs/sampling.md, section 3. This class accumulates and makes no decisions.
 ///
-/// Samples are the prefix of one low-discrepancy sequence, taken in rounds that double their number. They are summed in
-/// two buffers: all samples of the rounds before, and those of the last round (of the first round its two halves).
+/// The samples are a prefix of one low-discrepancy sequence, taken in rounds that double their number, and summed in two buffers: all
+/// earlier rounds, and the last round (in the first round, its two halves).
 ///
 /// Sources: dual buffers as in F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering",
 /// ACM Trans. Graph. 31(6), 2012; the variance of stratified samples as in W. G. Cochran, "Sampling Techniques", 1977,
@@ -24,13 +24,13 @@
 namespace tilt_lens
 {
 
-/// How the samples of a pixel, or of several, vary.
+/// Variation of the samples of one pixel, or of several.
 struct SampleVariation
 {
-    Radiance variance{};             ///< of one sample; of several pixels the sum or the mean
-    Radiance maxSquaredDeviation{};  ///< of one sample from its pixel's mean
+    Radiance variance{};             ///< of one sample; for several pixels the sum or the mean
+    Radiance maxSquaredDeviation{};  ///< greatest squared deviation of a sample from its pixel's mean
 
-    /// Sums variances, keeps the greater deviations.
+    /// Adds variances, keeps the greater deviations.
     void Merge(const SampleVariation& other)
     {
         AddTo(variance, other.variance);
@@ -38,22 +38,22 @@ struct SampleVariation
     }
 };
 
-/// Of the radiances of several samples.
+/// Sums and extremes of the radiances of several samples.
 struct RadianceTotals
 {
-    Radiance squares{};  ///< their sum
+    Radiance squares{};  ///< sum of squares
     Radiance least, most;
 };
 
 class PixelStatistics
 {
   public:
-    /// The samples up to number `until` (not included) are to come.
+    /// Begins a round that ends before sample number `until`.
     void BeginRound(std::uint32_t until);
-    /// The next samples. One that is not finite counts as black, and is counted.
+    /// Adds the next samples. A sample that is not finite is counted and taken for black.
     void Add(const SampleResult* results, std::uint32_t count);
     void Add(const SampleResult& result) { Add(&result, 1); }
-    /// After the last sample of a round: what is known below is of all samples so far.
+    /// Ends a round: the results below then include all samples so far.
     void EndRound();
 
     std::uint32_t Samples() const { return samples; }
@@ -63,14 +63,14 @@ class PixelStatistics
 
     Radiance Mean() const;
     const SampleVariation& Variation() const { return variation; }
-    /// Difference of the means of the two buffers: noise, and nothing else.
+    /// Difference of the two buffers' means: pure noise.
     Radiance DualBufferDifference() const;
     std::uint32_t FirstBufferSamples() const { return firstBuffer; }
 
   private:
-    std::array<Radiance, 2> sum{};  ///< of the samples in either buffer
-    RadianceTotals totals;          ///< of both
-    Radiance emitterSum{};          ///< of the emitter samples
+    std::array<Radiance, 2> sum{};  ///< per buffer
+    RadianceTotals totals;          ///< of both buffers
+    Radiance emitterSum{};
     SampleVariation variation;
     std::uint32_t samples = 0;
     std::uint32_t firstBuffer = 0;  ///< samples in the first buffer

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample.h
-/// What the sampler asks of a tracer for some samples of a pixel, and what it gets.
+/// Interface between the sampler and a ray tracer: requests for samples of a pixel, and their results.
 
 #ifndef TILT_LENS_SAMPLE_H
 #define TILT_LENS_SAMPLE_H
@@ -25,15 +25,15 @@ struct SampleId
     std::uint32_t index;  ///< 0, 1, ... in the order taken
 };
 
-/// What the ray of one sample has found.
+/// Result of tracing one sample.
 struct SampleResult
 {
     Radiance radiance;
-    double expectedEmission = 0.0;  ///< of an emitter-sampled sample: what its emitters bring the pixel if nothing hides
-                                    ///< them (emitter_sampling.h); 0 for any other sample
-    CircleOfConfusion circle;       ///< of the surface that was hit, in the whole picture
+    double expectedEmission = 0.0;  ///< for an emitter sample: mean radiance that its emitters add to the pixel if nothing hides them
+                                    ///< (emitter_sampling.h); 0 for any other sample
+    CircleOfConfusion circle;       ///< of the hit point, in the whole picture
 
-    /// A sharp surface of this radiance.
+    /// Result of hitting a sharp surface of this radiance.
     SampleResult& operator=(const Radiance& value)
     {
         *this = SampleResult();
@@ -42,19 +42,19 @@ struct SampleResult
     }
 };
 
-/// Samples of one pixel that follow each other. They are of one group of cameraRaysOfBatch: these begin with the numbers that
-/// this divides, so that their points of the sequence are made together.
+/// Consecutive samples of one pixel, all in one group of cameraRaysOfBatch samples. Groups begin at multiples of cameraRaysOfBatch, and
+/// their points of the sequence are computed together.
 struct SampleRun
 {
     SampleId first;
     std::uint32_t count;
 
     SampleId operator[](std::uint32_t i) const { return {first.x, first.y, first.index + i}; }
-    /// Of its first sample, in the group.
+    /// Position of the first sample in its group.
     std::uint32_t Place() const { return first.index % settings.cameraRaysOfBatch; }
 };
 
-/// The places in their group of the samples of a run, rounded to whole fours: what vector registers compute together.
+/// Positions in their group of a run's samples, extended to whole multiples of four for vector registers.
 struct Quads
 {
     explicit Quads(const SampleRun& run) : begin(run.Place() & ~3u), end((run.Place() + run.count + 3) & ~3u) {}
@@ -65,7 +65,7 @@ struct Quads
     int Count() const { return int(end - begin); }
 };
 
-/// Traces samples: each that which PixelSampler(id.x, id.y, seed) gives for its number.
+/// Traces samples, each the one that PixelSampler(id.x, id.y, seed) gives for its index.
 class Tracer
 {
   public:
@@ -75,7 +75,7 @@ class Tracer
     template<class Trace, std::enable_if_t<std::is_convertible_v<Trace, OfRun>, int> = 0>
     Tracer(Trace traceRun) : run(std::move(traceRun)) {}
 
-    /// Of what traces one at a time.
+    /// Wraps a function that traces one sample at a time.
     template<class Trace, std::enable_if_t<std::is_convertible_v<Trace, OfOne>, long> = 0>
     Tracer(Trace traceOne) :
         run([trace = std::move(traceOne)](const SampleRun& samples, SampleResult* results)
@@ -86,7 +86,7 @@ class Tracer
     {
     }
 
-    /// @param results  takes one for each sample, in any state before
+    /// @param results  receives one per sample; need not be initialised
     void Trace(const SampleRun& samples, SampleResult* results) const { run(samples, results); }
 
   private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampling_limits.h
-/// What a scene asks of the sampler.
+/// The scene's settings of the sampler.
 
 #ifndef TILT_LENS_SAMPLING_LIMITS_H
 #define TILT_LENS_SAMPLING_LIMITS_H
@@ -15,16 +15,15 @@
 namespace tilt_lens
 {
 
-/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera. The numbers here are those of a scene that
-/// says nothing.
+/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera, with their defaults.
 struct SamplingLimits
 {
     std::uint32_t min = settings.firstSamplesAlone, max = 1024;  ///< samples per pixel, 1 <= min <= max
-    double variance = 1e-4;             ///< of a pixel's value, where its brightness is at most 1
-    double confidence = 0.9;            ///< that the variance is below, (0, 1)
-    bool denoise = false;               ///< filter the noise (reconstruction.h)
+    double variance = 1e-4;             ///< of a pixel's value; above brightness 1 relative to its square
+    double confidence = 0.9;            ///< probability that the variance is lower, (0, 1)
+    bool denoise = false;               ///< filter noise (reconstruction.h)
 
-    /// Samples of every pixel's first round: min, rounded up to a power of two that max allows.
+    /// Samples of every pixel's first round: min, rounded up to a power of two, at most max.
     std::uint32_t FirstRound() const
     {
         std::uint32_t power = 1;
@@ -33,7 +32,7 @@ struct SamplingLimits
         return std::min(power, max);
     }
 
-    /// `variance 0` asks for the samples as they are.
+    /// `variance 0` disables the reconstruction.
     bool Denoises() const { return denoise && variance > 0.0; }
 };
 

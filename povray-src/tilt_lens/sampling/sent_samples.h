@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sent_samples.h
-/// The samples of a block that serve other pixels, kept until all of its pixels have their last sample: docs/sampling.md, section 8.
+/// The samples of a block that are spread to other pixels, kept until all of its pixels have converged: docs/sampling.md, section 8.
 
 #ifndef TILT_LENS_SENT_SAMPLES_H
 #define TILT_LENS_SENT_SAMPLES_H
@@ -21,15 +21,15 @@ namespace tilt_lens
 class SentSamples
 {
   public:
-    /// @param width, height  of the whole picture
+    /// @param width, height  of the whole picture, pixels
     SentSamples(const Area& block, std::uint32_t width, std::uint32_t height) : block(block), width(width), height(height) {}
 
-    /// Takes those of a pixel's first settings.mostSentSamples samples that serve other pixels.
+    /// Keeps the sample if it is among its pixel's first settings.mostSentSamples samples and serves other pixels.
     void Add(const SampleId& id, const SampleResult& result);
 
-    /// @param samples  that each pixel of the block has taken, row by row
-    /// @param weight  that the samples of each pixel have together
-    /// @return null where no sample serves another pixel
+    /// @param samples  taken by each pixel of the block, row by row
+    /// @param weight  sum of the weights of each pixel's samples
+    /// @return null if no sample serves another pixel
     std::shared_ptr<const SpreadSums> Spread(const std::vector<std::uint32_t>& samples, std::uint32_t weight) const;
 
     void Clear() { std::vector<Sample>().swap(kept); }
@@ -39,7 +39,7 @@ class SentSamples
     {
         CircleOfConfusion circle;  ///< relative to the block
         float radiance[3];
-        std::uint32_t pixel;  ///< of the block, row by row
+        std::uint32_t pixel;  ///< index in the block, row by row
     };
 
     const Area block;

@@ -14,7 +14,7 @@ namespace
 constexpr int dimensions = 4;
 constexpr int bits = 32;
 
-/// One 32-bit fraction for each dimension, side by side so that compilers use vector registers.
+/// One 32-bit fraction per dimension, adjacent for vector registers.
 struct alignas(16) Lanes
 {
     std::uint32_t value[dimensions];
@@ -28,8 +28,8 @@ constexpr std::uint32_t ReverseBits(std::uint32_t x)
     return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// The directions of the first two dimensions of Sobol's sequence, highest bit first: van der Corput's, and the one
-/// of the polynomial x + 1.
+/// Direction numbers of the first two dimensions of Sobol's sequence, highest bit first: van der Corput's, and those of the polynomial x +
+/// 1.
 struct Directions
 {
     std::uint32_t v[bits];
@@ -46,8 +46,8 @@ constexpr Directions MakeDirections(int dimension)
     return d;
 }
 
-/// The pixel pair is the lens pair in this order: index bit i adds to the index of its point the bits kOrder[i], the
-/// highest of which is bit i, so that the first 2^m points stay the first 2^m.
+/// The pixel pair is the lens pair in this order: bit i of the index toggles the bits kOrder[i] of its point's index, the highest of which
+/// is bit i, so that the first 2^m points stay the first 2^m.
 constexpr std::uint32_t kOrder[bits] = {
     0x1u, 0x3u, 0x6u, 0xdu, 0x11u, 0x22u, 0x44u, 0x89u,
     0x1b2u, 0x36eu, 0x67du, 0xdd6u, 0x1837u, 0x3f50u, 0x4ac5u, 0xf917u,
@@ -64,9 +64,8 @@ constexpr Directions Ordered(const Directions& directions)
     return ordered;
 }
 
-/// What each hexadecimal digit of the index adds to the Sobol point. Bits are reversed, lowest
-/// first: the scrambling hash wants them so. 2 KiB, since the renderer needs the cache for its
-/// scene; a table of bytes would take eight times as much.
+/// Contribution of each hexadecimal digit of the index to the Sobol point. Bits are reversed, lowest first, as the scrambling hash needs
+/// them. 2 KiB, since the renderer needs the cache for its scene; a table by bytes would take eight times as much.
 struct DigitTable
 {
     Lanes entry[bits / 4][16];
@@ -90,7 +89,7 @@ constexpr DigitTable MakeDigitTable()
 
 constexpr DigitTable digitTable = MakeDigitTable();
 
-/// What a group of samples adds to its first one: the lowest bits of the index.
+/// Contribution of the lowest bits of the index: the points of a group relative to its first one.
 struct GroupTable
 {
     std::uint32_t value[dimensions][settings.cameraRaysOfBatch];
@@ -108,15 +107,15 @@ constexpr GroupTable MakeGroupTable()
 
 constexpr GroupTable groupTable = MakeGroupTable();
 
-/// Two rounds, so that no pixel of one seed is a pixel of another.
+/// Two rounds of mixing, so that no pixel of one seed equals a pixel of another.
 std::uint64_t PixelKey(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
 {
     const std::uint64_t pixel = (std::uint64_t{y} << 32) | x;
     return MixBits(pixel ^ MixBits((std::uint64_t{seed} + 1) * kGoldenStep));
 }
 
-/// Owen's nested uniform scrambling of a bit-reversed fraction: a bit is flipped or not depending
-/// on the seed and the bits below it (Vegdahl's hash).
+/// Owen's nested uniform scrambling of a bit-reversed fraction: whether a bit is flipped depends on the seed and the bits below it
+/// (Vegdahl's hash).
 inline std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
 {
     x ^= x * 0x3d20adeau;
@@ -127,8 +126,8 @@ inline std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
     return x;
 }
 
-/// From a 32-bit fraction to the middle of its cell in (0, 1). Read as a signed number, since
-/// processors convert those faster; that flips the highest bit, which the scrambling made random.
+/// Maps a 32-bit fraction to the middle of its cell in (0, 1). It is read as a signed number, since processors convert those faster; that
+/// flips the highest bit, which the scrambling made random.
 inline double ToUnit(std::uint32_t x)
 {
     return static_cast<std::int32_t>(x) * 0x1p-32 + (0.5 + 0x1p-33);
@@ -144,8 +143,8 @@ inline Lanes SobolPoint(std::uint32_t index)
     return point;
 }
 
-/// One coordinate of a group of samples. A plain loop: compilers have it in vector registers.
-/// @param first  of its first sample, as SobolPoint() gives it
+/// One coordinate of a group of samples. A plain loop, which compilers vectorise.
+/// @param first  Sobol point of the first sample, as SobolPoint() gives it
 TILT_LENS_INLINED void FindCoordinates(std::uint32_t first, std::uint32_t seed, const std::uint32_t* steps, double* coordinates)
 {
     for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; ++i)
@@ -204,7 +203,7 @@ void PixelSampler::FindGroup(std::uint32_t index, SequencePoints& points) const
 Pair PixelSampler::PaddedPair(std::uint32_t index, std::uint32_t number) const
 {
     const std::uint64_t seeds = StreamWord((std::uint64_t{number} << 32) + 1);
-    // an order in which each block of 2^k samples stays one
+    // a permutation that maps each aligned block of 2^k samples onto one
     index = ReverseBits(Scramble(ReverseBits(index), Hash(~number)));
     std::uint32_t u = 0, v = 0;
     for (int place = 0; index != 0; ++place, index >>= 4)

@@ -20,7 +20,6 @@ void TileSampler::Run(const Area& wanted, const Tracer& trace)
     cache.Release(tile);
 }
 
-/// Of a block's pixels that lie in the tile.
 void TileSampler::CopyResults(const Block& block)
 {
     for (std::uint32_t y = block.area.top; y < block.area.Bottom(); y++)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tile_sampler.h
-/// The pixels of one tile of the picture, taken from the blocks that hold them (block.h).
+/// Samples the pixels of one tile of the picture, by way of the blocks that contain them (block.h).
 
 #ifndef TILT_LENS_TILE_SAMPLER_H
 #define TILT_LENS_TILE_SAMPLER_H
@@ -19,17 +19,17 @@ namespace tilt_lens
 class TileSampler
 {
   public:
-    /// @param cache  of the picture, shared with its other tiles' samplers
+    /// @param cache  common to all tiles of the picture
     explicit TileSampler(BlockCache& cache) : cache(cache) {}
 
-    /// Samples a tile, which lies inside the picture. No tile may be asked for twice.
+    /// Samples a tile inside the picture. No tile may be sampled twice.
     void Run(const Area& tile, const Tracer& trace);
 
     /// @name Results for a pixel of the tile, after Run.
     /// @{
     Radiance Mean(std::uint32_t x, std::uint32_t y) const { return At(x, y).mean; }
     std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const { return At(x, y).samples; }
-    double Variance(std::uint32_t x, std::uint32_t y) const { return At(x, y).variance; }  ///< as PixelResult has it
+    double Variance(std::uint32_t x, std::uint32_t y) const { return At(x, y).variance; }  ///< as in PixelResult
     SamplingStatistics Statistics() const;                                                 ///< of the tile
     /// @}
 

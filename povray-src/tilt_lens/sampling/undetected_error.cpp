@@ -14,7 +14,7 @@ namespace tilt_lens
 double MissedSquareError(double share, double n)
 {
     const double x = share * n;
-    if (x < 1e-2)  // where what follows is a difference of equal numbers
+    if (x < 1e-2)  // the formula below would lose all digits
         return share * share / 3.0;
     return (2.0 - (2.0 + x * (2.0 + x)) * std::exp(-x)) / (x * n * n);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file undetected_error.h
-/// The error of what a pixel's samples may all have missed: docs/sampling.md, section 4. A few equal samples beside an edge
-/// are no certainty, and a small light far out of focus shows in few samples, but in some of every pixel that it covers.
+/// Error from features that all samples of a pixel may have missed: docs/sampling.md, section 4. A few equal samples beside an edge prove
+/// nothing, and a small blurred light appears in few samples, but in some of every pixel that it covers.
 
 #ifndef TILT_LENS_UNDETECTED_ERROR_H
 #define TILT_LENS_UNDETECTED_ERROR_H
@@ -13,18 +13,18 @@
 namespace tilt_lens
 {
 
-/// Expected square error for something that leaves the mean of what a pixel sees by 1 and fills some share of it, after n
-/// independent samples that all missed it. A share q costs q^2 with probability exp(-q n). Pixels side by side see
-/// different shares of a thing: any up to `share`, each as likely.
+/// Expected square error after n independent samples have all missed a feature that deviates from the mean by 1 and covers a fraction of
+/// the pixel. A fraction q costs q^2 with probability exp(-q n). Adjacent pixels see different fractions of a feature, so q is uniform in
+/// [0, share].
 double MissedSquareError(double share, double n);
 
-/// Expected square error of a pixel's mean for what others hit and its own samples show less of.
+/// Expected square error of a pixel's mean from features that other pixels hit and its own samples show less of.
 /// @param own     samples of the pixel
-/// @param around  samples of the pixels around
+/// @param around  samples of its 3 by 3 window
 Radiance UndetectedError(const PixelStatistics& own, const SampleVariation& around);
 
-/// Whether emitter samples have looked for the pixel's emitters for as long as these may exceed the target, or so often
-/// that what hides them is believed.
+/// True if the pixel needs no further search for its emitters: it has none, the error expected after its misses is below the target, or
+/// there are so many misses that the emitters are taken for hidden.
 bool HasSearchedEmitters(const PixelStatistics& own, double target);
 
 } // namespace tilt_lens

@@ -86,9 +86,9 @@ std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate)
     {
         const double ofQuadrant = estimate.dualBufferRatio[estimate.QuadrantOf(i)];
         const double local = around[i].Ratio(ofQuadrant, Square(2 * settings.ratioRadius + 1));
-        // the dual buffers overstate all ratios of a quadrant alike
+        // the dual buffers overestimate all ratios of a quadrant by the same factor
         const double ratio = ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, local) / ofQuadrant : 0.0;
-        // strata that nearly all pixels fill evenly, and this one does not
+        // an outlier: nearly all pixels fill the strata evenly, this one does not
         const double itself = own[i].independent > 0.0 ? std::min(1.0, own[i].dualBuffer / own[i].independent) : 0.0;
         ratios.push_back(itself > settings.outlyingRatio * ratio ? itself : ratio);
     }

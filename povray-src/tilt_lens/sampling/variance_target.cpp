@@ -10,7 +10,7 @@ namespace tilt_lens
 
 double VarianceTarget::operator()(double relativeDeviation) const
 {
-    // written so that a pixel among those without any noise, 0/0, may keep as much as one among its like
+    // NaN (0/0, a pixel among pixels without noise) counts as 1
     const double greatest = relativeDeviation > 1.0 ? std::min(relativeDeviation, settings.greatestTarget) : 1.0;
     return variance * std::clamp(proportional, settings.leastTarget, greatest);
 }

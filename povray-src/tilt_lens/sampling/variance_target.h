@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file variance_target.h
-/// The variance that each pixel's mean may keep: docs/sampling.md, section 6.
+/// Variance target of each pixel's mean: docs/sampling.md, section 6.
 ///
-/// It is near `variance`, but more where noise stands out. Rays lower the mean square
-/// error of a picture most if a pixel gets them in proportion to the standard deviation of its samples, not to their
-/// variance: n samples of a deviation s leave s^2/n, which is then in proportion to n.
+/// The target is near `variance`, but greater for pixels with above-average noise. For a given number of rays a picture's mean square error
+/// is least if each pixel's rays are proportional to the standard deviation of its samples, not to their variance: n samples of a deviation
+/// s leave s^2/n, which is then proportional to n.
 ///
 /// Source: J. Neyman, "On the two different aspects of the representative method", J. R. Stat. Soc. 97(4), 1934.
 
@@ -24,17 +24,17 @@ namespace tilt_lens
 class VarianceTarget
 {
   public:
-    /// @param samples  of the pixels that it is asked for
+    /// @param samples  number of samples of the pixels
     VarianceTarget(const SamplingLimits& limits, std::uint32_t samples) :
         variance(limits.variance), proportional(samples * limits.variance / settings.typicalSampleVariance) {}
 
-    /// @param relativeDeviation  of one sample, over the mean of the neighbourhood: above 1 the target may exceed `variance`.
-    ///     Where all pixels deviate alike, all keep about `variance`, so that no ray is wasted.
+    /// @param relativeDeviation  standard deviation of one sample over the mean of the neighbourhood. The target exceeds `variance` only
+    ///     above 1: if all pixels deviate alike, all keep about `variance`, and no ray is wasted.
     double operator()(double relativeDeviation) const;
 
   private:
     double variance;
-    double proportional;  ///< what the samples are in proportion to, as a factor of `variance`
+    double proportional;  ///< target proportional to the samples, as a factor of `variance`
 };
 
 } // namespace tilt_lens
