@@ -270,6 +270,31 @@ class Macros(rendering.RenderTest):
         said = report("Tilt_Lens_Real_Upright(Tilt_Lens_TS_24, 1000, 8, <0, 1.7, -10>, <0, 9, 0>)").said
         self.assertIn("mm; the real one stops at 12.0", said)
 
+    def test_product(self):
+        """Vertical edges are vertical, the point to look at is in the middle, and both points are sharp without a swing."""
+        for eye, near, far in (((0, 20, -16), (0, 0, -4), (0, 14, 3)), ((3, 16, -22), (-2, 1, -3), (4, 9, 6))):
+            places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (eye, near, far)]
+            camera = f"Tilt_Lens_Product({places[0]}, <0, 9, 0>, {places[1]}, {places[2]}, 60, 1000, 16)"
+            lens = report(camera)
+            self.assertEqual(lens.turn[1], 0, lens.said)
+            for point in (near, far):
+                self.assertLess(lens.off_plane(point), 1e-4, lens.said)
+            rows, middle = self.columns(f"{camera} blur_samples 64")
+            for i in (0, 1):
+                self.assertLess(abs(rows[i] - rows[2 + i]), 0.05, f"{camera}: a pole leans: {rows}")
+            self.assertLess(math.dist(middle, (80, 60)), 0.2, f"{camera}: the ball is at {middle}")
+
+    def test_ring(self):
+        """A lens that is focused by its ring has the plane at that distance from the film, the f-stop, the shift, and the warnings."""
+        for focal, name in ((24, "TS_24"), (90, "TS_90")):
+            lens = report(f"{self.VIEW}Tilt_Lens_Real_Ring(Tilt_Lens_{name}, 100, 8, 0, 0, <2, -3>, 15)")
+            self.assert_close(lens.point_distance((0, 2, -6)) + lens.focal[1] / 100, 15, 1e-4, "the distance on the ring")
+            self.assertEqual((lens.focal[0], lens.aperture[0]), (focal, 8))
+            self.assertIn("shift <2, -3> mm", lens.said)
+        said = report(f"{self.VIEW}Tilt_Lens_Real_Ring(Tilt_Lens_TS_24, 100, 2, 9, 0, <0, 13>, 30)").said
+        for words in ("opens to f/3.5 only", "the real one stops at 8.5", "the real one stops at 12.0"):
+            self.assertIn(words, said)
+
     def test_refusals(self):
         """Each wrong value is refused, with the macro, the fault and the allowed values."""
         eye = "location <0, 2, -6> look_at 0 "
@@ -282,6 +307,11 @@ class Macros(rendering.RenderTest):
                 (eye + "Tilt_Lens_Upright(<0, 2, -6>, <0, 9, 0>, 180, 1, 0)", "Angle is 180.0000 degrees. It must be"),
                 (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <2, 0, 0>, 1, 4)", "lie side by side"),
                 (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <1, 0, 0>, 1, 4)", "lie side by side"),
+                (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 0, 0>, 40, 1, 4)", "Tilt_Lens_Product: Near"),
+                (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 1, 0>, 0, 1, 4)", "Tilt_Lens_Product: Angle is 0.0000"),
+                (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 1, 0>, 40, 1, 0)", "Tilt_Lens_Product: Stop is 0.0000"),
+                (eye + "Tilt_Lens_Real_Ring(Tilt_Lens_TS_24, 1000, 4, 0, 0, <0, 0>, 0.05)",
+                 "Tilt_Lens_Real_Ring: Distance is 0.0500 units (50.0 mm). It must be at least four focal lengths, 96 mm."),
                 (eye + "Tilt_Lens_Real(array[3] { 1, 2, 3 }, 1, 4, 0, 0, <0, 0>)", "an array of four"),
                 (eye + "Tilt_Lens_Glass_Minolta_50(1000, -1, 0, 0, <0, 0>)", "Stop is -1.0000. Neither may be less than 0"),
                 (eye + "Tilt_Lens_Canon_TS_E_24(1000, 0, 0, 0, <0, 0>)", "Stop is 0.0000. It must be larger than 0"),
