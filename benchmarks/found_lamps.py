@@ -40,7 +40,7 @@ SCENES = [
     Scene("sky", "suns of a sky's pigment", (0.08, 0.16), (0.16,)),
     Scene("textures", "lamps by a `texture_map`", (0.04, 0.08)),
     Scene("image", "windows of an `image_map`"),
-    Scene("pane", "lamps behind a pane at an angle", (0.08, 0.16), (0.16,)),
+    Scene("pane", "lamps behind a pane at an angle", (0.08, 0.16)),
     Scene("water", "lamps under water"),
     Scene("wet", "highlights on a wet road"),
     Scene("balls", "highlights on small balls"),

@@ -68,7 +68,7 @@ extern "C" void NAMED(__wrap_, RUN)(TileSampler* sampler, const Area& tile, cons
             for (std::uint32_t index = 0; index < recorder.samples; index++)
             {
                 SampleResult result;
-                trace.Trace({{x, y, index}, 1, true}, &result);
+                trace.Trace({{x, y, index}, 1}, &result);
                 const std::lock_guard<std::mutex> lock(recorder.mutex);
                 recorder.Record({x, y, index}, result);
             }
