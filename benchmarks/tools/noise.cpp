@@ -41,7 +41,7 @@ using nlohmann::json;
 using witness::Picture;
 using witness::Reference;
 
-/// What a 16-bit PNG does to every competitor's picture, done to all alike.
+/// Clips a picture to [0, 1], as a 16-bit PNG does with every competitor's.
 Picture Clipped(Picture picture)
 {
     for (double& value : picture.values)
@@ -105,7 +105,7 @@ json Errors(const Picture& picture, const Reference& reference)
             {"reference_mse", own}};
 }
 
-/// What pictures of one scene promise, and what they keep.
+/// Reported and true errors of pictures of one scene.
 class Claims
 {
 public:

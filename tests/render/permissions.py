@@ -76,7 +76,7 @@ def prefix():
 
 
 def told(text):
-    """What POV-Ray says below its own name, as one line."""
+    """POV-Ray's messages below its own name, as one line."""
     return " ".join(text.split("Support libraries used by POV-Ray", 1)[-1].split())
 
 

@@ -26,7 +26,7 @@ struct Folder
     bool descend, writing;
 };
 
-/// What the scene may open. The parser asks while the front end may begin with the next frame.
+/// Folders whose files a scene may open. Locked, since the parser asks while the front end may begin with the next frame.
 struct Permissions
 {
     std::mutex mutex;
@@ -50,7 +50,7 @@ fs::path FolderOf(const fs::path &name)
 }
 
 
-/// What remains of `file` below `folder`; empty where it lies elsewhere.
+/// The path of `file` relative to `folder`; empty if it lies elsewhere.
 fs::path Below(const fs::path &file, const fs::path &folder)
 {
     const auto ends = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
@@ -93,7 +93,7 @@ fs::path Reached(const fs::path &name, bool writing, std::error_code &error)
     return error ? found : found / name.filename();
 }
 
-/// What makes a permitted file one that is not written all the same.
+/// The reason for which a file in a permitted folder is not written; NULL if it is.
 const char *WhyNeverWritten(const fs::path &file)
 {
     if (strcasecmp(file.extension().c_str(), ".ini") == 0)

@@ -64,7 +64,7 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
     CheckBlock(camera);
 }
 
-/// What the block and the camera around it say together, once both are known.
+/// Checks the block together with the camera around it, once both are known.
 void TiltLensParser::CheckBlock(Camera& camera)
 {
     camera.TiltLens.statement.aperture = camera.Aperture;
@@ -175,7 +175,7 @@ void TiltLensParser::RequireFilm(const Camera& camera)
                                        "the film is. Give focal_length, or focus_scale in place of film_distance.", *s.filmDistance);
 }
 
-/// What sets the aperture by the blur of sharp points needs these, and is alone in that.
+/// A blur limit needs sharp points, and nothing else may set the aperture.
 void TiltLensParser::RequireSharpPoints(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;

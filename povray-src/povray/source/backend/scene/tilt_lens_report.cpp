@@ -180,7 +180,7 @@ std::string FocusOf(const TiltLensCamera& block)
 /// Blur in pixels up to which a point is called sharp: rounding.
 const double kSharp = 1e-6;
 
-/// What an untilted lens does with the sharp points.
+/// The blur of the sharp points through an untilted lens.
 std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, double greatest, const std::function<std::string(double)>& blur)
 {
     const double stop = lens.focalLength / lens.diameter;
