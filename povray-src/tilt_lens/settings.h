@@ -81,22 +81,9 @@ struct Settings
 
     /// @name Undetected error (section 4)
     /// @{
-    /// A converged pixel is reactivated if its undetected error exceeds its target by this factor; a smaller factor would react to the
-    /// uncertainty of the neighbours' few samples.
-    double reactivationFactor = 4.0;
     /// Number of samples received from other pixels at which a pixel's own excess and the mean excess of its 3 by 3 window count alike in
     /// the decision whether it has converged.
     double samplesToDecideTogether = 8.0;
-    /// Factor of the variance seen by isolated pixels of a block and its neighbours, which is assumed as missed in all others. 0: none.
-    double loneVarianceFactor = 1.0;
-    /// A converged pixel takes further rounds if the variance that it has missed exceeds `variance` by this factor.
-    double missedVariance = 1.0;
-    /// @}
-
-    /// @name Confidence factor (section 5)
-    /// @{
-    /// Factor of the degrees of freedom, for the pooled estimates (variance ratio, undetected error, forecast).
-    double pooledPixels = 2.0;
     /// @}
 
     /// @name Variance target (section 6)

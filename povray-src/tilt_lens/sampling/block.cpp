@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "tilt_lens/sampling/convergence.h"
-#include "tilt_lens/sampling/denoiser_forecast.h"
-#include "tilt_lens/sampling/variance_ratio.h"
+#include "tilt_lens/sampling/forecast.h"
+#include "tilt_lens/sampling/pixel_variance.h"
 
 namespace tilt_lens
 {
@@ -59,7 +59,7 @@ bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& l
     const auto pixels = std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [far](const PixelEstimate& pixel)
     {
         const PixelStatistics& own = pixel.statistics;
-        return pixel.varianceRatio * LargestChannel(RelativeTo(own.Mean(), own.Variation().variance)) > far;
+        return pixel.varianceRatio * LargestChannel(RelativeTo(own.Mean(), own.Variance())) > far;
     });
     return pixels >= settings.farShare * estimate.pixels.size();
 }
@@ -117,14 +117,6 @@ void Block::Look(const SamplingLimits& limits, const Tracer& trace)
     firstRound = std::move(round);
 }
 
-FirstRounds Block::FirstRoundsOf(const Neighbours& neighbours) const
-{
-    FirstRounds rounds;
-    std::transform(neighbours.begin(), neighbours.end(), rounds.begin(), [](const Block* block)
-        { return block != nullptr ? block->firstRound.get() : nullptr; });
-    return rounds;
-}
-
 void Block::TakeRounds(BlockEstimate& current, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
                        SentSamples* sent, const Tracer& trace) const
 {
@@ -133,7 +125,6 @@ void Block::TakeRounds(BlockEstimate& current, const Neighbourhood& around, cons
         samples = std::min(2 * samples, limits.max);
         TakeSamples(current, samples, sent, trace);
         UpdateVarianceRatios(current, samples);
-        Reactivate(current, around);
     }
     while (UpdateConvergence(current, around, limits, samples));
     if (limits.Denoises())
@@ -142,17 +133,16 @@ void Block::TakeRounds(BlockEstimate& current, const Neighbourhood& around, cons
 
 void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
 {
-    const Neighbourhood around(FirstRoundsOf(neighbours), limits);
+    const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     auto converged = std::make_unique<BlockEstimate>(*estimate);
-    converged->spread = around.Spread();
     const std::uint32_t samples = converged->firstSamples;
+    converged->spread = PaddedSpread::Of(EachOf<SpreadSums>(around.rounds, &FirstRound::spread), samples);
     spread = firstRound->spread;
-    const bool sends = limits.Denoises();
     if (UpdateConvergence(*converged, around, limits, samples))
     {
         SentSamples all = sent;
-        TakeRounds(*converged, around, limits, samples, sends ? &all : nullptr, trace);
-        if (sends)
+        TakeRounds(*converged, around, limits, samples, limits.Denoises() ? &all : nullptr, trace);
+        if (limits.Denoises())
             spread = all.Spread(SamplesOf(*converged), samples);
     }
     else if (limits.Denoises())
@@ -162,23 +152,17 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
     sent.Clear();
 }
 
-std::shared_ptr<const PaddedSpread> Block::ReceivedFrom(const Neighbours& neighbours) const
-{
-    PaddedSpread::Sent received;
-    std::transform(neighbours.begin(), neighbours.end(), received.begin(), [](const Block* block)
-        { return block != nullptr ? block->spread.get() : nullptr; });
-    return PaddedSpread::Of(received, firstRound->samples);
-}
-
 void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
 {
-    const std::shared_ptr<const PaddedSpread> received = limits.Denoises() ? ReceivedFrom(neighbours) : nullptr;
+    std::shared_ptr<const PaddedSpread> received;
+    if (limits.Denoises())
+        received = PaddedSpread::Of(EachOf<SpreadSums>(neighbours, &Block::spread), firstRound->samples);
     BlockEstimate last = *estimate;
     if (const std::uint32_t samples = received ? ActivateWhereMissed(last, *received, limits) : 0)
     {
         last.spread = received;
         last.statisticsSamples = 0;
-        TakeRounds(last, Neighbourhood(FirstRoundsOf(neighbours), limits), limits, samples, nullptr, trace);
+        TakeRounds(last, Neighbourhood(EachOf<FirstRound>(neighbours, &Block::firstRound), limits), limits, samples, nullptr, trace);
     }
     SetResults(last);
     if (last.statistics)
@@ -193,7 +177,7 @@ void Block::SetResults(const BlockEstimate& last)
     for (const PixelEstimate& pixel : last.pixels)
     {
         const PixelStatistics& own = pixel.statistics;
-        results.push_back({pixel.variance, pixel.undetected, own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
+        results.push_back({pixel.variance, own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
     }
 }
 
@@ -203,9 +187,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
     const Rows rows = NoisyRows(limits);
     if (rows.IsEmpty() || (limits.max == 1 && received == nullptr))
         return;
-    std::array<const BlockStatistics*, 9> known;
-    std::transform(neighbours.begin(), neighbours.end(), known.begin(), [](const Block* block)
-        { return block != nullptr ? block->statistics.get() : nullptr; });
+    std::array<const BlockStatistics*, 9> known = EachOf<BlockStatistics>(neighbours, &Block::statistics);
     known[4] = own;
     const PaddedBlock padded(known);
     const ReconstructedBlock reconstructed =
@@ -219,7 +201,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
         if (!rows.Has(row) || !IsFinite(mean))  // beside a pixel too bright for a float
             continue;
         pixel.mean = mean;
-        pixel.variance = pixel.undetected + reconstructed.residualVarianceRatio[place] * (pixel.variance - pixel.undetected);
+        pixel.variance *= reconstructed.residualVarianceRatio[place];
         pixel.reconstructed = true;
     }
 }

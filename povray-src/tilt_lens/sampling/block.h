@@ -28,7 +28,6 @@
 #include "tilt_lens/math/area.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
 #include "tilt_lens/sampling/block_estimate.h"
-#include "tilt_lens/sampling/neighbourhood.h"
 #include "tilt_lens/sampling/sample.h"
 #include "tilt_lens/sampling/sampling_limits.h"
 #include "tilt_lens/sampling/sent_samples.h"
@@ -40,7 +39,6 @@ namespace tilt_lens
 struct PixelResult
 {
     double variance = 0.0;  ///< variance of the mean, largest channel; above 1 relative to the square of the mean
-    double undetected = 0.0;  ///< undetected part of `variance`
     Radiance mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;
@@ -101,9 +99,6 @@ class Block
     void Converge(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
     void Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
-    FirstRounds FirstRoundsOf(const Neighbours& neighbours) const;
-    /// Samples spread by the block and its neighbours in all rounds; null: none.
-    std::shared_ptr<const PaddedSpread> ReceivedFrom(const Neighbours& neighbours) const;
     /// Takes further rounds until no pixel is active.
     /// @param samples  fewest samples of an active pixel
     void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,

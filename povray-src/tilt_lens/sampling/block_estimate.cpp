@@ -6,48 +6,51 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tilt_lens/math/window.h"
+
 namespace tilt_lens
 {
 
 bool BlockEstimate::IsUniform() const
 {
-    return std::none_of(pixels.begin(), pixels.end(), [](const PixelEstimate& pixel)
-        { return IsNonZero(pixel.statistics.Variation().variance); });
+    return std::none_of(pixels.begin(), pixels.end(), [](const PixelEstimate& pixel) { return IsNonZero(pixel.statistics.Variance()); });
 }
 
-FirstRound::FirstRound(const BlockEstimate& estimate) : area(estimate.area), samples(estimate.firstSamples), uniform(estimate.IsUniform())
+FirstRound::FirstRound(const BlockEstimate& estimate) : samples(estimate.firstSamples), pixels(estimate.pixels.size())
 {
-    pixels.reserve(area.Size());
+    const Area& area = estimate.area;
+    std::vector<double> variances;
     for (const PixelEstimate& pixel : estimate.pixels)
     {
         const PixelStatistics& own = pixel.statistics;
-        const Radiance relative = RelativeTo(own.Mean(), own.Variation().variance);
-        pixels.push_back({own.Variation(), std::sqrt(LargestChannel(relative))});
+        variances.push_back(LargestChannel(RelativeTo(own.Mean(), own.Variance())));
+        deviation += std::sqrt(variances.back()) / pixels;
     }
-    std::size_t inside = 0;
-    for (std::uint32_t row = 1; row + 1 < area.height; row++)
-        for (std::uint32_t column = 1; column + 1 < area.width; column++, inside++)
-            loneVariance += LoneVarianceOf(column, row);
-    loneVariance /= std::max<std::size_t>(inside, 1);
+    constexpr int radius = settings.neighbourRadius, around = settings.neighbourhoodPixels;
+    const std::vector<double> means = WindowMeans<radius>(variances, area.width);
+    const double inside = std::max(1.0, (area.width - 2.0 * radius) * (area.height - 2.0 * radius));
+    for (std::uint32_t y = radius; y + radius < area.height; y++)
+        for (std::uint32_t x = radius; x + radius < area.width; x++)
+        {
+            const std::size_t i = y * area.width + x;
+            loneVariance += std::max(0.0, 2.0 * variances[i] - around * means[i]) / inside;
+        }
 }
 
-/// All eight neighbours of the pixel must lie in the block.
-double FirstRound::LoneVarianceOf(std::uint32_t column, std::uint32_t row) const
+Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& limits) : rounds(rounds)
 {
-    double around = 0.0;
-    for (std::uint32_t y = row - 1; y <= row + 1; y++)
-        for (std::uint32_t x = column - 1; x <= column + 1; x++)
-            around += Square(pixels[y * area.width + x].deviation);
-    const double own = Square(pixels[row * area.width + column].deviation);
-    return std::max(0.0, 2.0 * own - around);
-}
-
-const FirstRound* FirstRoundAt(const FirstRounds& rounds, std::int64_t x, std::int64_t y)
-{
-    const Area& area = rounds[4]->area;
-    const int column = x < area.left ? 0 : x < area.Right() ? 1 : 2;
-    const int row = y < area.top ? 0 : y < area.Bottom() ? 1 : 2;
-    return rounds[3 * row + column];
+    if (!(limits.variance > 0.0))
+        return;  // not used then
+    std::size_t pixels = 0;
+    for (const FirstRound* round : rounds)
+        if (round != nullptr)
+        {
+            meanDeviation += round->deviation * round->pixels;
+            loneVariance += round->loneVariance * round->pixels;
+            pixels += round->pixels;
+        }
+    meanDeviation /= pixels;
+    loneVariance /= pixels;
 }
 
 } // namespace tilt_lens

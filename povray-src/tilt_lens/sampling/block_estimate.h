@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_estimate.h
-/// State of a block's pixels between two rounds: plain data that the functions of convergence.h, variance_ratio.h and denoiser_forecast.h
-/// read and update.
+/// State of a block's pixels between two rounds, and a block's first round as its neighbours see it: plain data that the functions of
+/// convergence.h, pixel_variance.h and forecast.h read and update.
 
 #ifndef TILT_LENS_BLOCK_ESTIMATE_H
 #define TILT_LENS_BLOCK_ESTIMATE_H
@@ -16,8 +16,8 @@
 #include "tilt_lens/math/area.h"
 #include "tilt_lens/reconstruction/block_statistics.h"
 #include "tilt_lens/reconstruction/padded_spread.h"
-#include "tilt_lens/sampling/circle_variance.h"
 #include "tilt_lens/sampling/pixel_statistics.h"
+#include "tilt_lens/sampling/sampling_limits.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
@@ -28,9 +28,6 @@ struct PixelEstimate
     PixelStatistics statistics;
     double varianceRatio = 1.0;  ///< variance of the mean over that of as many independent samples
     double variance = 0.0;       ///< variance of the mean, largest channel; above 1 relative to the square of the mean
-    double undetected = 0.0;     ///< undetected part of `variance`
-    double undetectedNoise = 0.0;  ///< undetected variance, summed over the channels, absolute
-    Radiance seenVariance{};     ///< variance of one sample, from the pixel's own and received samples
     double target = 0.0;         ///< variance target of the last decision
     double excess = 0.0;         ///< variance that remains after the reconstruction, over the target, at the last decision
     double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< predicted by the last forecast
@@ -56,10 +53,6 @@ struct BlockEstimate
     {
         return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
     }
-    CircleVariance CircleVarianceOf(std::size_t pixel) const
-    {
-        return CircleVariance(spread.get(), PlaceOf(pixel), pixels[pixel].statistics.Samples());
-    }
     double SamplesReceivedBy(std::size_t pixel) const { return spread ? spread->SamplesAt(PlaceOf(pixel)) : 0.0; }
     /// Index of a pixel in a plane of `spread`.
     std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
@@ -67,37 +60,41 @@ struct BlockEstimate
     bool IsUniform() const;
 };
 
-/// A pixel after the first round, as neighbouring blocks see it.
-struct FirstRoundPixel
-{
-    SampleVariation variation;
-    double deviation = 0.0;   ///< standard deviation of one sample, largest channel; above 1 relative to the mean
-};
-
 /// A block after its first round, as its neighbours see it. Immutable.
 struct FirstRound
 {
-    Area area;
-    std::uint32_t samples;                ///< samples per pixel
-    std::vector<FirstRoundPixel> pixels;  ///< row by row
-    bool uniform;                         ///< as BlockEstimate::IsUniform()
-    double loneVariance = 0.0;            ///< mean excess of a pixel's variance over the sum of its eight neighbours' variances; relative
+    std::uint32_t samples;       ///< per pixel
+    std::size_t pixels;
+    double deviation = 0.0;      ///< standard deviation of one sample, largest channel, relative to the mean above 1; mean over the pixels
+    double loneVariance = 0.0;   ///< mean excess of a pixel's variance over the sum of its eight neighbours' variances; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
     std::shared_ptr<const SpreadSums> spread;           ///< samples spread to other pixels; null: none
 
     explicit FirstRound(const BlockEstimate& estimate);
-
-    const FirstRoundPixel& At(std::uint32_t x, std::uint32_t y) const { return pixels[area.IndexOf(x, y)]; }
-
-  private:
-    double LoneVarianceOf(std::uint32_t column, std::uint32_t row) const;
 };
 
 /// First rounds of a block and its eight neighbours, row by row; null outside the picture or if not needed.
 using FirstRounds = std::array<const FirstRound*, 9>;
 
-/// The first round that contains a pixel of the block or next to it, or null.
-const FirstRound* FirstRoundAt(const FirstRounds& rounds, std::int64_t x, std::int64_t y);
+/// First rounds around a block, and their means over all pixels.
+struct Neighbourhood
+{
+    const FirstRounds rounds;  ///< the block's own in the middle; they must outlive this object
+    double meanDeviation = 0.0, loneVariance = 0.0;  ///< as in FirstRound
+
+    Neighbourhood(const FirstRounds& rounds, const SamplingLimits& limits);
+};
+
+/// A member of each of nine objects; null where the object is null.
+template<class Part, class Whole, class Member>
+std::array<const Part*, 9> EachOf(const std::array<const Whole*, 9>& objects, Member Whole::* member)
+{
+    std::array<const Part*, 9> parts{};
+    for (std::size_t i = 0; i < parts.size(); i++)
+        if (objects[i] != nullptr)
+            parts[i] = (objects[i]->*member).get();
+    return parts;
+}
 
 } // namespace tilt_lens
 

@@ -5,56 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include "tilt_lens/math/window.h"
-#include "tilt_lens/sampling/denoiser_forecast.h"
-#include "tilt_lens/sampling/undetected_error.h"
-#include "tilt_lens/sampling/variance_target.h"
+#include "tilt_lens/sampling/forecast.h"
+#include "tilt_lens/sampling/pixel_variance.h"
 
 namespace tilt_lens
 {
 
 namespace
 {
-
-struct MeanVariance
-{
-    Radiance whole{}, undetected{};  ///< variance, and its undetected part; each channel relative to its SquaredScale
-    double undetectedNoise = 0.0;    ///< undetected variance, summed over the channels, absolute
-};
-
-MeanVariance EstimatedVariance(PixelEstimate& pixel, const SampleVariation& around, const CircleVariance& circle, double shrinkage)
-{
-    const PixelStatistics& own = pixel.statistics;
-    Radiance undetected = UndetectedError(own, around), whole;
-    for (std::size_t c = 0; c < whole.size(); c++)
-        whole[c] = (1.0 - shrinkage) * own.Variation().variance[c] + shrinkage * around.variance[c];
-    whole = circle.Blend(whole);
-    for (std::size_t c = 0; c < whole.size(); c++)
-    {
-        undetected[c] *= pixel.varianceRatio;
-        whole[c] = pixel.varianceRatio * whole[c] / own.Samples() + undetected[c];
-    }
-    pixel.seenVariance = circle.Blend(own.Variation().variance);
-    return {RelativeTo(own.Mean(), whole), RelativeTo(own.Mean(), undetected),
-            std::accumulate(undetected.begin(), undetected.end(), 0.0)};
-}
-
-/// True if a pixel of the 3 by 3 window, within the block, is active.
-bool IsBesideActive(const BlockEstimate& estimate, std::size_t pixel)
-{
-    const Area& area = estimate.area;
-    const std::uint32_t left = pixel % area.width, top = pixel / area.width;
-    for (std::uint32_t y = top - (top > 0); y <= top + 1 && y < area.height; y++)
-        for (std::uint32_t x = left - (left > 0); x <= left + 1 && x < area.width; x++)
-            if (estimate.pixels[y * area.width + x].active)
-                return true;
-    return false;
-}
 
 /// Pixels with wide circles of confusion decide together with their neighbours, since all see the same: if each decided alone, a pixel that
 /// missed a lamp by chance would stop dark, and one that hit it would go on and dilute it. Sharp pixels decide alone.
@@ -77,78 +40,79 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
     }
 }
 
-} // namespace
-
-double Shrinkage(std::uint32_t samples)
+/// Pixels that have been active in the last round.
+std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t samples)
 {
-    return Square(settings.shrinkageSamples) / (Square(settings.shrinkageSamples) + Square(samples));
+    std::vector<std::size_t> candidates;
+    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+        if (estimate.pixels[i].active && estimate.pixels[i].statistics.Samples() >= samples)
+            candidates.push_back(i);
+    return candidates;
 }
 
-double ConfidenceFactor(std::uint32_t samples, double shrinkage, double confidence)
+} // namespace
+
+double ConfidenceFactor(std::uint32_t samples, double confidence)
 {
     // sums of squared weights of the pixel's own variance and of its neighbours'
     constexpr double pixels = settings.neighbourhoodPixels;
+    const double shrinkage = Shrinkage(samples);
     const double own = 1.0 - shrinkage + shrinkage / pixels, others = (pixels - 1.0) * Square(shrinkage / pixels);
-    const double freedom = settings.pooledPixels * (samples - 1) / (Square(own) + others);
+    const double freedom = (samples - 1) / (Square(own) + others);
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);
+}
+
+double VarianceTarget(double variance, std::uint32_t samples, double relativeDeviation)
+{
+    const double greatest = relativeDeviation > 1.0 ? std::min(relativeDeviation, settings.greatestTarget) : 1.0;
+    return variance * std::clamp(samples * variance / settings.typicalSampleVariance, settings.leastTarget, greatest);
 }
 
 double LoneVariance(const Neighbourhood& around, std::uint32_t firstSamples, std::uint32_t samples)
 {
-    return settings.loneVarianceFactor * around.LoneVariance() * firstSamples / Square(samples);
+    return around.loneVariance * firstSamples / Square(samples);
 }
 
-bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits,
-                       std::uint32_t samples)
+bool HasSearchedEmitters(const PixelStatistics& own, double target)
+{
+    const double n = own.EmitterSamples();
+    if (n == 0.0 || n >= settings.hiddenEmitterSamples)
+        return true;
+    // mean of q^2 exp(-q n) over the share q of the pixel that a lamp covers, uniform in [0, 1]: square error of a missed lamp of radiance 1
+    const double missed = (2.0 - (2.0 + n * (2.0 + n)) * std::exp(-n)) / (n * n * n);
+    return std::min(1.0, Square(own.ExpectedEmission())) * missed <= target;
+}
+
+bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples)
 {
     if (samples < 2)
         return samples < limits.max;  // one sample shows no error
-    const double shrinkage = Shrinkage(samples), confidence = ConfidenceFactor(samples, shrinkage, limits.confidence);
-    const VarianceTarget target(limits, samples);
+    const std::vector<std::size_t> candidates = Candidates(estimate, samples);
+    const double confidence = ConfidenceFactor(samples, limits.confidence);
     const double lone = LoneVariance(around, estimate.firstSamples, samples);
-    const bool uniform = estimate.IsUniform() && around.IsUniformAround();  // no noise at all
-    std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+    const std::vector<double> variances = MeanVariances(estimate, samples);
+    for (const std::size_t i : candidates)
     {
         PixelEstimate& pixel = estimate.pixels[i];
-        if (!pixel.active || pixel.statistics.Samples() < samples)
-            continue;
-        MeanVariance variance;
-        if (!uniform)
-            variance = EstimatedVariance(pixel, around.Around(estimate, i), estimate.CircleVarianceOf(i), shrinkage);
-        // n samples miss a feature of share 1/n with probability exp(-1)
-        pixel.variance = std::max(LargestChannel(variance.whole), std::exp(-1.0) * lone);
-        pixel.undetected = LargestChannel(variance.undetected);
-        pixel.undetectedNoise = variance.undetectedNoise;
-        for (double& channel : variance.whole)
-            channel = std::max(channel, lone);
-        const double deviation = std::sqrt(LargestChannel(variance.whole) / pixel.varianceRatio * samples);
-        pixel.target = target(deviation / around.MeanDeviation()) / confidence;
-        candidates.push_back({i, variance.whole, pixel.target});
+        pixel.variance = variances[i];
+        const double deviation = std::sqrt(std::max(pixel.variance, lone) / pixel.varianceRatio * samples);
+        pixel.target = VarianceTarget(limits.variance, samples, deviation / around.meanDeviation) / confidence;
     }
-    if (!(limits.variance > 0.0))
-        return samples < limits.max;
-    if (limits.Denoises())
-        ApplyDenoiserForecast(candidates, estimate, around, samples);
-    for (const Candidate& one : candidates)
-        estimate.pixels[one.pixel].excess = LargestChannel(one.variance) / one.target;
-    DecideTogether(estimate, samples);
+    if (limits.variance > 0.0)
+    {
+        const bool reconstructs = limits.Denoises() && UpdateForecast(estimate, candidates, around, samples);
+        for (const std::size_t i : candidates)
+        {
+            PixelEstimate& pixel = estimate.pixels[i];
+            pixel.excess = std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / pixel.target;
+        }
+        DecideTogether(estimate, samples);
+    }
+    // n samples miss a feature of share 1/n with probability exp(-1)
+    for (const std::size_t i : candidates)
+        estimate.pixels[i].variance = std::max(estimate.pixels[i].variance, std::exp(-1.0) * lone);
     return std::any_of(estimate.pixels.begin(), estimate.pixels.end(), [&limits](const PixelEstimate& pixel)
         { return pixel.active && pixel.statistics.Samples() < limits.max; });
-}
-
-void Reactivate(BlockEstimate& estimate, const Neighbourhood& around)
-{
-    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
-    {
-        PixelEstimate& pixel = estimate.pixels[i];
-        if (pixel.active || !IsBesideActive(estimate, i))  // no new samples there
-            continue;
-        const PixelStatistics& own = pixel.statistics;
-        const Radiance undetected = UndetectedError(own, around.Around(estimate, i)), mean = own.Mean();
-        for (std::size_t c = 0; c < undetected.size(); c++)
-            pixel.active |= undetected[c] > settings.reactivationFactor * pixel.target * SquaredScale(mean[c]);
-    }
 }
 
 std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits)
@@ -158,11 +122,11 @@ std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& r
     {
         PixelEstimate& pixel = estimate.pixels[i];
         const PixelStatistics& own = pixel.statistics;
-        const Radiance& seen = own.Variation().variance;
+        const Radiance& seen = own.Variance();
         Radiance missed = CircleVariance(&received, estimate.PlaceOf(i), own.Samples()).Blend(seen);
         for (std::size_t c = 0; c < missed.size(); c++)
             missed[c] = std::max(0.0, missed[c] - seen[c]) / own.Samples();
-        pixel.active = own.Samples() < limits.max && LargestChannel(RelativeTo(own.Mean(), missed)) > settings.missedVariance * limits.variance;
+        pixel.active = own.Samples() < limits.max && LargestChannel(RelativeTo(own.Mean(), missed)) > limits.variance;
         if (pixel.active)
             fewest = fewest == 0 ? own.Samples() : std::min(fewest, own.Samples());
     }

@@ -14,42 +14,38 @@ namespace tilt_lens
 namespace
 {
 
-/// Sums and extremes of the channels from number `first` on, held in registers while samples are added.
+/// Sums of the channels from number `first` on, held in registers while samples are added.
 template<class Channels>
 struct ChannelSums
 {
-    Channels sum, squares, least, most;
+    Channels sum, squares;
 
-    TILT_LENS_INLINED void Get(const Radiance& allSum, const RadianceTotals& all, std::size_t first)
+    TILT_LENS_INLINED void Get(const Radiance& allSum, const Radiance& allSquares, std::size_t first)
     {
-        sum = Load<Channels>(&allSum[first]), squares = Load<Channels>(&all.squares[first]);
-        least = Load<Channels>(&all.least[first]), most = Load<Channels>(&all.most[first]);
+        sum = Load<Channels>(&allSum[first]), squares = Load<Channels>(&allSquares[first]);
     }
-    TILT_LENS_INLINED void Put(Radiance& allSum, RadianceTotals& all, std::size_t first) const
+    TILT_LENS_INLINED void Put(Radiance& allSum, Radiance& allSquares, std::size_t first) const
     {
-        Store(&allSum[first], sum), Store(&all.squares[first], squares);
-        Store(&all.least[first], least), Store(&all.most[first], most);
+        Store(&allSum[first], sum), Store(&allSquares[first], squares);
     }
     TILT_LENS_INLINED void Add(const Channels& x)
     {
         sum += x;
         squares += x * x;
-        least = x < least ? x : least;
-        most = x > most ? x : most;
     }
 };
 
-/// Adds the radiances of a run to a sum and to totals. Returns false, with nothing added, if any may be infinite or NaN.
+/// Adds the radiances of a run to a sum and to a sum of squares. Returns false, with nothing added, if any may be infinite or NaN.
 template<class Vector>
-TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
+TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t count, Radiance& sum, Radiance& allSquares,
                                     double& greatestEmission)
 {
     constexpr std::size_t lanes = kVectorWidth<Vector>, vectors = 4 / lanes;
     ChannelSums<Vector> four[vectors];
     ChannelSums<double> last;
     for (std::size_t k = 0; k < vectors; k++)
-        four[k].Get(sum, totals, k * lanes);
-    last.Get(sum, totals, 4);
+        four[k].Get(sum, allSquares, k * lanes);
+    last.Get(sum, allSquares, 4);
     double expectedEmission = 0.0;
     for (const SampleResult* result = results; result < results + count; result++)
     {
@@ -65,34 +61,34 @@ TILT_LENS_INLINED bool AddRadiances(const SampleResult* results, std::uint32_t c
     if (!std::isfinite(squares))
         return false;
     for (std::size_t k = 0; k < vectors; k++)
-        four[k].Put(sum, totals, k * lanes);
-    last.Put(sum, totals, 4);
+        four[k].Put(sum, allSquares, k * lanes);
+    last.Put(sum, allSquares, 4);
     greatestEmission = expectedEmission;
     return true;
 }
 
-bool AddPlain(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals, double& greatestEmission)
+bool AddPlain(const SampleResult* results, std::uint32_t count, Radiance& sum, Radiance& allSquares, double& greatestEmission)
 {
-    return AddRadiances<Double2>(results, count, sum, totals, greatestEmission);
+    return AddRadiances<Double2>(results, count, sum, allSquares, greatestEmission);
 }
 
-TILT_LENS_FOR_AVX2 bool AddByAvx2(const SampleResult* results, std::uint32_t count, Radiance& sum, RadianceTotals& totals,
+TILT_LENS_FOR_AVX2 bool AddByAvx2(const SampleResult* results, std::uint32_t count, Radiance& sum, Radiance& allSquares,
                                   double& greatestEmission)
 {
-    return AddRadiances<Double4>(results, count, sum, totals, greatestEmission);
+    return AddRadiances<Double4>(results, count, sum, allSquares, greatestEmission);
 }
 
 const auto addRadiances = HasAvx2() ? AddByAvx2 : AddPlain;
 
 /// The same for one finite sample, however large.
-void AddOne(const Radiance& value, Radiance& sum, RadianceTotals& totals)
+void AddOne(const Radiance& value, Radiance& sum, Radiance& allSquares)
 {
     for (std::size_t c = 0; c < value.size(); c++)
     {
         ChannelSums<double> one;
-        one.Get(sum, totals, c);
+        one.Get(sum, allSquares, c);
         one.Add(value[c]);
-        one.Put(sum, totals, c);
+        one.Put(sum, allSquares, c);
     }
 }
 
@@ -103,11 +99,6 @@ void PixelStatistics::BeginRound(std::uint32_t until)
     AddTo(sum[0], sum[1]);
     sum[1].fill(0.0);
     firstBuffer = samples == 0 ? until / 2 : samples;
-    if (samples == 0)
-    {
-        totals.least.fill(HUGE_VAL);
-        totals.most.fill(-HUGE_VAL);
-    }
 }
 
 void PixelStatistics::AddEmitterSample(const SampleResult& result)
@@ -123,7 +114,7 @@ void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t cou
 {
     samples += count;
     double greatestEmission = 0.0;
-    if (addRadiances(results, count, bufferSum, totals, greatestEmission))
+    if (addRadiances(results, count, bufferSum, squares, greatestEmission))
     {
         for (std::uint32_t i = 0; greatestEmission > 0.0 && i < count; i++)
             AddEmitterSample(results[i]);
@@ -137,7 +128,7 @@ void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t cou
             result.radiance = Radiance{};
             notFinite++;
         }
-        AddOne(result.radiance, bufferSum, totals);
+        AddOne(result.radiance, bufferSum, squares);
         AddEmitterSample(result);
     }
 }
@@ -157,16 +148,13 @@ void PixelStatistics::Add(const SampleResult* results, std::uint32_t count)
 /// Variance of one sample, stratified: a fixed share of the samples is aimed at emitters, so only deviations within the two groups count.
 void PixelStatistics::EndRound()
 {
-    variation = SampleVariation();
     const double n = samples, atEmitters = emitterSamples;
-    for (std::size_t c = 0; c < emitterSum.size() && n > 1.0; c++)
+    for (std::size_t c = 0; c < variance.size() && n > 1.0; c++)
     {
-        const double all = sum[0][c] + sum[1][c], mean = all / n;
-        double ofMeans = Square(all - emitterSum[c]) / (n - atEmitters);
+        double ofMeans = Square(sum[0][c] + sum[1][c] - emitterSum[c]) / (n - atEmitters);
         if (atEmitters > 0.0)
             ofMeans += Square(emitterSum[c]) / atEmitters;
-        variation.variance[c] = std::max(0.0, totals.squares[c] - ofMeans) / (n - 1.0);
-        variation.maxSquaredDeviation[c] = Square(std::max(totals.most[c] - mean, mean - totals.least[c]));
+        variance[c] = std::max(0.0, squares[c] - ofMeans) / (n - 1.0);
     }
 }
 

@@ -24,27 +24,6 @@
 namespace tilt_lens
 {
 
-/// Variation of the samples of one pixel, or of several.
-struct SampleVariation
-{
-    Radiance variance{};             ///< of one sample; for several pixels the sum or the mean
-    Radiance maxSquaredDeviation{};  ///< greatest squared deviation of a sample from its pixel's mean
-
-    /// Adds variances, keeps the greater deviations.
-    void Merge(const SampleVariation& other)
-    {
-        AddTo(variance, other.variance);
-        Combine(maxSquaredDeviation, other.maxSquaredDeviation, [](const auto& a, const auto& b) { return Max(b, a); });
-    }
-};
-
-/// Sums and extremes of the radiances of several samples.
-struct RadianceTotals
-{
-    Radiance squares{};  ///< sum of squares
-    Radiance least, most;
-};
-
 class PixelStatistics
 {
   public:
@@ -62,16 +41,17 @@ class PixelStatistics
     double ExpectedEmission() const { return expectedEmission; }  ///< of the last emitter sample
 
     Radiance Mean() const;
-    const SampleVariation& Variation() const { return variation; }
+    /// Variance of one sample.
+    const Radiance& Variance() const { return variance; }
     /// Difference of the two buffers' means: pure noise.
     Radiance DualBufferDifference() const;
     std::uint32_t FirstBufferSamples() const { return firstBuffer; }
 
   private:
     std::array<Radiance, 2> sum{};  ///< per buffer
-    RadianceTotals totals;          ///< of both buffers
+    Radiance squares{};             ///< sum of squares in both buffers
     Radiance emitterSum{};
-    SampleVariation variation;
+    Radiance variance{};
     std::uint32_t samples = 0;
     std::uint32_t firstBuffer = 0;  ///< samples in the first buffer
     std::uint32_t emitterSamples = 0, notFinite = 0;

@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/denoiser_forecast.h"
+#include "tilt_lens/sampling/forecast.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "tilt_lens/math/window.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
-#include "tilt_lens/sampling/variance_ratio.h"
+#include "tilt_lens/sampling/pixel_variance.h"
 
 namespace tilt_lens
 {
@@ -22,28 +22,14 @@ std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
     return pixel / estimate.area.width * settings.blockSide + pixel % estimate.area.width;
 }
 
-Radiance ForecastVariance(const Candidate& candidate, const PixelEstimate& pixel, std::uint32_t samples)
-{
-    const Radiance mean = pixel.statistics.Mean();
-    Radiance variance = candidate.variance;
-    for (std::size_t c = 0; c < variance.size(); c++)
-    {
-        const double seen =
-            pixel.varianceRatio * pixel.seenVariance[c] / samples / SquaredScale(mean[c]);
-        variance[c] -= (1.0 - pixel.residualVarianceRatio) * std::min(seen, variance[c]);
-    }
-    return variance;
-}
-
 /// Residual variance ratios, by the block's samples and, after the first round, its neighbours'. Later the block alone counts: the greater
 /// noise of the neighbours' first rounds would be taken for its own error.
 BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t samples, bool afterFirstRound)
 {
     UpdateBlockStatistics(estimate, samples);
     std::array<const BlockStatistics*, 9> known{};
-    for (std::size_t i = 0; i < known.size() && afterFirstRound; i++)
-        if (const FirstRound* round = around.Rounds()[i])
-            known[i] = round->statistics.get();
+    if (afterFirstRound)
+        known = EachOf<BlockStatistics>(around.rounds, &FirstRound::statistics);
     known[4] = estimate.statistics.get();
     return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
@@ -54,7 +40,7 @@ std::vector<double> VarianceAround(const BlockEstimate& estimate)
     std::vector<double> variances;
     for (const PixelEstimate& pixel : estimate.pixels)
     {
-        const Radiance& variance = pixel.statistics.Variation().variance;
+        const Radiance& variance = pixel.statistics.Variance();
         variances.push_back(std::accumulate(variance.begin(), variance.end(), 0.0));
     }
     return WindowMeans<settings.neighbourRadius>(variances, estimate.area.width);
@@ -72,8 +58,8 @@ std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimat
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         const PixelStatistics& pixel = estimate.pixels[i].statistics;
-        const double whole = estimate.CircleVarianceOf(i).AtLeast(variance[i]);
-        made->Set(i % area.width, i / area.width, pixel.Mean(), ratio[i] * whole / pixel.Samples() + estimate.pixels[i].undetectedNoise,
+        const double whole = CircleVariance(estimate, i).AtLeast(variance[i]);
+        made->Set(i % area.width, i / area.width, pixel.Mean(), ratio[i] * whole / pixel.Samples(),
                   whole > 0.0 ? 1.0 - variance[i] / whole : 0.0, pixel.Samples());
     }
     made->RepeatEdges(area.width, area.height);
@@ -88,27 +74,21 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
     estimate.statisticsSamples = samples;
 }
 
-void ApplyDenoiserForecast(std::vector<Candidate>& candidates, BlockEstimate& estimate, const Neighbourhood& around,
-                           std::uint32_t samples)
+bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, std::uint32_t samples)
 {
-    if (std::all_of(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.HasConverged(); }))
-        return;
     // The residual ratio rises as noise falls, so the last round's ratio is optimistic: skip the forecast if even this ratio would save too
     // few rays.
-    const auto saved = std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& one)
+    const auto saved = std::count_if(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
     {
-        const Candidate denoised{one.pixel, ForecastVariance(one, estimate.pixels[one.pixel], samples), one.target};
-        return !one.HasConverged() && denoised.HasConverged();
+        const PixelEstimate& pixel = estimate.pixels[i];
+        return pixel.variance > pixel.target && pixel.residualVarianceRatio * pixel.variance <= pixel.target;
     });
-    if (saved * samples < settings.forecastCost * settings.blockSide * settings.blockSide)
-        return;
+    if (saved == 0 || saved * samples < settings.forecastCost * settings.blockSide * settings.blockSide)
+        return false;
     const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == estimate.firstSamples);
-    for (Candidate& one : candidates)
-    {
-        PixelEstimate& pixel = estimate.pixels[one.pixel];
-        pixel.residualVarianceRatio = ratios[PlaneIndex(estimate, one.pixel)];
-        one.variance = ForecastVariance(one, pixel, samples);
-    }
+    for (const std::size_t i : candidates)
+        estimate.pixels[i].residualVarianceRatio = ratios[PlaneIndex(estimate, i)];
+    return true;
 }
 
 } // namespace tilt_lens

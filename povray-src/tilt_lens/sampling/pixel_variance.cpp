@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/variance_ratio.h"
+#include "tilt_lens/sampling/pixel_variance.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,62 @@
 
 namespace tilt_lens
 {
+
+CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, double samples)
+{
+    const double others = spread != nullptr ? spread->SamplesAt(at) : 0.0;
+    if (!(others > 0.0))
+        return;
+    total = spread->variance[at];
+    double squaredMean = 0.0;
+    for (const auto& plane : spread->mean)
+        squaredMean += Square(plane[at]);
+    if (!(squaredMean > 0.0) || !std::isfinite(squaredMean + total))
+        return;
+    // fraction of received samples that hit a light, if a single light against darkness explains both moments
+    const double hits = squaredMean / (squaredMean + total), missed = std::exp(-hits * samples);
+    weight = missed * others / (others + samples - 1.0);
+    for (std::size_t c = 0; c < spread->mean.size(); c++)
+        share[c] = Square(spread->mean[c][at]) / squaredMean;
+}
+
+Radiance CircleVariance::Blend(const Radiance& own) const
+{
+    Radiance blend;
+    for (std::size_t c = 0; c < blend.size(); c++)
+        blend[c] = own[c] + weight * (total * share[c] - own[c]);
+    return blend;
+}
+
+CircleVariance::CircleVariance(const BlockEstimate& estimate, std::size_t pixel) :
+    CircleVariance(estimate.spread.get(), estimate.PlaceOf(pixel), estimate.pixels[pixel].statistics.Samples())
+{
+}
+
+double Shrinkage(std::uint32_t samples)
+{
+    return Square(settings.shrinkageSamples) / (Square(settings.shrinkageSamples) + Square(samples));
+}
+
+std::vector<double> MeanVariances(const BlockEstimate& estimate, std::uint32_t samples)
+{
+    std::vector<Radiance> own;
+    for (const PixelEstimate& pixel : estimate.pixels)
+        own.push_back(pixel.statistics.Variance());
+    const std::vector<Radiance> around = WindowMeans<settings.neighbourRadius>(own, estimate.area.width);
+    const double shrinkage = Shrinkage(samples);
+    std::vector<double> variances;
+    for (std::size_t i = 0; i < own.size(); i++)
+    {
+        const PixelEstimate& pixel = estimate.pixels[i];
+        Radiance variance;
+        for (std::size_t c = 0; c < variance.size(); c++)
+            variance[c] = (1.0 - shrinkage) * own[i][c] + shrinkage * around[i][c];
+        variance = RelativeTo(pixel.statistics.Mean(), CircleVariance(estimate, i).Blend(variance));
+        variances.push_back(pixel.varianceRatio * LargestChannel(variance) / pixel.statistics.Samples());
+    }
+    return variances;
+}
 
 void AddTo(VarianceRatioTerms& sum, const VarianceRatioTerms& terms)
 {
@@ -34,7 +90,7 @@ void VarianceRatioTerms::Add(const PixelStatistics& pixel)
     for (std::size_t c = 0; c < difference.size(); c++)
     {
         dualBuffer += Square(difference[c]) * (a * b) / (n * n);
-        ofPixel += pixel.Variation().variance[c] / n;
+        ofPixel += pixel.Variance()[c] / n;
     }
     independent += ofPixel;
     squaredIndependent += Square(ofPixel);

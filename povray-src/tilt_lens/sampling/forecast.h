@@ -1,0 +1,32 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file forecast.h
+/// Statistics for the reconstruction of a block, and the forecast of the noise that it will remove: docs/sampling.md, section 9.
+
+#ifndef TILT_LENS_FORECAST_H
+#define TILT_LENS_FORECAST_H
+
+#include <memory>
+#include <vector>
+
+#include "tilt_lens/sampling/block_estimate.h"
+
+namespace tilt_lens
+{
+
+/// Statistics for the reconstruction, from the samples so far.
+std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate);
+
+/// Stores these statistics in `estimate`.
+/// @param samples  of an active pixel; the statistics are computed once for each number
+void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
+
+/// Predicts the residual variance ratios of the candidates, if that may save more time than it takes.
+/// @param candidates  indices of pixels with up-to-date `variance` and `target`
+/// @return whether the ratios are of this round
+bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, std::uint32_t samples);
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,87 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file pixel_variance.h
+/// Variance of a pixel's mean: docs/sampling.md, section 3.
+///
+///     variance ratio * (variance of one sample) / n
+///
+/// The variance of one sample comes from the pixel's own samples, those of its neighbours, and those that have circles of confusion around
+/// the pixel. The variance ratio says how much better n samples of a stratified sequence are than n independent ones. It is measured by the
+/// difference of the two sample buffers, a single number for each pixel, and therefore pooled over pixels.
+
+#ifndef TILT_LENS_PIXEL_VARIANCE_H
+#define TILT_LENS_PIXEL_VARIANCE_H
+
+#include <cstdint>
+#include <vector>
+
+#include "tilt_lens/sampling/block_estimate.h"
+
+namespace tilt_lens
+{
+
+/// Variance of a pixel's sample by other pixels' samples. Each sample spreads its radiance and its square over its circle of confusion, so a
+/// pixel whose own samples missed a blurred lamp learns about it.
+class CircleVariance
+{
+  public:
+    /// @param spread  samples spread by the block and its neighbours; null: none
+    /// @param at  index of the pixel in a plane of `spread`
+    /// @param samples  taken by the pixel itself
+    CircleVariance(const PaddedSpread* spread, std::size_t at, double samples);
+    CircleVariance(const BlockEstimate& estimate, std::size_t pixel);
+
+    /// Variance of one sample, per channel, for the stop rule: the received variance replaces the pixel's own in proportion to the
+    /// probability that the pixel missed something. Pixels in one circle thus decide alike, whether or not they hit the lamp.
+    /// @param own  variance of one sample by the pixel's own samples
+    Radiance Blend(const Radiance& own) const;
+
+    /// The same for the reconstruction, summed over the channels, and never below `own`.
+    double AtLeast(double own) const { return own < total ? own + weight * (total - own) : own; }
+
+  private:
+    double weight = 0.0;  ///< weight of the received variance against the pixel's own, [0, 1]
+    double total = 0.0;   ///< variance of one received sample, summed over the channels
+    Radiance share{};     ///< share of each channel in `total`
+};
+
+/// Weight of the mean variance of the 3 by 3 window against the pixel's own, which is unreliable from few samples: 1/2 after
+/// settings.shrinkageSamples, then falling with the square of the samples, so that flat pixels beside noise stop earlier.
+double Shrinkage(std::uint32_t samples);
+
+/// Variance of each pixel's mean after `samples` samples, for the stop rule: the worst channel, relative to its SquaredScale.
+std::vector<double> MeanVariances(const BlockEstimate& estimate, std::uint32_t samples);
+
+/// After a round, updates the variance ratios of the block's active pixels, one per quadrant.
+/// @param samples  of an active pixel
+void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples);
+
+/// Variance ratio of each pixel from the window around it, for the reconstruction: overestimated noise would make filters blur texture. An
+/// outlier keeps its own ratio.
+std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate);
+
+/// Variance ratio of the mean of both buffers, from the ratio measured between them. If the variance falls as n^-a, a >= 1, the buffers of
+/// a prefix of n samples differ by 2^a - 1 times the variance of their mean, and a ratio that began at 1 is n^(1 - a). Both equations have
+/// one solution, found by iteration.
+double RatioOfMean(double dualBufferRatio, double samples);
+
+/// Sums or means over pixels, each summed over the channels.
+struct VarianceRatioTerms
+{
+    double dualBuffer = 0.0;          ///< variance of the mean by the dual buffers
+    double independent = 0.0;         ///< variance of the mean if its samples were independent
+    double squaredIndependent = 0.0;  ///< squares of each pixel's `independent`
+
+    void Add(const PixelStatistics& pixel);
+    /// dualBuffer / independent, shrunk towards the prior `before` (settings.varianceRatioPrior).
+    /// @param pixels  number of pixels if the terms are means; 1 if they are sums
+    double Ratio(double before, double pixels) const;
+};
+
+void AddTo(VarianceRatioTerms& sum, const VarianceRatioTerms& terms);
+void DivideBy(VarianceRatioTerms& terms, double divisor);
+
+} // namespace tilt_lens
+
+#endif
