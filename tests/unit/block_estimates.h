@@ -32,7 +32,6 @@ inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer
                 TraceOne(trace, {x, y, pixel.statistics.Samples()}, result);
                 pixel.statistics.Add(result);
             }
-            pixel.statistics.EndRound();
         }
 }
 

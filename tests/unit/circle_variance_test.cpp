@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/circle_variance.h"
+#include "tilt_lens/sampling/pixel_variance.h"
 
 #include <cmath>
 #include <memory>
@@ -71,7 +71,7 @@ TEST(CircleVariance, IsIgnoredWhereAPixelHasManySamples)
 TEST(CircleVariance, NothingSentChangesNothing)
 {
     const Radiance own{0.5, 0.25, 0.125, 0.0, 0.0};
-    EXPECT_EQ(CircleVariance().Blend(own), own);
+    EXPECT_EQ(CircleVariance(nullptr, 0, 8.0).Blend(own), own);
     EXPECT_EQ(CircleVariance(nullptr, kMiddle, 4.0).Blend(own), own);
     EXPECT_EQ(CircleVariance(nullptr, kMiddle, 4.0).AtLeast(0.25), 0.25);
 }

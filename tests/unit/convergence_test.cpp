@@ -7,13 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <gtest/gtest.h>
 
 #include "block_estimates.h"
-#include "tilt_lens/sampling/denoiser_forecast.h"
-#include "tilt_lens/sampling/variance_ratio.h"
+#include "tilt_lens/sampling/forecast.h"
+#include "tilt_lens/sampling/pixel_variance.h"
 
 namespace tilt_lens
 {
@@ -26,6 +28,14 @@ std::size_t ActiveIn(const BlockEstimate& estimate)
 }
 
 /// A block without neighbours after its first round.
+/// Indices of all pixels of kMiddle.
+std::vector<std::size_t> AllPixels()
+{
+    std::vector<std::size_t> all(kMiddle.Size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
 struct Prepared
 {
     BlockEstimate estimate;
@@ -49,14 +59,14 @@ TEST(Shrinkage, IsOneHalfAtShrinkageSamplesAndFallsWithTheirSquare)
     EXPECT_NEAR(Shrinkage(1000 * half), 1e-6, 1e-9);
 }
 
-TEST(ConfidenceFactor, IsTheUpperChiSquareLimit)
+TEST(ConfidenceFactor, IsTheUpperChiSquareLimitOfNinePixels)
 {
-    const double freedom = settings.pooledPixels * 7;
-    const double limit = boost::math::quantile(boost::math::chi_squared(freedom), 0.1);
-    EXPECT_NEAR(ConfidenceFactor(8, 0.0, 0.9), freedom / limit, 1e-12);
-    EXPECT_LT(ConfidenceFactor(8, 0.5, 0.9), ConfidenceFactor(8, 0.0, 0.9)) << "nine pixels tell more than one";
-    EXPECT_GT(ConfidenceFactor(8, 0.0, 0.99), ConfidenceFactor(8, 0.0, 0.9));
-    EXPECT_NEAR(ConfidenceFactor(1u << 22, 0.0, 0.9), 1.0, 1e-3);
+    const std::uint32_t few = 2, many = 1u << 16;
+    const double a = Shrinkage(few), freedom = 1.0 / (Square(1.0 - 8.0 / 9.0 * a) + 8.0 * Square(a / 9.0));
+    EXPECT_NEAR(ConfidenceFactor(few, 0.9), freedom / boost::math::quantile(boost::math::chi_squared(freedom), 0.1), 1e-9);
+    EXPECT_NEAR(ConfidenceFactor(many, 0.9), (many - 1.0) / boost::math::quantile(boost::math::chi_squared(many - 1.0), 0.1), 1e-6);
+    EXPECT_GT(ConfidenceFactor(8, 0.99), ConfidenceFactor(8, 0.9));
+    EXPECT_NEAR(ConfidenceFactor(1u << 22, 0.9), 1.0, 1e-3);
 }
 
 TEST(UpdateConvergence, EvenLightConvergesAtOnce)
@@ -103,25 +113,6 @@ TEST(UpdateConvergence, OneSampleDecidesNothing)
     EXPECT_EQ(ActiveIn(one.estimate), kMiddle.Size());
 }
 
-TEST(Reactivate, FollowsAnEdgeThatAllMissedAtFirst)
-{
-    // only a later round hits anything, in one column
-    const auto late = [](const SampleId& id, SampleResult& result)
-    { result = Grey(id.x == kMiddle.left + 5 && id.index >= 8 && id.index % 2 == 0 ? 1.0 : 0.0); };
-    Prepared block(Limits(8, 1024, 1e-4), late);
-    ASSERT_FALSE(block.Update(8));
-    for (std::uint32_t y = 0; y < settings.blockSide; y++)
-        block.estimate.pixels[y * settings.blockSide + 5].active = true;
-    TakeRound(block.estimate, 16, late);
-    Reactivate(block.estimate, block.around);
-    for (std::size_t i = 0; i < block.estimate.pixels.size(); i++)
-    {
-        const std::size_t column = i % settings.blockSide;
-        EXPECT_EQ(block.estimate.pixels[i].active, column >= 4 && column <= 6) << i;
-    }
-}
-
-/// A single sample, of a pixel in the middle, hits something bright.
 void LoneHit(const SampleId& id, SampleResult& result)
 {
     result = Grey(id.x == kMiddle.left + 8 && id.y == kMiddle.top + 8 && id.index == 3 ? 1.0 : 0.0);
@@ -136,6 +127,24 @@ TEST(FirstRound, LoneVarianceCountsIsolatedPixelsOnly)
     EXPECT_EQ(FirstRound(FirstEstimate(kMiddle, 8, Constant)).loneVariance, 0.0);
 }
 
+TEST(UpdateConvergence, FollowsAnEdgeThatAllMissedAtFirst)
+{
+    // only a later round hits anything, in one column
+    const auto late = [](const SampleId& id, SampleResult& result)
+    { result = Grey(id.x == kMiddle.left + 5 && id.index >= 8 && id.index % 2 == 0 ? 1.0 : 0.0); };
+    Prepared block(Limits(8, 1024, 1e-4), late);
+    ASSERT_FALSE(block.Update(8));
+    for (std::uint32_t y = 0; y < settings.blockSide; y++)
+        block.estimate.pixels[y * settings.blockSide + 5].active = true;
+    TakeRound(block.estimate, 16, late);
+    block.Update(16);
+    for (std::size_t i = 0; i < block.estimate.pixels.size(); i++)
+    {
+        const std::size_t column = i % settings.blockSide;
+        EXPECT_EQ(block.estimate.pixels[i].active, column >= 4 && column <= 6) << i;
+    }
+}
+
 TEST(UpdateConvergence, AHitOfOnePixelKeepsTheBlockActive)
 {
     const double lone = 1.0 / 8.0 / Square(settings.blockSide - 2.0);
@@ -148,82 +157,82 @@ TEST(UpdateConvergence, AHitOfOnePixelKeepsTheBlockActive)
     EXPECT_NEAR(LoneVariance(often.around, 8, 16), LoneVariance(often.around, 8, 8) / 4.0, 1e-12);
 }
 
-TEST(Neighbourhood, UsesFirstRoundsOutsideTheBlock)
+PixelStatistics Equal(std::uint32_t samples, double value, double expectedEmission = 0.0)
 {
-    const BlockEstimate own = FirstEstimate(kMiddle, 8, Constant);
-    const BlockEstimate left = FirstEstimate({0, settings.blockSide, settings.blockSide, settings.blockSide}, 8, WhiteNoise);
-    const FirstRound ownRound(own), leftRound(left);
-    FirstRounds rounds = Alone(ownRound);
-    rounds[3] = &leftRound;
-    const Neighbourhood around(rounds, Limits(8, 1024, 1e-4));
-    EXPECT_FALSE(around.IsUniformAround());
-    EXPECT_NEAR(around.MeanDeviation(), 0.5 * std::sqrt(1.0 / 12.0), 0.02);
-    EXPECT_TRUE(IsNonZero(around.Around(own, 3 * settings.blockSide).variance));
-    EXPECT_FALSE(IsNonZero(around.Around(own, 3 * settings.blockSide + 1).variance));
-    // three pixels outside, of variance 1/12 each, and six inside
-    EXPECT_NEAR(around.Around(own, 3 * settings.blockSide).variance[0], 1.0 / 12.0 / 3.0, 0.02);
+    PixelStatistics pixel;
+    pixel.BeginRound(samples);
+    for (std::uint32_t i = 0; i < samples; i++)
+    {
+        SampleResult result;
+        result = Radiance{value, value, value, 0.0, 0.0};
+        result.expectedEmission = expectedEmission;
+        pixel.Add(result);
+    }
+    return pixel;
 }
 
-TEST(DenoiserForecast, SubtractsNoiseOfSmoothPixelsButNoUndetectedError)
+TEST(HasSearchedEmitters, IsTrueOnceTheirErrorIsBelowTheTarget)
+{
+    EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5), 1e-9)) << "no emitter samples";
+    EXPECT_FALSE(HasSearchedEmitters(Equal(4, 0.5, 1.0), 1e-3));
+    EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5, 0.01), 1e-3)) << "too dim to matter";
+    EXPECT_TRUE(HasSearchedEmitters(Equal(settings.hiddenEmitterSamples, 0.5, 100.0), 1e-9)) << "believed hidden";
+}
+
+TEST(Neighbourhood, AveragesFirstRoundsOverTheirPixels)
+{
+    const FirstRound own(FirstEstimate(kMiddle, 8, Constant));
+    const FirstRound left(FirstEstimate({0, settings.blockSide, settings.blockSide, settings.blockSide}, 8, WhiteNoise));
+    FirstRounds rounds = Alone(own);
+    rounds[3] = &left;
+    EXPECT_NEAR(Neighbourhood(rounds, Limits(8, 1024, 1e-4)).meanDeviation, 0.5 * std::sqrt(1.0 / 12.0), 0.02);
+}
+
+/// Dim noise around 0.7, after the first round of 8 samples.
+Prepared DimNoise()
 {
     SamplingLimits limits = Limits(8, 1024, 1e-3);
     limits.denoise = true;
-    // dim noise around 0.7
-    Prepared block(limits, [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); });
-    const double undetected = 3e-3;
-    std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < block.estimate.pixels.size(); i++)
+    return {limits, [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); }};
+}
+
+TEST(Forecast, PredictsWhatTheReconstructionLeavesOfEvenNoise)
+{
+    Prepared block = DimNoise();
+    for (PixelEstimate& pixel : block.estimate.pixels)
     {
-        PixelEstimate& pixel = block.estimate.pixels[i];
-        pixel.seenVariance = pixel.statistics.Variation().variance;
-        const double own = pixel.varianceRatio * pixel.statistics.Variation().variance[0] / 8.0;
-        const double variance = own + (i < settings.blockSide ? undetected : 0.0);
-        candidates.push_back({i, {variance, variance, variance, 0.0, 0.0}, 0.9 * own});
+        pixel.variance = pixel.varianceRatio * pixel.statistics.Variance()[0] / 8.0;
+        pixel.target = 0.5 * pixel.variance;
     }
-    ApplyDenoiserForecast(candidates, block.estimate, block.around, 8);
-    std::size_t converged = 0;
-    for (const Candidate& one : candidates)
-    {
-        if (one.pixel < settings.blockSide)
-        {
-            EXPECT_GE(LargestChannel(one.variance), undetected - 1e-9) << one.pixel;
-        }
-        converged += one.HasConverged();
-    }
-    EXPECT_GT(converged, kMiddle.Size() / 2);
+    ASSERT_TRUE(UpdateForecast(block.estimate, AllPixels(), block.around, 8));
     EXPECT_LT(block.estimate.pixels[100].residualVarianceRatio, 0.5);
 }
 
-/// Undetected error counts as a pixel's noise, so that filters may replace the pixel by its surroundings.
-TEST(BlockStatistics, NoiseIncludesUndetectedError)
+TEST(Forecast, IsSkippedWhereItSavesTooFewRays)
 {
-    const auto noisyColumn = [](const SampleId& id, SampleResult& result)
-    {
-        result = Grey(id.x == kMiddle.left + 5 ? Noise(id, 1) : 0.5);
-    };
-    Prepared block(Limits(8, 1024, 1e-4), noisyColumn);
-    block.Update(8);
-    UpdateBlockStatistics(block.estimate, 8);
-    for (int x = 0; x < int(settings.blockSide); x++)
-    {
-        const double noise = block.estimate.statistics->Noise()[8 * settings.blockSide + x];
-        EXPECT_EQ(noise > 0.0, x >= 4 && x <= 6) << x;
-        if (std::abs(x - 5) > settings.neighbourRadius)
-        {
-            EXPECT_FLOAT_EQ(noise, block.estimate.pixels[8 * settings.blockSide + x].undetectedNoise) << x;
-        }
-    }
+    Prepared block = DimNoise();
+    block.estimate.pixels[100].variance = 4e-4;
+    block.estimate.pixels[100].target = 3e-4;
+    EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, 8));
 }
 
-TEST(DenoiserForecast, IsSkippedWhereItSavesTooFewRays)
+/// Active pixels after a first round of 8 samples.
+std::size_t ActiveAfterFirstRound(double variance, bool denoise, const Tracer& trace)
 {
-    SamplingLimits limits = Limits(8, 1024, 1e-3);
-    limits.denoise = true;
-    Prepared block(limits, [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); });
-    std::vector<Candidate> candidates = {{100, {4e-4, 4e-4, 4e-4, 0.0, 0.0}, 3e-4}};
-    const Radiance before = candidates[0].variance;
-    ApplyDenoiserForecast(candidates, block.estimate, block.around, 8);
-    EXPECT_EQ(candidates[0].variance, before);
+    SamplingLimits limits = Limits(8, 1024, variance);
+    limits.denoise = denoise;
+    Prepared block(limits, trace);
+    block.Update(8);
+    return ActiveIn(block.estimate);
+}
+
+TEST(UpdateConvergence, TheReconstructionSavesRaysOfNoiseButNoneOfALoneHit)
+{
+    const auto noise = [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); };
+    const double ofNoise = 0.04 / 12.0 / 8.0, ofLoneHit = 1.0 / 8.0 / Square(settings.blockSide - 2.0) / 8.0;
+    EXPECT_EQ(ActiveAfterFirstRound(0.7 * ofNoise, false, noise), kMiddle.Size());
+    EXPECT_LT(ActiveAfterFirstRound(0.7 * ofNoise, true, noise), kMiddle.Size() / 4);
+    EXPECT_EQ(ActiveAfterFirstRound(0.1 * ofLoneHit, true, LoneHit), kMiddle.Size());
 }
 
 } // namespace

@@ -419,9 +419,9 @@ TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
 TEST(BlockCache, MemoryOfABlock)
 {
     const double pixels = settings.blockSide * settings.blockSide;
-    const double seen = sizeof(FirstRoundPixel) + (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
-    EXPECT_LE(sizeof(PixelEstimate) + seen, 670.0);
-    EXPECT_LE(sizeof(PixelResult) + seen + sizeof(BlockStatistics) / pixels, 320.0);
+    const double seen = (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
+    EXPECT_LE(sizeof(PixelEstimate) + seen, 370.0);
+    EXPECT_LE(sizeof(PixelResult) + 2.0 * seen, 320.0);
 }
 
 } // namespace

@@ -3,8 +3,8 @@
 
 // The error of sampled pictures with known pixels against the requested variance.
 
+#include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/tile_sampler.h"
-#include "tilt_lens/sampling/variance_target.h"
 
 #include <algorithm>
 #include <cmath>
@@ -206,7 +206,7 @@ TEST(VarianceTarget, IsTheRequestedVarianceForEqualNoise)
     const SamplingLimits limits = Limits(8, 65536, 1e-4);
     for (const std::uint32_t n : {8u, 64u, 65536u})
     {
-        const VarianceTarget target(limits, n);
+        const auto target = [&limits, n](double deviation) { return VarianceTarget(limits.variance, n, deviation); };
         // 0/0: a pixel among pixels without noise
         for (const double like : {1.0, std::nan("")})
         {
@@ -217,11 +217,11 @@ TEST(VarianceTarget, IsTheRequestedVarianceForEqualNoise)
         // pixels with above-average noise may keep more, within limits
         EXPECT_LE(target(100.0), settings.greatestTarget * limits.variance) << n;
     }
-    EXPECT_EQ(VarianceTarget(limits, 65536)(100.0), settings.greatestTarget * limits.variance);
+    EXPECT_EQ(VarianceTarget(limits.variance, 65536, 100.0), settings.greatestTarget * limits.variance);
     // strong noise with many samples may keep more, weak noise beside it may not
-    EXPECT_LT(VarianceTarget(limits, 8)(2.0), limits.variance);
-    EXPECT_GT(VarianceTarget(limits, 4096)(2.0), limits.variance);
-    EXPECT_LE(VarianceTarget(limits, 4096)(0.2), limits.variance);
+    EXPECT_LT(VarianceTarget(limits.variance, 8, 2.0), limits.variance);
+    EXPECT_GT(VarianceTarget(limits.variance, 4096, 2.0), limits.variance);
+    EXPECT_LE(VarianceTarget(limits.variance, 4096, 0.2), limits.variance);
 }
 
 TEST(TileSamplerStop, ReportsTheVarianceOfWhiteNoise)

@@ -29,7 +29,6 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
         for (std::uint32_t i = 0; sent != nullptr && i < run.count; i++)
             sent->Add(run[i], results[i]);
     }
-    pixel.EndRound();
 }
 
 /// Takes the missing samples of active pixels, up to number `until`. A reactivated pixel catches up round by round, so that its two buffers

@@ -40,6 +40,22 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
     }
 }
 
+/// Raises variance and excess of converged pixels whose neighbours have hit more since: an edge that all missed at first is then followed
+/// from pixel to pixel.
+/// @param variances  by all samples so far
+void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<double>& variances)
+{
+    for (std::size_t i = 0; i < variances.size(); i++)
+    {
+        PixelEstimate& pixel = estimate.pixels[i];
+        const double grown = pixel.active ? 0.0 : variances[i] - pixel.variance;
+        if (!(grown > 0.0))
+            continue;
+        pixel.variance += grown;
+        pixel.excess += grown / pixel.target;
+    }
+}
+
 /// Pixels that have been active in the last round.
 std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t samples)
 {
@@ -90,7 +106,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     const std::vector<std::size_t> candidates = Candidates(estimate, samples);
     const double confidence = ConfidenceFactor(samples, limits.confidence);
     const double lone = LoneVariance(around, estimate.firstSamples, samples);
-    const std::vector<double> variances = MeanVariances(estimate, samples);
+    const std::vector<double> variances = MeanVariances(estimate);
     for (const std::size_t i : candidates)
     {
         PixelEstimate& pixel = estimate.pixels[i];
@@ -100,6 +116,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     }
     if (limits.variance > 0.0)
     {
+        RaiseWhereNeighboursFoundMore(estimate, variances);
         const bool reconstructs = limits.Denoises() && UpdateForecast(estimate, candidates, around, samples);
         for (const std::size_t i : candidates)
         {
@@ -122,7 +139,7 @@ std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& r
     {
         PixelEstimate& pixel = estimate.pixels[i];
         const PixelStatistics& own = pixel.statistics;
-        const Radiance& seen = own.Variance();
+        const Radiance seen = own.Variance();
         Radiance missed = CircleVariance(&received, estimate.PlaceOf(i), own.Samples()).Blend(seen);
         for (std::size_t c = 0; c < missed.size(); c++)
             missed[c] = std::max(0.0, missed[c] - seen[c]) / own.Samples();

@@ -40,7 +40,7 @@ std::vector<double> VarianceAround(const BlockEstimate& estimate)
     std::vector<double> variances;
     for (const PixelEstimate& pixel : estimate.pixels)
     {
-        const Radiance& variance = pixel.statistics.Variance();
+        const Radiance variance = pixel.statistics.Variance();
         variances.push_back(std::accumulate(variance.begin(), variance.end(), 0.0));
     }
     return WindowMeans<settings.neighbourRadius>(variances, estimate.area.width);

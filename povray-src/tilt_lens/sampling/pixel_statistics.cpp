@@ -145,9 +145,9 @@ void PixelStatistics::Add(const SampleResult* results, std::uint32_t count)
         AddToBuffer(results, count, sum[toFirst > 0 ? 0 : 1]);
 }
 
-/// Variance of one sample, stratified: a fixed share of the samples is aimed at emitters, so only deviations within the two groups count.
-void PixelStatistics::EndRound()
+Radiance PixelStatistics::Variance() const
 {
+    Radiance variance{};
     const double n = samples, atEmitters = emitterSamples;
     for (std::size_t c = 0; c < variance.size() && n > 1.0; c++)
     {
@@ -156,6 +156,7 @@ void PixelStatistics::EndRound()
             ofMeans += Square(emitterSum[c]) / atEmitters;
         variance[c] = std::max(0.0, squares[c] - ofMeans) / (n - 1.0);
     }
+    return variance;
 }
 
 Radiance PixelStatistics::Mean() const

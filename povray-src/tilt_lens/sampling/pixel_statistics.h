@@ -32,8 +32,6 @@ class PixelStatistics
     /// Adds the next samples. A sample that is not finite is counted and taken for black.
     void Add(const SampleResult* results, std::uint32_t count);
     void Add(const SampleResult& result) { Add(&result, 1); }
-    /// Ends a round: the results below then include all samples so far.
-    void EndRound();
 
     std::uint32_t Samples() const { return samples; }
     std::uint32_t EmitterSamples() const { return emitterSamples; }
@@ -41,8 +39,9 @@ class PixelStatistics
     double ExpectedEmission() const { return expectedEmission; }  ///< of the last emitter sample
 
     Radiance Mean() const;
-    /// Variance of one sample.
-    const Radiance& Variance() const { return variance; }
+    /// Variance of one sample, stratified: a fixed share of the samples is aimed at emitters, so only deviations within the two groups
+    /// count. 0 for fewer than two samples.
+    Radiance Variance() const;
     /// Difference of the two buffers' means: pure noise.
     Radiance DualBufferDifference() const;
     std::uint32_t FirstBufferSamples() const { return firstBuffer; }
@@ -51,7 +50,6 @@ class PixelStatistics
     std::array<Radiance, 2> sum{};  ///< per buffer
     Radiance squares{};             ///< sum of squares in both buffers
     Radiance emitterSum{};
-    Radiance variance{};
     std::uint32_t samples = 0;
     std::uint32_t firstBuffer = 0;  ///< samples in the first buffer
     std::uint32_t emitterSamples = 0, notFinite = 0;

@@ -48,17 +48,17 @@ double Shrinkage(std::uint32_t samples)
     return Square(settings.shrinkageSamples) / (Square(settings.shrinkageSamples) + Square(samples));
 }
 
-std::vector<double> MeanVariances(const BlockEstimate& estimate, std::uint32_t samples)
+std::vector<double> MeanVariances(const BlockEstimate& estimate)
 {
     std::vector<Radiance> own;
     for (const PixelEstimate& pixel : estimate.pixels)
         own.push_back(pixel.statistics.Variance());
     const std::vector<Radiance> around = WindowMeans<settings.neighbourRadius>(own, estimate.area.width);
-    const double shrinkage = Shrinkage(samples);
     std::vector<double> variances;
     for (std::size_t i = 0; i < own.size(); i++)
     {
         const PixelEstimate& pixel = estimate.pixels[i];
+        const double shrinkage = Shrinkage(pixel.statistics.Samples());
         Radiance variance;
         for (std::size_t c = 0; c < variance.size(); c++)
             variance[c] = (1.0 - shrinkage) * own[i][c] + shrinkage * around[i][c];
@@ -86,11 +86,12 @@ void VarianceRatioTerms::Add(const PixelStatistics& pixel)
 {
     const double n = pixel.Samples(), a = pixel.FirstBufferSamples(), b = n - a;
     const Radiance difference = pixel.DualBufferDifference();
+    const Radiance variance = pixel.Variance();
     double ofPixel = 0.0;
     for (std::size_t c = 0; c < difference.size(); c++)
     {
         dualBuffer += Square(difference[c]) * (a * b) / (n * n);
-        ofPixel += pixel.Variance()[c] / n;
+        ofPixel += variance[c] / n;
     }
     independent += ofPixel;
     squaredIndependent += Square(ofPixel);

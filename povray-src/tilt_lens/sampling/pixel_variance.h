@@ -50,8 +50,8 @@ class CircleVariance
 /// settings.shrinkageSamples, then falling with the square of the samples, so that flat pixels beside noise stop earlier.
 double Shrinkage(std::uint32_t samples);
 
-/// Variance of each pixel's mean after `samples` samples, for the stop rule: the worst channel, relative to its SquaredScale.
-std::vector<double> MeanVariances(const BlockEstimate& estimate, std::uint32_t samples);
+/// Variance of each pixel's mean, for the stop rule: the worst channel, relative to its SquaredScale.
+std::vector<double> MeanVariances(const BlockEstimate& estimate);
 
 /// After a round, updates the variance ratios of the block's active pixels, one per quadrant.
 /// @param samples  of an active pixel

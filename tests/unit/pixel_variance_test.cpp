@@ -3,7 +3,7 @@
 
 // The variance ratio of stratified and independent samples, estimated from the two buffers.
 
-#include "tilt_lens/sampling/variance_ratio.h"
+#include "tilt_lens/sampling/pixel_variance.h"
 
 #include <cmath>
 
