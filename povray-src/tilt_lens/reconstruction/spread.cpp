@@ -245,9 +245,9 @@ struct Densities
             const AperturePoints first{(circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse};
             const int count = pixels.end[i] - pixels.begin[i];
             circle.lens->FindDensities(first, step, count, to);
-            const float* window = kWindow.of + (pixels.begin[i] - column + SpreadSums::kReach);
+            const int place = pixels.begin[i] - column + SpreadSums::kReach;
             for (int k = 0; k < count; k++)
-                sum += kWindow.of[i] * window[k] * to[k];
+                sum += kWindow.of[i] * kWindow.of[place + k] * to[k];
             to += count;
         }
         std::fill_n(to, SpreadSums::kMostLanes, 0.0f);
