@@ -96,23 +96,21 @@ constexpr LaneNumbers WindowOf(const LaneNumbers& offsets)
 
 constexpr LaneNumbers kWindow = WindowOf(kOffsets);
 
-/// Sums of the window over the pixels before each.
-constexpr LaneNumbers SumsOf(const LaneNumbers& numbers)
-{
-    LaneNumbers sums{};
-    for (int i = 0; i < kLanes; i++)
-        sums.of[i + 1] = sums.of[i] + numbers.of[i];
-    return sums;
-}
-
-constexpr LaneNumbers kWindowSums = SumsOf(kWindow);
-
 /// Integral of the window from 0 to each distance, at most its radius.
 template<class Vector>
 TILT_LENS_INLINED Vector WindowUpTo(const Vector& distance)
 {
     const Vector most = kWindowRadius - Vector(), limited = Max<Vector>(-most, Min<Vector>(most, distance));
     return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
+}
+
+/// The difference for the end and the begin of a row of pixels, as distances from the middle of the sample's own, is the sum of the window
+/// over them.
+template<class Vector>
+TILT_LENS_INLINED Vector WindowSumUpTo(const Vector& distance)
+{
+    constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
+    return distance * ((1.0f + inverse / 12.0f) - distance * distance * (inverse / 3.0f));
 }
 
 /// Mask of a row's last vector: loaded from index kMostLanes - count, it starts with `count` ones.
@@ -172,7 +170,7 @@ bool ServesOthers(const CircleOfConfusion& circle)
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
-    float windowed = 0.0f;  ///< sum of the window over the pixels
+    float windowOf[kLanes], windowed = 0.0f;  ///< sums of the window: along each row, over all pixels
     unsigned int rows = 0;  ///< a bit for each row that is not empty
     Extent across{}, down{};
 
@@ -186,13 +184,12 @@ struct CirclePixels
             FindRows<Vector>(i, circle, column, float(row), ellipse);
         begin[kRows] = end[kRows] = 0;
         rows &= (1u << kRows) - 1;
-        const int first = column - SpreadSums::kReach;
-        for (unsigned int rest = rows; rest != 0; rest &= rest - 1)
-        {
-            const int i = __builtin_ctz(rest);
+        for (int i = 0; i < kRows; i++)
             count += end[i] - begin[i];
-            windowed += kWindow.of[i] * (kWindowSums.of[end[i] - first] - kWindowSums.of[begin[i] - first]);
-        }
+        Float4 sums{};  // in the same order for all vectors
+        for (int i = 0; i < kLanes; i += kWidth<Float4>)
+            sums += Load<Float4>(kWindow.of + i) * Load<Float4>(windowOf + i);
+        windowed = (sums[0] + sums[1]) + (sums[2] + sums[3]);
         across = {circle.x, std::sqrt(ellipse.xx)};
         down = {circle.y, std::sqrt(ellipse.yy)};
     }
@@ -213,6 +210,9 @@ struct CirclePixels
         from -= __builtin_convertvector(from, Vector) < least;
         to += __builtin_convertvector(to, Vector) > most;
         const Whole first = from & met, last = Max<Whole>(to + 1, from) & met;
+        const float own = float(column) + 0.5f;
+        Store(windowOf + i, WindowSumUpTo<Vector>(__builtin_convertvector(last, Vector) - own) -
+                            WindowSumUpTo<Vector>(__builtin_convertvector(first, Vector) - own));
         rows |= SignBits(first < last) << i;
         Store(begin + i, first);
         Store(end + i, last);
