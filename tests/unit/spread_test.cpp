@@ -105,7 +105,8 @@ Float4 SentTo(const SpreadSums& sums, int x, int y)
     return sent;
 }
 
-TEST(SpreadSums, SharesAddUpToOneInCirclesWithinReach)
+// Nearly: the number of possible senders of a circle is taken for a product of lengths.
+TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
 {
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
     {
@@ -127,7 +128,7 @@ TEST(SpreadSums, SharesAddUpToOneInCirclesWithinReach)
             EXPECT_NEAR(red, 0.5 * share, 1e-5) << radius;
             if (radius <= 4.0f)
             {
-                EXPECT_NEAR(share, 1.0, 0.01) << radius;
+                EXPECT_NEAR(share, 1.0, radius < 2.0f ? 0.02 : 0.12) << radius;
             }
             EXPECT_EQ(sums->OwnWeight(3, 15), 1.0f);
             EXPECT_EQ(sums->IsSpread(), radius >= 1.0f) << radius;
@@ -135,14 +136,26 @@ TEST(SpreadSums, SharesAddUpToOneInCirclesWithinReach)
     }
 }
 
-/// Length of the part of a circle's extent along an axis that is within reach of a pixel.
+/// Window of a sample along rows or columns.
+double Window(double distance)
+{
+    const double radius = kReach + 1.0;
+    return std::abs(distance) < radius ? 1.0 - distance * distance / (radius * radius) : 0.0;
+}
+
+/// Integral of a pixel's window over a circle's extent along an axis, by the midpoint rule.
 double SendersTo(int pixel, double middle, double half, double begin, double end)
 {
-    return std::max(1.0, std::min({middle + half, pixel + kReach + 1.0, end}) - std::max({middle - half, pixel - double(kReach), begin}));
+    constexpr int kSteps = 200;
+    const double from = std::max({middle - half, pixel + 0.5 - kReach - 1.0, begin}), to = std::min({middle + half, pixel + 0.5 + kReach + 1.0, end});
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; i++)
+        sum += Window(from + (to - from) * (i + 0.5) / kSteps - (pixel + 0.5));
+    return std::max(1.0, sum * (to - from) / kSteps);
 }
 
 /// Inside the picture, and in its corner, which cuts off circles.
-TEST(SpreadSums, SharesAreOneOverTheNumberOfPossibleSenders)
+TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
 {
     Random random(13);
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
@@ -154,12 +167,15 @@ TEST(SpreadSums, SharesAreOneOverTheNumberOfPossibleSenders)
         const double a = random.Power(0.1, 1.5), b = random.Power(0.1, 1.5);
         const double x = column + 0.5 + a * random(-1.0, 1.0), y = row + 0.5 + b * random(-1.0, 1.0);
         const auto distance = [&](int u, int v) { return std::hypot((u + 0.5 - x) / a, (v + 0.5 - y) / b); };
+        const auto window = [&](int u, int v) { return Window(u - column) * Window(v - row); };
         int count = 0;
+        double sum = 0.0;
         bool clear = true;  // no pixel lies at the rim, where rounding decides
         for (int v = row - kReach; v <= row + kReach; v++)
             for (int u = column - kReach; u <= column + kReach; u++)
             {
                 count += distance(u, v) <= 1.0;
+                sum += distance(u, v) <= 1.0 ? window(u, v) : 0.0;
                 clear = clear && std::abs(distance(u, v) - 1.0) > 1e-4;
             }
         if (!clear || count <= 1 || distance(column, row) > 1.0)
@@ -172,7 +188,7 @@ TEST(SpreadSums, SharesAreOneOverTheNumberOfPossibleSenders)
             {
                 const bool own = u == column && v == row;
                 const double share = own ? sums->OwnShare(u, v) : SentTo(*sums, u, v)[3];
-                const double expected = distance(u, v) <= 1.0 ? senders(column, row) / (count * senders(u, v)) : 0.0;
+                const double expected = distance(u, v) <= 1.0 ? window(u, v) * senders(column, row) / (sum * senders(u, v)) : 0.0;
                 ASSERT_NEAR(share, expected, 1e-4 * expected) << u << ", " << v << " of " << x << ", " << y << ": " << a << ", " << b;
             }
     }
@@ -285,7 +301,7 @@ std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float ra
     return PaddedSpread::Of(places, 2);
 }
 
-TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesSumToTheSamples)
+TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesSumToNearlyTheSamples)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     const auto received = Received(lens, 3.0f, [](int, int, int) { return 0.7; });
@@ -295,7 +311,7 @@ TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesSumToTheSamples)
             const int at = PaddedBlock::At(x, y);
             EXPECT_NEAR(received->mean[0][at], 0.7, 1e-6);
             EXPECT_NEAR(received->variance[at], 0.0, 1e-5);
-            EXPECT_NEAR(received->share[at] + 2.0 * received->ownShare[at], 2.0, 1e-4);
+            EXPECT_NEAR(received->share[at] + 2.0 * received->ownShare[at], 2.0, 0.2);
         }
 }
 

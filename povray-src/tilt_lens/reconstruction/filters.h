@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file filters.h
-/// Linear filters along rows or columns, and the bank of their products: docs/sampling.md, section 8.
+/// Linear filters along rows, columns and diagonals, and the bank of their products: docs/sampling.md, section 8.
 ///
 /// Source: A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",
 /// Anal. Chem. 36(8), 1964, for the parabolas.
@@ -16,42 +16,42 @@
 namespace tilt_lens
 {
 
-/// One-dimensional filters: none, a parabola fitted to 5 or 9 pixels, the mean of 9, or the mean of the pixel and 4 on one side, for an
-/// edge on the other side.
-enum Filter { kNone, kFit5, kFit9, kMean9, kAhead5, kBehind5, kFilters };
+/// One-dimensional filters: none, a parabola fitted to 5 or 9 pixels, or the mean of 9.
+enum Filter { kNone, kFit5, kFit9, kMean9, kFilters };
 
-/// Taps from the centre to one end, symmetric except for the one-sided filters.
+/// Taps from the centre to one end.
 constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {1.0f},
     {17.0f / 35, 12.0f / 35, -3.0f / 35},
     {59.0f / 231, 54.0f / 231, 39.0f / 231, 14.0f / 231, -21.0f / 231},
     {1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9},
-    {0.2f, 0.2f, 0.2f, 0.2f, 0.2f},
-    {0.2f, 0.2f, 0.2f, 0.2f, 0.2f},
 };
 
-/// The bank: filter along rows, filter along columns.
-constexpr Filter kBank[][2] = {
-    {kNone, kNone}, {kFit5, kNone}, {kNone, kFit5}, {kFit5, kFit5},
-    {kFit9, kNone}, {kNone, kFit9}, {kFit9, kFit9}, {kFit5, kFit9}, {kFit9, kFit5},
-    {kMean9, kNone}, {kNone, kMean9}, {kMean9, kMean9}, {kMean9, kFit5}, {kFit5, kMean9},
-    {kAhead5, kNone}, {kBehind5, kNone}, {kNone, kAhead5}, {kNone, kBehind5},
+/// A filter along rows, then one along columns or diagonals.
+struct FilterPair
+{
+    Filter across, down;
+    int slant = 0;  ///< columns that the second filter moves with each row: 0, or 1 or -1 along a diagonal
 };
 
-/// Filters neighbouring pixels with steps of 1 (a row) or PaddedBlock::kColumns (a column). Plain loops over such short rows compile to
-/// code that takes three times as long.
+/// The bank. Diagonals have the same filters as rows and columns, so that the remaining noise has no preferred direction.
+constexpr FilterPair kBank[] = {
+    {kNone, kNone},
+    {kFit5, kNone}, {kNone, kFit5}, {kNone, kFit5, 1}, {kNone, kFit5, -1},
+    {kFit9, kNone}, {kNone, kFit9}, {kNone, kFit9, 1}, {kNone, kFit9, -1},
+    {kMean9, kNone}, {kNone, kMean9}, {kNone, kMean9, 1}, {kNone, kMean9, -1},
+    {kFit5, kFit5}, {kFit9, kFit9}, {kMean9, kMean9}, {kMean9, kFit5}, {kFit5, kMean9},
+};
+
+/// Filters neighbouring pixels with steps of 1 (a row), PaddedBlock::kColumns (a column), or one more or less (a diagonal). Plain loops over
+/// such short rows compile to code that takes three times as long.
 template<class Vector, Filter kFilter>
 TILT_LENS_INLINED Vector Filtered(const float* at, int step)
 {
     constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : settings.filterRadius;
     Vector sum = kTaps[kFilter][0] * Load<Vector>(at);
     for (int i = 1; i <= reach; i++)
-    {
-        if (kFilter == kAhead5 || kFilter == kBehind5)
-            sum += kTaps[kFilter][i] * Load<Vector>(at + (kFilter == kAhead5 ? i : -i) * step);
-        else
-            sum += kTaps[kFilter][i] * (Load<Vector>(at - i * step) + Load<Vector>(at + i * step));
-    }
+        sum += kTaps[kFilter][i] * (Load<Vector>(at - i * step) + Load<Vector>(at + i * step));
     return sum;
 }
 

@@ -83,8 +83,6 @@ class FilteredRows
         FilterRows<kFit5>(risky);
         FilterRows<kFit9>(risky);
         FilterRows<kMean9>(risky);
-        FilterRows<kAhead5>(risky);
-        FilterRows<kBehind5>(risky);
     }
 
     const Plane& Mean(Filter across, int c) const
@@ -116,12 +114,12 @@ constexpr float NoiseLeftBy(Filter filter)
 {
     float sum = kTaps[filter][0] * kTaps[filter][0];
     for (int i = 1; i <= settings.filterRadius; i++)
-        sum += (filter == kAhead5 || filter == kBehind5 ? 1.0f : 2.0f) * kTaps[filter][i] * kTaps[filter][i];
+        sum += 2.0f * kTaps[filter][i] * kTaps[filter][i];
     return sum;
 }
 
-/// A candidate of the bank: a channel filtered along rows and columns.
-template<int kChannels, class Vector, Filter kAcross, Filter kDown>
+/// A candidate of the bank.
+template<int kChannels, class Vector, Filter kAcross, Filter kDown, int kSlant>
 struct ProductFilter
 {
     const FilteredRows<kChannels, Vector>& rows;
@@ -130,7 +128,7 @@ struct ProductFilter
     static constexpr float Preference(int) { return 1.0f; }
     static constexpr float NoiseLeft(int) { return NoiseLeftBy(kAcross) * NoiseLeftBy(kDown); }
 
-    TILT_LENS_INLINED Vector Mean(int c, int i) const { return Filtered<Vector, kDown>(&rows.Mean(kAcross, c)[i], kColumns); }
+    TILT_LENS_INLINED Vector Mean(int c, int i) const { return Filtered<Vector, kDown>(&rows.Mean(kAcross, c)[i], kColumns + kSlant); }
 };
 
 template<int kChannels, class Vector>
@@ -284,7 +282,7 @@ class SpreadCandidate
 template<int kChannels, class Vector, std::size_t... kNumber>
 TILT_LENS_INLINED void AddBank(RiskWeightedMean<kChannels, Vector>& mean, const FilteredRows<kChannels, Vector>& rows, std::index_sequence<kNumber...>)
 {
-    (mean.Add(ProductFilter<kChannels, Vector, kBank[kNumber][0], kBank[kNumber][1]>{rows}), ...);
+    (mean.Add(ProductFilter<kChannels, Vector, kBank[kNumber].across, kBank[kNumber].down, kBank[kNumber].slant>{rows}), ...);
 }
 
 template<int kChannels, class Vector>

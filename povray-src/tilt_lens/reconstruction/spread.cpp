@@ -82,6 +82,37 @@ constexpr LaneNumbers Numbered()
 
 constexpr LaneNumbers kOffsets = Numbered();
 
+/// Distance, in pixels, at which the window of a sample ends.
+constexpr float kWindowRadius = SpreadSums::kReach + 1;
+
+/// Window along rows and columns, 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.
+constexpr LaneNumbers WindowOf(const LaneNumbers& offsets)
+{
+    LaneNumbers window{};
+    for (int i = 0; i < kLanes; i++)
+        window.of[i] = 1.0f - offsets.of[i] * offsets.of[i] / (kWindowRadius * kWindowRadius);
+    return window;
+}
+
+constexpr LaneNumbers kWindow = WindowOf(kOffsets);
+
+/// Integral of the window from 0 to each distance, at most its radius.
+template<class Vector>
+TILT_LENS_INLINED Vector WindowUpTo(const Vector& distance)
+{
+    const Vector most = kWindowRadius - Vector(), limited = Max<Vector>(-most, Min<Vector>(most, distance));
+    return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
+}
+
+/// The difference for the end and the begin of a row of pixels, as distances from the middle of the sample's own, is the sum of the window
+/// over them.
+template<class Vector>
+TILT_LENS_INLINED Vector WindowSumUpTo(const Vector& distance)
+{
+    constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
+    return distance * ((1.0f + inverse / 12.0f) - distance * distance * (inverse / 3.0f));
+}
+
 /// Mask of a row's last vector: loaded from index kMostLanes - count, it starts with `count` ones.
 constexpr float kInRow[2 * SpreadSums::kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 
@@ -93,18 +124,16 @@ struct Extent
 {
     float middle, half;  ///< pixels
 
-    /// For each pixel within reach of a sample of pixel `own`: length, in pixels, of the part of the extent that lies in the picture and
-    /// within reach of that pixel.
+    /// For each pixel within reach of a sample of pixel `own`: integral of its window over the part of the extent that lies in the picture.
     template<class Vector>
     TILT_LENS_INLINED void FindSenders(int own, const PictureSpan& picture, LaneNumbers& senders) const
     {
-        const float reach = SpreadSums::kReach, from = std::max(middle - half, picture.begin), to = std::min(middle + half, picture.end);
+        const float from = std::max(middle - half, picture.begin), to = std::min(middle + half, picture.end);
         for (int i = 0; i < kLanes; i += kWidth<Vector>)
         {
-            const Vector pixel = Load<Vector>(kOffsets.of + i) + float(own);
-            const Vector begin = pixel - reach, end = pixel + (reach + 1.0f);
-            const Vector length = Min<Vector>(end, to - Vector()) - Max<Vector>(begin, from - Vector());
-            Store(senders.of + i, Max<Vector>(length, 1.0f - Vector()));
+            const Vector centre = Load<Vector>(kOffsets.of + i) + (float(own) + 0.5f);
+            const Vector integral = WindowUpTo<Vector>(to - centre) - WindowUpTo<Vector>(from - centre);
+            Store(senders.of + i, Max<Vector>(integral, 1.0f - Vector()));
         }
     }
 };
@@ -141,6 +170,7 @@ bool ServesOthers(const CircleOfConfusion& circle)
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
+    float windowOf[kLanes], windowed = 0.0f;  ///< sums of the window: along each row, over all pixels
     unsigned int rows = 0;  ///< a bit for each row that is not empty
     Extent across{}, down{};
 
@@ -156,6 +186,10 @@ struct CirclePixels
         rows &= (1u << kRows) - 1;
         for (int i = 0; i < kRows; i++)
             count += end[i] - begin[i];
+        Float4 sums{};  // in the same order for all vectors
+        for (int i = 0; i < kLanes; i += kWidth<Float4>)
+            sums += Load<Float4>(kWindow.of + i) * Load<Float4>(windowOf + i);
+        windowed = (sums[0] + sums[1]) + (sums[2] + sums[3]);
         across = {circle.x, std::sqrt(ellipse.xx)};
         down = {circle.y, std::sqrt(ellipse.yy)};
     }
@@ -176,6 +210,9 @@ struct CirclePixels
         from -= __builtin_convertvector(from, Vector) < least;
         to += __builtin_convertvector(to, Vector) > most;
         const Whole first = from & met, last = Max<Whole>(to + 1, from) & met;
+        const float own = float(column) + 0.5f;
+        Store(windowOf + i, WindowSumUpTo<Vector>(__builtin_convertvector(last, Vector) - own) -
+                            WindowSumUpTo<Vector>(__builtin_convertvector(first, Vector) - own));
         rows |= SignBits(first < last) << i;
         Store(begin + i, first);
         Store(end + i, last);
@@ -195,9 +232,9 @@ namespace
 struct Densities
 {
     float of[kRows * kRows + SpreadSums::kMostLanes];  ///< padding: read, not used
-    float sum = 0.0f;
+    float sum = 0.0f;  ///< over the pixels, times the window
 
-    void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int row)
+    void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
     {
         const float inverse = 1.0f / (circle.xa * circle.yb - circle.xb * circle.ya);
         const AperturePoints step{-circle.yb * inverse, circle.ya * inverse};
@@ -208,8 +245,9 @@ struct Densities
             const AperturePoints first{(circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse};
             const int count = pixels.end[i] - pixels.begin[i];
             circle.lens->FindDensities(first, step, count, to);
+            const int place = pixels.begin[i] - column + SpreadSums::kReach;
             for (int k = 0; k < count; k++)
-                sum += to[k];
+                sum += kWindow.of[i] * kWindow.of[place + k] * to[k];
             to += count;
         }
         std::fill_n(to, SpreadSums::kMostLanes, 0.0f);
@@ -274,11 +312,11 @@ TILT_LENS_INLINED void SpreadSums::AddBy(int column, int row, const CircleOfConf
     if (std::isfinite(SquareOf(value)))
         pixels.Find<Vector>(circle, column, row);
     const bool shaped = pixels.count > 1 && !circle.lens->IsDisc();
-    float sum = float(pixels.count);
+    float sum = pixels.windowed;
     Densities densities;
     if (shaped)
     {
-        densities.Find(circle, pixels, row);
+        densities.Find(circle, pixels, column, row);
         sum = densities.sum;
     }
     if (pixels.count <= 1 || !(sum > 0.0f))
@@ -298,8 +336,9 @@ TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float*
     const float toColumn = ofColumns.of[kReach], toRow = ofRows.of[kReach];
     for (int i = 0; i < kLanes; i += kWidth<Vector>)
     {
-        Store(ofColumns.of + i, toColumn / Load<Vector>(ofColumns.of + i));
-        Store(ofRows.of + i, toRow / (sum * Load<Vector>(ofRows.of + i)));
+        const Vector window = Load<Vector>(kWindow.of + i);
+        Store(ofColumns.of + i, toColumn * window / Load<Vector>(ofColumns.of + i));
+        Store(ofRows.of + i, toRow * window / (sum * Load<Vector>(ofRows.of + i)));
     }
     LaneNumbers ofOthers = ofColumns;  // nothing is sent to the sample's own pixel
     ofOthers.of[kReach] = 0.0f;

@@ -6,8 +6,9 @@
 /// receives a share of the sample's radiance. Received radiance over received shares is a pixel's spread estimate S, made of many pixels'
 /// rays.
 ///
-/// Samples reach at most kReach pixels, so in a wide circle some parts of the lens would send a pixel more samples than others. A share is
-/// therefore 1 over the number of pixels that could have sent the sample to the receiving pixel (the balance heuristic).
+/// Samples reach at most kReach pixels. A window, which falls with the distance, multiplies shares, since a highlight would otherwise show as
+/// a square. In a wide circle some parts of the lens would send a pixel more samples than others. A share is therefore divided by the sum of
+/// the windows of all pixels that could have sent the sample to the receiving pixel (the balance heuristic).
 ///
 /// S ignores occlusion between the point and other pixels, so it is only one candidate of the reconstruction.
 ///
