@@ -1,9 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parser, manual, manual page and editors have the same items of the block. Completion offers the right words, snippets render, and Vim
-colours the words (if Vim with its syntax files is installed)."""
+"""Manual, README, manual page and editors have the items of the parser's table, with its values, units and ranges. Completion offers the
+right words, snippets render, and Vim colours the words (if Vim with its syntax files is installed)."""
 
 import argparse
+import functools
 import json
 import os
 import pathlib
@@ -15,19 +16,37 @@ import sys
 import tempfile
 import unittest
 
+from tests.parse import items
 from tests.waiting import PATIENCE
 from tools.repository import ROOT
 
 EDITORS = ROOT / "editors"
-WORDS = ROOT / "povray-src" / "povray" / "source" / "backend" / "parser" / "tilt_lens_words.cpp"
-SETTINGS = argparse.Namespace(povray="povray")
+SETTINGS = argparse.Namespace(povray="povray", parser=None)
 BATCH_KINDS = re.compile(r"(\w+(?:\|\w+)+)")
 
 
-def items():
-    """The words of the block, from the parser."""
-    table = re.search(r"TiltLensItems::kAll\[.*?\] = \{(.*?)\};", WORDS.read_text(), re.DOTALL)[1]
-    return sorted(re.findall(r'\{"(\w+)"', table))
+# how the manual's table names the units of values
+UNITS = {"MM": "millimetres", "DEG": "degrees", "UNITS": "scene units", "PIXELS": "pixels"}
+FOCUS_AIDS = ("focus_peaking", "focus_map", "show_planes")  # in a table of their own
+
+
+@functools.cache
+def table():
+    """The parser's table of items."""
+    return items.items(SETTINGS.parser)
+
+
+def words():
+    return sorted(item.word for item in table())
+
+
+def manual():
+    return (ROOT / "docs" / "manual.md").read_text()
+
+
+def ranged():
+    """(item, range) for each range of a number."""
+    return [(item, number.range()) for item in table() for number in item.numbers[:1] if number.range()]
 
 
 def grammar():
@@ -41,28 +60,53 @@ def snippets():
     return {name: re.sub(r"\$\{\d+:([^}]*)\}", r"\1", "\n".join(entry["body"])) for name, entry in table.items()}
 
 
-class SameWords(unittest.TestCase):
+class SameItems(unittest.TestCase):
     """A new item of the parser must be added in all these places."""
 
     def check(self, place, found):
-        self.assertEqual(sorted(found), items(), f"{place} does not have the items of {WORDS.name}")
+        self.assertEqual(sorted(found), words(), f"{place} does not have the items of the parser")
 
     def test_there_are_items(self):
-        self.assertGreaterEqual(len(items()), 12)
+        self.assertGreaterEqual(len(words()), 12)
 
-    def test_manual(self):
-        syntax = re.search(r"\nTILT_LENS_ITEM:\n(.*?)```", (ROOT / "docs" / "manual.md").read_text(), re.DOTALL)[1]
+    def test_manual_syntax(self):
+        syntax = re.search(r"\nTILT_LENS_ITEM:\n(.*?)```", manual(), re.DOTALL)[1]
         self.check("the syntax summary of docs/manual.md", set(re.findall(r"(?:^|\|)\s*([a-z_]{4,})\b", syntax, re.MULTILINE)))
+        for item in table():
+            self.assertIn(f"{item.word} {item.values}".strip(), [" ".join(part.split()) for part in re.split(r" \|\s|\n", syntax)])
+
+    def test_manual_table(self):
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in manual().split("\n") if re.match(r"\| \[`\w+`\]\(#", line)]
+        self.check("the table of docs/manual.md", [word for row in rows for word in re.findall(r"`(\w+)`", row[0])] + list(FOCUS_AIDS))
+        row_of = {word: row for row in rows for word in re.findall(r"`(\w+)`", row[0])}
+        for item in table():
+            if item.numbers and item.word not in FOCUS_AIDS:
+                _, unit, _, limits = row_of[item.word]
+                for placeholder in re.findall(r"[A-Z]{2,}", item.values):
+                    self.assertIn(UNITS.get(placeholder, ""), unit, item)
+                self.assertEqual(item.numbers[0].whole, unit.startswith("whole number"), item)
+                self.assertIn(item.numbers[0].range() or "", limits, item)
+                self.assertEqual(item.values == "on/off", limits.startswith("`on` or `off`"), item)
+
+    def test_manual_sections(self):
+        sections = {word: text for heading, text in re.findall(r"\n### ([a-z_, ]+)\n(.*?)(?=\n##)", manual(), re.DOTALL)
+                    for word in heading.split(", ")}
+        self.assertEqual([word for word in words() if word not in sections], [])
+        for item, limits in ranged():
+            self.assertIn(limits, sections[item.word].replace("Larger", "larger"), item.word)
 
     def test_readme(self):
-        table = (ROOT / "README.md").read_text().split("## The items of `tilt_lens`", 1)[1].split("\n## ", 1)[0]
-        rows = "\n".join(line.split("|")[1] for line in table.split("\n") if line.startswith("| `"))
-        self.check("the table of README.md", re.findall(r"`([a-z_]+)", rows))
+        rows = (ROOT / "README.md").read_text().split("## The items of `tilt_lens`", 1)[1].split("\n## ", 1)[0]
+        cells = "\n".join(line.split("|")[1] for line in rows.split("\n") if line.startswith("| `"))
+        self.assertEqual(sorted(re.findall(r"`([^`]+)`", cells)), sorted(f"{item.word} {item.values}".strip() for item in table()))
 
     def test_manual_page(self):
-        page = (ROOT / "docs" / "man" / "povray-tilt-lens.7").read_text()
-        listed = page.split(".SH ITEMS")[1].split(".SH QUALITY")[0]
-        self.check("docs/man/povray-tilt-lens.7", re.findall(r'^\.TP\n\.BI? "?([a-z_]+)', listed, re.MULTILINE))
+        page = (ROOT / "docs" / "man" / "povray-tilt-lens.7").read_text().replace("\\-", "-")
+        entries = {re.match(r'\.BI? "?([a-z_]+)', entry)[1]: " ".join(entry.split())
+                   for entry in page.split(".SH ITEMS")[1].split(".SH QUALITY")[0].split("\n.TP\n")[1:]}
+        self.check("docs/man/povray-tilt-lens.7", entries)
+        for item, limits in ranged():
+            self.assertIn(limits, entries[item.word].replace("Larger", "larger"), item.word)
 
     def test_vim(self):
         text = (EDITORS / "vim" / "after" / "syntax" / "pov.vim").read_text()
@@ -74,7 +118,7 @@ class SameWords(unittest.TestCase):
 
     def test_every_item_has_a_snippet(self):
         text = "\n".join(snippets().values())
-        self.assertEqual([item for item in items() if not re.search(rf"\b{item}\b", text)], [])
+        self.assertEqual([item for item in words() if not re.search(rf"\b{item}\b", text)], [])
 
 
 class Code(unittest.TestCase):
@@ -98,7 +142,7 @@ class Code(unittest.TestCase):
         """It is typed inside the block."""
         table = json.loads((EDITORS / "vscode" / "snippets" / "tilt-lens.json").read_text())
         for entry in table.values():
-            if entry["prefix"] in items():
+            if entry["prefix"] in words():
                 self.assertTrue(entry["body"][0].startswith(entry["prefix"]), entry)
                 self.assertNotIn("tilt_lens", "".join(entry["body"]))
 
@@ -236,6 +280,7 @@ sphere { tilt, 1 texture { tilt } } } #declare swing = 1;
 def main():
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("--povray", type=os.path.abspath, required=True)
+    parser.add_argument("--parser", required=True, help="the program parse_blocks")
     _, rest = parser.parse_known_args(namespace=SETTINGS)
     unittest.main(argv=[sys.argv[0], *rest])
 

@@ -328,6 +328,7 @@ class Macros(rendering.RenderTest):
             code, said = refusal(camera)
             self.assertNotEqual(code, 0, f"{camera}\n{said}")
             self.assertIn(words, said, f"{camera}: {said}")
+            self.assertIn("File 'scene.pov' line 4: Parse Error", said, "the place is that of the call")
 
     def test_wrong_kinds(self):
         """A value of another type is refused at its place, with macro, argument and the allowed type."""

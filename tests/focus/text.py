@@ -65,7 +65,7 @@ class SceneText(unittest.TestCase):
         self.assertIsNone(scene_text.kept_at("camera { angle 40 }", 1))
 
     def test_each_item_of_the_language_is_written_or_kept(self):
-        source = ROOT / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp"
+        source = ROOT / "povray-src/povray/source/backend/parser/tilt_lens_items.cpp"
         items = re.findall(r'^    \{"(\w+)", ', source.read_text(), re.MULTILINE)
         self.assertEqual(sorted(items), sorted(scene_text.WRITTEN + scene_text.KEPT + scene_text.REFUSED))
 

@@ -4,14 +4,45 @@
 /// @file parse_blocks.cpp
 /// Reads the texts of blocks from standard input, each ended by a zero byte, and parses each as a scene of its own. Prints one line per
 /// block at once, so that a crash can be attributed: `lens`, `none` (no tilt_lens in the end), `error WORDS` or `wrong WORDS`.
+/// With `--items`, prints the parser's table of items as JSON; a limit that is infinite is null.
 
+#include <cstring>
 #include <iostream>
 #include <string>
 
-#include "parse_driver.h"
+#include <nlohmann/json.hpp>
 
-int main()
+#include "parse_driver.h"
+#include "backend/parser/tilt_lens_items.h"
+
+namespace
 {
+
+nlohmann::json Items()
+{
+    nlohmann::json items;
+    for (const pov::TiltLensItem& item : pov::kTiltLensItems)
+    {
+        nlohmann::json numbers = nlohmann::json::array();
+        for (const pov::ItemNumber& number : item.numbers)
+            numbers.push_back({{"name", number.name == NULL ? item.word : number.name},
+                               {"least", number.range.least},
+                               {"most", number.range.most},
+                               {"whole", number.range.whole}});
+        items.push_back({{"word", item.word}, {"values", item.values}, {"example", item.Example()}, {"numbers", numbers}});
+    }
+    return items;
+}
+
+} // namespace
+
+int main(int count, char** options)
+{
+    if (count > 1 && std::strcmp(options[1], "--items") == 0)
+    {
+        std::cout << Items().dump() << std::endl;
+        return 0;
+    }
     std::string block;
     while (std::getline(std::cin, block, '\0'))
     {

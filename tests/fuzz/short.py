@@ -4,13 +4,12 @@
 
 import argparse
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
 
 from tests.fuzz import blocks, frames, grammar, kept, seeds
-from tools.repository import ROOT
+from tests.parse import items
 
 RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 1200, 60
 SECONDS_OF_ONE = 60  # a file is read within a thousandth of it
@@ -47,15 +46,9 @@ def prescription(settings):
                       f"-artifact_prefix={name}/", folder / "corpus")
 
 
-def known_words():
-    """The words of the block, from the parser's own table."""
-    table = (ROOT / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp").read_text()
-    return set(re.findall(r'^    \{"(\w+)", ', table, re.MULTILINE))
-
-
 def grammar_blocks(settings):
     """Blocks of the grammar through the parser: each results in a lens or in one error, and both occur often."""
-    missing = known_words() ^ set(grammar.WORDS)
+    missing = {item.word for item in items.items(settings.parser)} ^ set(grammar.WORDS)
     if missing:
         sys.exit(f"the grammar and the parser know different words: {sorted(missing)}")
     found = blocks.tally(blocks.run(settings.parser, 1, BLOCKS))

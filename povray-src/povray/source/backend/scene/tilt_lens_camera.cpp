@@ -32,13 +32,6 @@ Vec3 TransformedNormal(const Vec3& n, const TRANSFORM* trans)
     return FromPov(v);
 }
 
-Vec3 TransformedDirection(const Vec3& d, const TRANSFORM* trans)
-{
-    VECTOR v = {d.x, d.y, d.z};
-    MTransDirection(v, v, trans);
-    return FromPov(v);
-}
-
 double Determinant(const TRANSFORM* trans)
 {
     const MATRIX& m = trans->matrix;
@@ -98,7 +91,6 @@ void TiltLensCamera::Transform(const TRANSFORM* trans)
     for (Vec3& point : s.sharpPoints)
         point = TransformedPoint(point, trans);
     s.focalPoint = TransformedPoint(s.focalPoint, trans);
-    facade = TransformedDirection(facade, trans);
     s.scale *= std::cbrt(std::fabs(Determinant(trans)));
 }
 

@@ -34,25 +34,11 @@ struct TiltLensPlace
     POV_LONG line = 0, column = 0, offset = 0;
 };
 
-/// Items of a camera statement whose written values POV-Ray's Camera does not keep.
-struct WrittenItems
-{
-    bool aperture = false;                    ///< written, perhaps with the default value 0
-    double variance = 0.0, confidence = 0.9;  ///< as written; else the default
-
-    struct Warning
-    {
-        TiltLensPlace place;
-        std::string text;
-    };
-    std::vector<Warning> warnings;  ///< about values that are errors if the camera has `tilt_lens`
-};
-
-/// Items of the camera before the block, for a block that follows a camera's identifier.
+/// Which items the camera's statement has, for a block that follows the camera's identifier.
 struct CameraItems
 {
     bool angle = false, aperture = false;
-    bool focalPoint = false;               ///< `focal_point` or `look_at` is written: it is the statement's focalPoint
+    bool focalPoint = false;  ///< `focal_point` or `look_at`: it is the statement's focalPoint
 };
 
 /// A point in focus, found by a ray after parsing.
@@ -71,13 +57,10 @@ struct TiltLensCamera
 {
     bool given = false;  ///< the camera has a `tilt_lens` block; without it, only `items` and the statement's focalPoint
                          ///< and scale are used
-    bool open = false;   ///< the block belongs to the camera statement being parsed
-    WrittenItems written;
     CameraItems items;
     TiltLensPlace place; ///< of the block's first word
     std::set<std::string> words;  ///< names of the block's items
     tilt_lens::Statement statement;
-    tilt_lens::Vec3 facade;  ///< from the lower left to the lower right corner given to Tilt_Lens_Facade; 0: none
     tilt_lens::FocusAids aids;  ///< drawn in place of the lens's picture
 
     FocusTarget focusTarget;                ///< in place of the statement's focalPoint

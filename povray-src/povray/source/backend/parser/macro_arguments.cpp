@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file parse_tilt_lens_macros.cpp
+/// @file macro_arguments.cpp
 /// The arguments of the macros of tilt_lens.inc. The scene language has no way to ask for the type of a value, so that a
 /// macro itself cannot refuse a wrong one: it would end in the middle of it, with an error that speaks of operators.
 
@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-#include "backend/frame.h"
+#include "backend/parser/item_reader.h"
 #include "backend/parser/parse.h"
 
 #include "base/povdebug.h"
@@ -20,7 +20,7 @@ namespace pov
 namespace
 {
 
-/// What an argument is, by the name of its parameter; all others are numbers. Holds for all macros of the include file.
+/// A parameter of any macro of the include file; arguments of parameters with other names are numbers.
 struct Parameter
 {
     const char* name;
@@ -30,21 +30,12 @@ struct Parameter
 
 const char kVector[] = "a point <x, y, z>", kPair[] = "a vector of two numbers", kArray[] = "an array", kText[] = "a text";
 
-const Parameter kParameters[] = {{"Location", kVector, "<0, 1.6, -6>"},
-                                 {"Look_At", kVector, "<0, 1, 0>"},
-                                 {"Subject", kVector, "<0, 1, 0>"},
-                                 {"Other", kVector, "<0, 1, 0>"},
-                                 {"Near", kVector, "<0, 0, 2>"},
-                                 {"Far", kVector, "<0, 0, 20>"},
-                                 {"Lower_Left", kVector, "<-5, 0, 0>"},
-                                 {"Lower_Right", kVector, "<5, 0, 0>"},
-                                 {"Upper_Left", kVector, "<-5, 8, 0>"},
-                                 {"Shift", kPair, "<0, 8>"},
-                                 {"Film", kArray, "Tilt_Lens_Film_Full_Frame"},
-                                 {"Lens", kArray, "Tilt_Lens_TS_24"},
-                                 {"File", kText, "\"lenses/zeiss_planar_50.dat\""},
-                                 {"Macro", kText, "\"Name\""},
-                                 {"Name", kText, "\"Name\""}};
+const Parameter kParameters[] = {
+    {"Location", kVector, "<0, 1.6, -6>"}, {"Look_At", kVector, "<0, 1, 0>"}, {"Subject", kVector, "<0, 1, 0>"},
+    {"Other", kVector, "<0, 1, 0>"}, {"Near", kVector, "<0, 0, 2>"}, {"Far", kVector, "<0, 0, 20>"},
+    {"Lower_Left", kVector, "<-5, 0, 0>"}, {"Lower_Right", kVector, "<5, 0, 0>"}, {"Upper_Left", kVector, "<-5, 8, 0>"},
+    {"Shift", kPair, "<0, 8>"}, {"Film", kArray, "Tilt_Lens_Film_Full_Frame"}, {"Lens", kArray, "Tilt_Lens_TS_24"},
+    {"File", kText, "\"lenses/zeiss_planar_50.dat\""}, {"Macro", kText, "\"Name\""}, {"Name", kText, "\"Name\""}};
 
 const Parameter kNumber = {"", "a number", "24"};
 
@@ -92,8 +83,8 @@ void TiltLensParser::CheckMacro(const char* macro, SYM_ENTRY* const* arguments, 
         const char* found = KindOf(byName ? *static_cast<Parser::POV_PARAM*>(argument.Data)->NumberPtr : argument.Token_Number);
         const Parameter& wanted = ParameterNamed(names[i]);
         if (!IsAllowed(found, wanted.kind))
-            ErrorAt(Here(), "%s: %s is %s. It must be %s; write for example %s.", macro, names[i], found, wanted.kind,
-                    wanted.example);
+            ErrorAt(Here(), Printed("%s: %s is %s. It must be %s; write for example %s.", macro, names[i], found, wanted.kind,
+                                    wanted.example));
     }
 }
 

@@ -1,0 +1,41 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""The parser's own table of the items of `tilt_lens`, as the program `parse_blocks` prints it."""
+
+import dataclasses
+import json
+import math
+import subprocess
+
+from tests.waiting import PATIENCE
+
+
+@dataclasses.dataclass
+class Number:
+    name: str  # in messages
+    least: float
+    most: float
+    whole: bool
+
+    def range(self):
+        """The range as pages state it; None if any finite number will do."""
+        if math.isfinite(self.least) and math.isfinite(self.most):
+            return f"{self.least:.10g} to {self.most:.10g}"
+        return "larger than 0" if self.least > 0 else None
+
+
+@dataclasses.dataclass
+class Item:
+    word: str
+    values: str   # placeholders of its values, as in the manual
+    example: str  # the word with values
+    numbers: list
+
+
+def items(parse_blocks):
+    """All items, in the order of messages."""
+    told = subprocess.run([parse_blocks, "--items"], capture_output=True, timeout=PATIENCE, check=True).stdout
+    return [Item(entry["word"], entry["values"], entry["example"],
+                 [Number(number["name"], -math.inf if number["least"] is None else number["least"],
+                         math.inf if number["most"] is None else number["most"], number["whole"]) for number in entry["numbers"]])
+            for entry in json.loads(told)]
