@@ -9,6 +9,8 @@ import jsonschema
 from tools.focus.scene_text import with_items
 
 LARGEST = 16384  # pixels of a side
+MOST_POINTS = 100  # the program's own limit
+LONGEST_BLOCK = 1000 + 80 * MOST_POINTS  # characters
 QUALITIES = (
     "blur_samples 32",
     "blur_samples 256 variance 1/8000",
@@ -16,7 +18,7 @@ QUALITIES = (
 )
 WORDS = (
     "film_width", "focal_length", "scene_unit", "tilt", "swing", "focus_tilt", "focus_swing", "focal_plane", "focal_points",
-    "shift", "f_stop", "blades",
+    "sharp_points", "sharp_within", "shift", "f_stop", "blades",
 )  # fmt: skip
 
 
@@ -40,14 +42,14 @@ NUMBER = {"type": "number", "minimum": -1e300, "maximum": 1e300}
 NUMBER_OR_NONE = {"anyOf": [NUMBER, {"type": "null"}]}
 
 
-def text(pattern):
+def text(pattern, longest=2000):
     """A text that matches the pattern completely."""
-    return {"type": "string", "maxLength": 2000, "pattern": rf"\A(?:{pattern})\Z"}
+    return {"type": "string", "maxLength": longest, "pattern": rf"\A(?:{pattern})\Z"}
 
 
-def values(item, count):
-    """A list of `count` items."""
-    return {"type": "array", "items": item, "minItems": count, "maxItems": count}
+def values(item, count, most=None):
+    """A list of `count` items, or of as many to `most`."""
+    return {"type": "array", "items": item, "minItems": count, "maxItems": most or count}
 
 
 def record(**parts):
@@ -62,7 +64,7 @@ def some_of(**parts):
 
 VECTOR = values(NUMBER, 3)
 CAMERA = record(location=VECTOR, direction=VECTOR, right=VECTOR, up=VECTOR)
-BLOCK = text(BLOCK_TEXT)
+BLOCK = text(BLOCK_TEXT, LONGEST_BLOCK)
 ITEMS = some_of(
     focal_point=text(VECTOR_TEXT),
     angle={"anyOf": [text(DIGITS), {"type": "null"}]},
@@ -76,6 +78,7 @@ FOCUS = {
     "lensTurn": {"tilt": NUMBER, "swing": NUMBER, "focalPoint": VECTOR},
     "plane": {"planeNormal": VECTOR, "planeDistance": NUMBER},
     "points": {"points": values(VECTOR, 3)},
+    "sharp": {"sharpPoints": values(VECTOR, 3, MOST_POINTS), "sharpWithin": NUMBER_OR_NONE},
 }
 EXPECTED = {"anyOf": [record(family={"const": family}, **LENS, **focus) for family, focus in FOCUS.items()]}
 EXPECT = record(block=EXPECTED, camera=CAMERA)

@@ -12,6 +12,7 @@ import { buildStage } from "./stage.js";
 import { buildCameras } from "./cameras.js";
 import { drawSide, surfaceSection } from "./side.js";
 import { buildText } from "./text.js";
+import { buildMore } from "./more.js";
 import { connect } from "./connection.js";
 import { buildTruth } from "./truth.js";
 import { buildProbe } from "./probe.js";
@@ -33,6 +34,7 @@ model.changed = () => {
         return;
     knobs();
     stage.show();
+    more();
     say();
     text.show();
     truth.show();
@@ -71,6 +73,8 @@ function hint() {
         const places = missing === 1 ? "place that is" : "places that are";
         return `Click ${model.picks.length ? `${missing} more` : missing} ${places} to be sharp.${keys}`;
     }
+    if (model.mode === "more")
+        return `Each click adds a point. Drag a point to move it.${keys}`;
     return `All of these are sharp. Drag a point, or click to move the nearest.${keys}`;
 }
 
@@ -80,6 +84,7 @@ function takeScene(message) {
     const index = chosen !== null && chosen < message.cameras.length ? chosen : null;
     scene = { ...message, view: index === null ? message.view : message.cameras[index] };
     const { view } = scene;
+    [model.width] = message.size;
     live.ownView = message.view;
     showLeftOut();
     cameras.show(message, index ?? message.used);
@@ -206,6 +211,7 @@ const cameras = buildCameras(find, {
     },
     clock: clock => ask({ do: "preview", clock }),
 });
+const more = buildMore(find, model);
 const text = buildText(find, model, cameras.kept, ask);
 const truth = buildTruth(find, stage, model, () => [blur.width, blur.height], ask);
 

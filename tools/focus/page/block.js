@@ -1,18 +1,17 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens as text for a scene: the `tilt_lens` block in three forms, and its camera items.
+/// The lens as text for a scene: the `tilt_lens` block in three forms, "points", "plane" and "angles", and its camera items.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
-import { planeOf, turnOf } from "./lens.js";
+import { planeOf, turnOf, widestStop } from "./lens.js";
 import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 
-export const FORMS = { points: "three points", plane: "plane", angles: "angles" };
 const DIGITS = 7;
 
 /// items of the block that the program's answer must match: always, and by family
 const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
-const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"] };
+const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"], sharp: ["sharpPoints", "sharpWithin"] };
 
 /// A number with few digits, for a length of this size; rounding errors become 0.
 export function rounded(value, size = Math.abs(value)) {
@@ -49,13 +48,15 @@ function roundedBlock(model, form, { matrix, inverse, scale }) {
     const said = {
         ...block, filmWidth: rounded(block.filmWidth), sceneUnit: rounded(block.sceneUnit * scale), fStop: rounded(block.fStop),
         focalLength: block.focalLength === null ? null : rounded(block.focalLength), shift: block.shift.map(x => rounded(x, block.filmWidth)),
-        bladesAngle: rounded(block.bladesAngle), aperture: 0, scale,
+        bladesAngle: rounded(block.bladesAngle), aperture: 0, sharpWithin: null, scale,
     };
     // as many digits as the distance from the lens needs
     const point = world => {
         const local = movedPoint(inverse, world);
         return roundedVector(local, length(subtract(local, location)));
     };
+    if (form === "points" && block.family === "sharp")
+        return { ...said, sharpPoints: block.sharpPoints.map(point), sharpWithin: model.holds ? model.within * said.filmWidth / model.width : null };
     if (form === "points")
         return { ...said, family: "points", points: threePoints(model).map(point) };
     if (form === "plane") {
@@ -69,7 +70,11 @@ function roundedBlock(model, form, { matrix, inverse, scale }) {
     return { ...said, family: "lensTurn", tilt: rounded(tilt, 10), swing: rounded(swing, 10), focalPoint: point(model.anchor()) };
 }
 
-function focusItems(block) {
+function focusItems(block, within) {
+    if (block.family === "sharp") {
+        const points = block.sharpPoints.map(vector).join(block.sharpPoints.length > 3 ? ",\n    " : ", ");
+        return [`sharp_points ${points}`, block.sharpWithin !== null && `sharp_within ${text(within)}`];
+    }
     if (block.family === "points")
         return [`focal_points ${block.points.map(vector).join(", ")}`];
     if (block.family === "plane")
@@ -78,12 +83,15 @@ function focusItems(block) {
 }
 
 /// The expected block in world coordinates.
-function expected(block, { matrix, inverse, scale }) {
+function expected(block, { matrix, inverse, scale }, camera, { within, width }) {
     const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
     const world = {
         ...block, sceneUnit: block.sceneUnit / scale, points: block.points.map(point => movedPoint(matrix, point)),
         planeNormal: plane.normal, planeDistance: plane.distance, focalPoint: movedPoint(matrix, block.focalPoint),
+        sharpPoints: block.sharpPoints.map(point => movedPoint(matrix, point)), scale: 1,
     };
+    if (world.sharpWithin !== null)
+        world.fStop = widestStop(camera, world, within, width); // of the rounded points
     return Object.fromEntries([...EXPECTED, ...FOCUS[block.family]].map(name => [name, world[name]]));
 }
 
@@ -99,10 +107,10 @@ export function describe(model, form, place = model.place) {
         said.sceneUnit !== 1000 && `scene_unit ${text(said.sceneUnit)}`,
         said.filmWidth !== 36 && `film_width ${text(said.filmWidth)}`,
         said.focalLength !== null && `focal_length ${text(said.focalLength)}`,
-        `f_stop ${text(said.fStop)}`,
+        said.sharpWithin === null && `f_stop ${text(said.fStop)}`,
         said.blades > 0 && `blades ${said.blades}${said.bladesAngle ? `, ${text(said.bladesAngle)}` : ""}`,
         (said.shift[0] || said.shift[1]) && `shift <${said.shift.map(text).join(", ")}>`,
-        ...focusItems(said),
+        ...focusItems(said, model.within),
     ].filter(Boolean);
     const items = {};
     if (model.given.aperture)
@@ -119,10 +127,11 @@ export function describe(model, form, place = model.place) {
     }
     if (said.family === "lensTurn")
         items.focal_point = vector(said.focalPoint);
+    const { location, right, up } = camera, seen = { location, direction, right, up };
     return {
         block: `tilt_lens {\n${lines.map(line => `  ${line}`).join("\n")}\n}`,
         items,
-        expect: { block: expected(said, place), camera: { location: camera.location, direction, right: camera.right, up: camera.up } },
+        expect: { block: expected(said, place, seen, model), camera: seen },
     };
 }
 

@@ -3,7 +3,7 @@
 
 /// The lens as text for the scene: choosing its form, copying it, writing it into the scene's file.
 
-import { FORMS, change, copyText, describe } from "./block.js";
+import { change, copyText, describe } from "./block.js";
 
 const sentence = words => words.replace(/\.?$/, ".");
 
@@ -19,11 +19,13 @@ const WORDS = {
 /// @param ask   sends a message to the program
 export function buildText(find, model, kept, ask) {
     const block = find("block"), said = find("file-said");
-    let form = "plane", copied = "";
+    let chosen = null, copied = "";
 
+    /// The form of the text: the points where a plane only follows from them.
+    const form = () => chosen ?? (model.block.family === "sharp" ? "points" : "plane");
     const show = () => {
-        block.textContent = copyText(describe(model, form), kept());
-        document.querySelector(`input[name=form][value=${form}]`).checked = true;
+        block.textContent = copyText(describe(model, form()), kept());
+        document.querySelector(`input[name=form][value=${form()}]`).checked = true;
         find("write").disabled = find("copy").disabled = find("render").disabled = Boolean(model.error);
     };
     const mark = () => {
@@ -34,7 +36,7 @@ export function buildText(find, model, kept, ask) {
     };
     for (const radio of document.querySelectorAll("input[name=form]"))
         radio.onchange = () => {
-            form = radio.value in FORMS ? radio.value : form;
+            chosen = radio.value;
             show();
         };
     find("copy").onclick = async () => {
@@ -46,9 +48,9 @@ export function buildText(find, model, kept, ask) {
             copied = "The browser does not let this page copy. The text is marked: press Ctrl-C.";
         }
         said.textContent = `${copied} Trying it in the scene …`;
-        ask({ do: "try", ...change(model, form) });
+        ask({ do: "try", ...change(model, form()) });
     };
-    find("write").onclick = () => ask({ do: "write", ...change(model, form) });
+    find("write").onclick = () => ask({ do: "write", ...change(model, form()) });
     find("undo").onclick = () => ask({ do: "undo" });
 
     return {
