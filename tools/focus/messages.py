@@ -9,7 +9,8 @@ import jsonschema
 from tools.focus.scene_text import with_items
 
 LARGEST = 16384  # pixels of a side
-MOST_POINTS = 100  # the program's own limit
+MOST_POINTS = MOST_KEYS = 100  # the program's own limits
+MOST_CHECKS = 5  # of a focus pull
 LONGEST_BLOCK = 1000 + 80 * MOST_POINTS  # characters
 QUALITIES = (
     "blur_samples 32",
@@ -37,6 +38,11 @@ DIGITS = r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?(?:e[-+]?[0-9]{1,3})?"  # a number in 
 VECTOR_TEXT = rf"<{DIGITS}(?:, {DIGITS}){{2}}>"
 BLOCK_PART = rf"(?:[ \n<>,]|(?:{'|'.join(WORDS)}|{DIGITS})(?=[ \n<>,{{}}]))*"
 BLOCK_TEXT = rf"tilt_lens \{{{BLOCK_PART}(?:\{{{BLOCK_PART}\}}{BLOCK_PART})?\}}"
+
+# a focus pull: its keys before the camera, and the block that uses them
+KEY_TEXT = rf"Tilt_Lens_Key_Points\({DIGITS}, {DIGITS}(?:, {VECTOR_TEXT}){{3}}\)\n"
+HEAD_TEXT = rf'#include "tilt_lens\.inc"\n#declare Tilt_Lens_Keys = 0;\n(?:{KEY_TEXT}){{2,{MOST_KEYS}}}'
+PULL_TEXT = rf"tilt_lens \{{{BLOCK_PART}Tilt_Lens_Pull\(clock, {VECTOR_TEXT}\)\n\}}"
 
 NUMBER = {"type": "number", "minimum": -1e300, "maximum": 1e300}
 NUMBER_OR_NONE = {"anyOf": [NUMBER, {"type": "null"}]}
@@ -96,6 +102,13 @@ MESSAGES = {
     "write": CHANGE,
     "try": CHANGE,
     "undo": {},
+    "pull": {
+        "write": {"type": "boolean"},
+        "head": text(HEAD_TEXT, 1000 + 300 * MOST_KEYS),
+        "block": text(PULL_TEXT),
+        "items": ITEMS,
+        "checks": {"type": "array", "items": record(time=NUMBER, expect=EXPECT), "minItems": 1, "maxItems": MOST_CHECKS},
+    },
 }
 OPTIONAL = {"preview"}  # messages with optional members
 

@@ -12,21 +12,29 @@ import { buildStage } from "./stage.js";
 import { buildCameras } from "./cameras.js";
 import { drawSide, surfaceSection } from "./side.js";
 import { buildText } from "./text.js";
+import { isState, markOf, readAddress, writeAddress } from "./address.js";
+import { Pair, buildPair } from "./pair.js";
+import { areKeys } from "./pull.js";
+import { buildFilm } from "./film.js";
+import { buildReading } from "./reading.js";
 import { buildMore } from "./more.js";
 import { connect } from "./connection.js";
 import { buildTruth } from "./truth.js";
 import { buildProbe } from "./probe.js";
 
 const find = id => document.getElementById(id);
-const model = new Model();
+const model = new Model(), pair = new Pair(model);
 const ask = message => line.ask(message);
-let blur, live, line, knobs, scene;
+let blur, live, line, knobs, scene, reading;
 let startedFor = null;   // signature of the camera that the model started with
 let chosen = null;       // index of the chosen camera; null: the scene's own
 let ownChange = false;   // the next camera of the scene is one that this page has written
 let changedFiles = "";   // files whose change led to this preview
+let kept = readAddress(); // what the address has kept, until the first scene
 
 // ---- changes ----
+
+model.remembered = () => keep();
 
 /// Called after each change of the model.
 model.changed = () => {
@@ -35,11 +43,14 @@ model.changed = () => {
     knobs();
     stage.show();
     more();
+    showPair();
     say();
     text.show();
+    film.show();
     truth.show();
     if (live.show())
         showSide();
+    reading.show();
 };
 
 const showSide = () => drawSide(find("side"), model.lens, surfaceSection(model.lens, (x, y) => blur.inverseDepthAt(x, y)));
@@ -81,6 +92,8 @@ function hint() {
 // ---- messages of the program ----
 
 function takeScene(message) {
+    if (Number.isInteger(kept?.chosen) && kept.chosen >= 0)
+        ({ chosen } = kept);
     const index = chosen !== null && chosen < message.cameras.length ? chosen : null;
     scene = { ...message, view: index === null ? message.view : message.cameras[index] };
     const { view } = scene;
@@ -115,10 +128,35 @@ function takeView(view) {
     if (seen || written) {
         model.note(view);
         model.changed();
+        keep();
         return;
     }
+    pair.begin();
     model.take(view);
+    takeKept();
     model.remember();
+}
+
+/// Writes the choices into the address, unless the focus still waits for the preview.
+function keep() {
+    if (!model.open && !model.error)
+        writeAddress({ of: markOf(startedFor), chosen, state: model.state, pair: pair.kept, keys: film.keys });
+}
+
+/// The choices that the address has kept, if they are of the shown camera.
+function takeKept() {
+    const found = kept;
+    kept = null;
+    if (!found)
+        return;
+    if (found.of === markOf(startedFor) && isState(found.state)) {
+        if (areKeys(found.keys))
+            film.keys = found.keys;
+        if (isState(found.pair?.other))
+            pair.restore(found.pair);
+        model.restore(found.state);
+    } else
+        model.refuse("points", "The address holds a lens of another camera or scene. This is the scene's own.");
 }
 
 /// Requests a preview of the chosen camera.
@@ -144,6 +182,8 @@ function takePreviewState(message) {
 }
 
 function takeFileState(message) {
+    if (message.pull)
+        film.take(message);
     if (!text.take(message) || message.again)
         return;
     ownChange = true;
@@ -196,6 +236,7 @@ const takes = {
 const stage = buildStage(model, {
     pointAt: (x, y) => live.surfaceAt(x, y),
     done: () => model.remember(),
+    cross: (x, y) => reading.moveTo([x, y]),
     entered: () => (find("hint").textContent = hint()),
     nothing: () => (find("hint").textContent = live.complete
         ? "There is nothing at this place to focus on. Click a thing."
@@ -209,10 +250,16 @@ const cameras = buildCameras(find, {
         takeView(scene.view);
         askForCamera();
     },
-    clock: clock => ask({ do: "preview", clock }),
+    clock: clock => {
+        model.remember();
+        if (cameras.animated)
+            ask({ do: "preview", clock });
+    },
+    moved: time => film.moved(time),
 });
-const more = buildMore(find, model);
+const more = buildMore(find, model), showPair = buildPair(pair);
 const text = buildText(find, model, cameras.kept, ask);
+const film = buildFilm(find, model, cameras, cameras.kept, ask, keep);
 const truth = buildTruth(find, stage, model, () => [blur.width, blur.height], ask);
 
 function listen() {
@@ -228,11 +275,17 @@ function listen() {
     find("third").onchange = event => model.setThird(event.target.value);
     find("back").onclick = () => model.back();
     document.onkeydown = event => {
+        const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !["text", "select-one"].includes(event.target.type);
+        if (plain && event.key.toLowerCase() === "x" && model.lens)
+            pair.swap();
+        if (plain && event.key.toLowerCase() === "l")
+            find("show-loupe").click();
         if ((event.ctrlKey || event.metaKey) && event.key === "z" && event.target.type !== "text") {
             event.preventDefault();
             model.back();
         }
     };
+    onhashchange = () => location.reload();
     const dark = matchMedia("(prefers-color-scheme: dark)");
     const paint = () => {
         blur.empty = dark.matches ? [0.055, 0.06, 0.067] : [0.914, 0.914, 0.894];
@@ -246,6 +299,8 @@ function listen() {
 try {
     blur = openBlur(find("picture"));
     live = new Live(blur, model, ask, model.changed);
+    reading = buildReading(find, model, blur, (x, y) => live.inverseDepthAt(x, y));
+    live.drawn = () => reading.drawLoupe();
     listen();
     line = connect({
         message: message => takes[message.type]?.(message),

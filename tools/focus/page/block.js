@@ -5,6 +5,7 @@
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
 import { planeOf, turnOf, widestStop } from "./lens.js";
+import { pullAt } from "./pull.js";
 import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 
 const DIGITS = 7;
@@ -31,7 +32,7 @@ function text(value) {
 const roundedVector = (v, size = length(v)) => v.map(x => rounded(x, size));
 
 /// Three points of the plane of sharp focus: the picked ones, or else points near the picture's content.
-function threePoints(model) {
+export function threePoints(model) {
     if (model.block.family === "points")
         return model.block.points;
     const { lens } = model, first = model.anchor(), normal = unit(lens.focus);
@@ -42,18 +43,20 @@ function threePoints(model) {
     return [first, along(first, size, x), along(first, size, y)];
 }
 
+/// A world point in the coordinates of a place, with as many digits as the distance from the lens needs.
+const pointIn = ({ inverse }, lens) => world => {
+    const local = movedPoint(inverse, world);
+    return roundedVector(local, length(subtract(local, movedPoint(inverse, lens.location))));
+};
+
 /// The block with rounded numbers, in a form, in the coordinates of a place.
-function roundedBlock(model, form, { matrix, inverse, scale }) {
+function roundedBlock(model, form, place) {
+    const { matrix, inverse, scale } = place, point = pointIn(place, model.lens);
     const { block, lens } = model, location = movedPoint(inverse, lens.location);
     const said = {
         ...block, filmWidth: rounded(block.filmWidth), sceneUnit: rounded(block.sceneUnit * scale), fStop: rounded(block.fStop),
         focalLength: block.focalLength === null ? null : rounded(block.focalLength), shift: block.shift.map(x => rounded(x, block.filmWidth)),
         bladesAngle: rounded(block.bladesAngle), aperture: 0, sharpWithin: null, scale,
-    };
-    // as many digits as the distance from the lens needs
-    const point = world => {
-        const local = movedPoint(inverse, world);
-        return roundedVector(local, length(subtract(local, location)));
     };
     if (form === "points" && block.family === "sharp")
         return { ...said, sharpPoints: block.sharpPoints.map(point), sharpWithin: model.holds ? model.within * said.filmWidth / model.width : null };
@@ -140,6 +143,31 @@ export function describe(model, form, place = model.place) {
 export function change(model, form) {
     const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
     return { ...describe(model, form), behind: { block, expect } };
+}
+
+/// Times at which a focus pull is tried in the scene: those of some keys, and one between two.
+function timesToTry(keys) {
+    const times = (keys.length <= 4 ? keys : [keys[0], keys[1], keys.at(-1)]).map(key => key.time);
+    return [...times, keys[0].time + (keys[1].time - keys[0].time) / 4];
+}
+
+/// A focus pull: its keys as text before the camera, and the block that uses them.
+/// @returns as describe(), and { head: text, checks: [{ time, expect }] }
+export function describePull(model, keys) {
+    const { place, lens } = model, plain = describe(model, "plane"), point = pointIn(place, lens);
+    const location = movedPoint(place.inverse, lens.location).map(x => Number(x.toPrecision(12)));
+    const said = keys.map(({ time, stop, points }) => ({ time, stop: rounded(stop), points: points.map(point) }));
+    const lines = said.map(({ time, stop, points }) => `Tilt_Lens_Key_Points(${[text(time), text(stop), ...points.map(vector)].join(", ")})\n`);
+    const items = plain.block.split("\n").filter(line => !/^ *(f_stop|focal_plane|[{}])/.test(line)).slice(1);
+    const world = said.map(key => ({ ...key, points: key.points.map(p => movedPoint(place.matrix, p)) }));
+    return {
+        ...plain, head: `#include "tilt_lens.inc"\n#declare Tilt_Lens_Keys = 0;\n${lines.join("")}`,
+        block: `tilt_lens {\n${items.map(line => `${line}\n`).join("")}  Tilt_Lens_Pull(clock, ${vector(location)})\n}`,
+        checks: timesToTry(keys).map(time => {
+            const at = pullAt(world, time, lens.location), { block, camera } = plain.expect;
+            return { time, expect: { camera, block: { ...block, ...at } } };
+        }),
+    };
 }
 
 /// The text to copy: camera items, then the block.

@@ -39,6 +39,7 @@ export class Model {
         this.begin();
         this.width = 960;       // of the preview, pixels, in which blur counts
         this.changed = () => {};
+        this.remembered = () => {};
         this.open = false;      // the focus waits for the preview, because neither scene nor user states it
     }
 
@@ -164,6 +165,13 @@ export class Model {
         if (this.past.at(-1) !== state)
             this.past.push(state);
         this.past.splice(0, this.past.length - 100);
+        this.remembered();
+    }
+
+    /// Takes choices from elsewhere, such as the address.
+    restore(state) {
+        Object.assign(this, structuredClone(state), { refused: {}, open: false });
+        this.resolve();
     }
 
     /// Goes back one step. @returns true if there was one
@@ -171,8 +179,8 @@ export class Model {
         const now = this.past.length > 1 ? (this.past.pop(), this.past.at(-1)) : null;
         if (!now)
             return false;
-        Object.assign(this, JSON.parse(now), { refused: {} });
-        this.resolve();
+        this.restore(JSON.parse(now));
+        this.remembered();
         return true;
     }
 
@@ -288,6 +296,12 @@ export class Model {
     /// See sharpnessOf().
     sharpness() {
         return sharpnessOf(this);
+    }
+
+    /// Shows a lens of a focus pull.
+    pull(items) {
+        Object.assign(this, { mode: "one", picks: [], hold: false });
+        this.change(block => Object.assign(block, items));
     }
 
     // ---- knobs ----

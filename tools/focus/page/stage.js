@@ -13,7 +13,7 @@ const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
 const clamp = x => Math.min(0.5, Math.max(-0.5, x));
 
 /// @param on  { pointAt(x, y) -> world point or null, done(), nothing(): there is no surface, entered(): the picture has gained or lost
-///             the keyboard focus }
+///             the keyboard focus, cross(x, y): the crosshair has moved there }
 export function buildStage(model, on) {
     const picture = document.getElementById("picture"), points = document.getElementById("points");
     const cross = document.getElementById("cross"), truth = document.getElementById("truth"), wipe = document.getElementById("wipe");
@@ -58,6 +58,7 @@ export function buildStage(model, on) {
             at[1] = clamp(at[1] + move[1]);
             cross.hidden = false;
             place(cross, at);
+            on.cross(...at);
         }
     };
     picture.onfocus = () => {

@@ -7,13 +7,27 @@ import { change, copyText, describe } from "./block.js";
 
 const sentence = words => words.replace(/\.?$/, ".");
 
-const WORDS = {
+export const WORDS = {
     written: ({ kept }) => `Written. The scene as it was is kept as ${kept}.`,
     undone: () => "The scene is as it was before.",
     tried: () => "It belongs into the camera of your scene; tried there, it makes this lens.",
     untried: ({ reason }) => `It could not be tried in the scene: ${sentence(reason)}`,
     refused: ({ reason }) => `Not written: ${sentence(reason)} Copy the text and put it in by hand.`,
 };
+
+/// Copies an element's text, or marks it where the browser does not allow that. @returns words for the user
+export async function copy(element) {
+    try {
+        await navigator.clipboard.writeText(element.textContent);
+        return "Copied.";
+    } catch {
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        getSelection().removeAllRanges();
+        getSelection().addRange(range);
+        return "The browser does not let this page copy. The text is marked: press Ctrl-C.";
+    }
+}
 
 /// @param kept  () -> items of the scene's own block that stay in it, as text
 /// @param ask   sends a message to the program
@@ -28,25 +42,13 @@ export function buildText(find, model, kept, ask) {
         document.querySelector(`input[name=form][value=${form()}]`).checked = true;
         find("write").disabled = find("copy").disabled = find("render").disabled = Boolean(model.error);
     };
-    const mark = () => {
-        const range = document.createRange();
-        range.selectNodeContents(block);
-        getSelection().removeAllRanges();
-        getSelection().addRange(range);
-    };
     for (const radio of document.querySelectorAll("input[name=form]"))
         radio.onchange = () => {
             chosen = radio.value;
             show();
         };
     find("copy").onclick = async () => {
-        try {
-            await navigator.clipboard.writeText(block.textContent);
-            copied = "Copied.";
-        } catch {
-            mark();
-            copied = "The browser does not let this page copy. The text is marked: press Ctrl-C.";
-        }
+        copied = await copy(block);
         said.textContent = `${copied} Trying it in the scene …`;
         ask({ do: "try", ...change(model, form()) });
     };
@@ -57,10 +59,12 @@ export function buildText(find, model, kept, ask) {
         show,
         /// Takes the result of a change of the scene's file. @returns true if this page changed it
         take(message) {
-            said.textContent = (message.state.endsWith("tried") ? `${copied} ` : "") + WORDS[message.state](message);
             const changed = message.state === "written" || message.state === "undone";
             if (changed)
                 find("undo").hidden = message.state !== "written";
+            if (message.pull)
+                return changed;
+            said.textContent = (message.state.endsWith("tried") ? `${copied} ` : "") + WORDS[message.state](message);
             return changed;
         },
     };
