@@ -18,7 +18,7 @@ class Address(PageTest):
         return json.loads(self.run(STATE))
 
     def kept(self):
-        """What the address has kept."""
+        """Reads the value in the address."""
         text = self.browser.current_url.partition("#")[2]
         return json.loads(base64.urlsafe_b64decode(text + "=" * (-len(text) % 4)))
 

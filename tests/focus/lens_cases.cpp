@@ -102,7 +102,7 @@ Request NextRequest(int number, Random& random, Lens& lens)
     }
 }
 
-/// Of the sharp points: their blur, the f-number that holds them within a pixel, and the blur without a tilt.
+/// Prints the blur of the sharp points, the f-number that holds them within a pixel, and the blur without a tilt.
 void PrintSharpPoints(std::ostream& out, const Request& request, const Lens& lens)
 {
     const double pixels = kWidth / request.given.filmWidth;

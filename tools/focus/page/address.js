@@ -12,7 +12,7 @@ export const isSize = value => isNumber(value) && value > 0;
 const isVector = (value, count = 3) => Array.isArray(value) && value.length === count && value.every(isNumber);
 export const areVectors = (value, least, most) => Array.isArray(value) && value.length >= least && value.length <= most && value.every(v => isVector(v));
 
-/// Tests of a block's members that PLAIN's own kind does not say.
+/// Tests of a block's members beyond the kind of PLAIN's own.
 const MEMBERS = {
     family: value => FAMILIES.includes(value), points: value => areVectors(value, 3, 3), sharpPoints: value => areVectors(value, 0, MOST),
     shift: value => isVector(value, 2), focalLength: value => value === null || isSize(value), fStop: isSize,
@@ -20,7 +20,7 @@ const MEMBERS = {
 };
 const isBlock = block => Object.entries(PLAIN).every(([name, plain]) => (MEMBERS[name] ?? (Array.isArray(plain) ? isVector : isNumber))(block?.[name]));
 
-/// Whether a value has the form of Model.state.
+/// True for a value of the form of Model.state.
 export function isState(state) {
     return isBlock(state?.block) && ["location", "direction", "right", "up", "sky"].every(name => isVector(state.camera?.[name])) &&
         areVectors(state.picks, 0, MOST) && ["one", "three", "more"].includes(state.mode) &&
@@ -43,7 +43,7 @@ export function writeAddress(kept) {
     history.replaceState(null, "", `#${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`);
 }
 
-/// What writeAddress() has kept, or null.
+/// Reads the value that writeAddress() stored; null without one.
 export function readAddress() {
     try {
         const text = atob(location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/"));

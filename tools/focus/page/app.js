@@ -30,7 +30,7 @@ let startedFor = null;   // signature of the camera that the model started with
 let chosen = null;       // index of the chosen camera; null: the scene's own
 let ownChange = false;   // the next camera of the scene is one that this page has written
 let changedFiles = "";   // files whose change led to this preview
-let kept = readAddress(); // what the address has kept, until the first scene
+let kept = readAddress(); // value in the address, until the first scene
 
 // ---- changes ----
 

@@ -29,6 +29,10 @@ function text(value) {
     return /e/.test(plain) ? value.toExponential().replace("e+", "e") : plain;
 }
 
+/// A number with as few digits as leave it within a fifth of a millionth.
+const short = value => [1, 2, 3, 4, 5, 6].map(digits => Number(value.toPrecision(digits))).find(few => Math.abs(few - value) < 2e-7 * Math.abs(value)) ??
+    rounded(value);
+
 const roundedVector = (v, size = length(v)) => v.map(x => rounded(x, size));
 
 /// Three points of the plane of sharp focus: the picked ones, or else points near the picture's content.
@@ -54,7 +58,7 @@ function roundedBlock(model, form, place) {
     const { matrix, inverse, scale } = place, point = pointIn(place, model.lens);
     const { block, lens } = model, location = movedPoint(inverse, lens.location);
     const said = {
-        ...block, filmWidth: rounded(block.filmWidth), sceneUnit: rounded(block.sceneUnit * scale), fStop: rounded(block.fStop),
+        ...block, filmWidth: rounded(block.filmWidth), sceneUnit: short(block.sceneUnit * scale), fStop: rounded(block.fStop),
         focalLength: block.focalLength === null ? null : rounded(block.focalLength), shift: block.shift.map(x => rounded(x, block.filmWidth)),
         bladesAngle: rounded(block.bladesAngle), aperture: 0, sharpWithin: null, scale,
     };
@@ -155,14 +159,15 @@ function timesToTry(keys) {
 /// @returns as describe(), and { head: text, checks: [{ time, expect }] }
 export function describePull(model, keys) {
     const { place, lens } = model, plain = describe(model, "plane"), point = pointIn(place, lens);
-    const location = movedPoint(place.inverse, lens.location).map(x => Number(x.toPrecision(12)));
+    const location = movedPoint(place.inverse, lens.location), reach = length(subtract(movedPoint(place.inverse, keys[0].points[0]), location));
+    const seenFrom = location.map(x => (Math.abs(x) < 1e-12 * reach ? 0 : Number(x.toPrecision(12))));
     const said = keys.map(({ time, stop, points }) => ({ time, stop: rounded(stop), points: points.map(point) }));
     const lines = said.map(({ time, stop, points }) => `Tilt_Lens_Key_Points(${[text(time), text(stop), ...points.map(vector)].join(", ")})\n`);
     const items = plain.block.split("\n").filter(line => !/^ *(f_stop|focal_plane|[{}])/.test(line)).slice(1);
     const world = said.map(key => ({ ...key, points: key.points.map(p => movedPoint(place.matrix, p)) }));
     return {
         ...plain, head: `#include "tilt_lens.inc"\n#declare Tilt_Lens_Keys = 0;\n${lines.join("")}`,
-        block: `tilt_lens {\n${items.map(line => `${line}\n`).join("")}  Tilt_Lens_Pull(clock, ${vector(location)})\n}`,
+        block: `tilt_lens {\n${items.map(line => `${line}\n`).join("")}  Tilt_Lens_Pull(clock, ${vector(seenFrom)})\n}`,
         checks: timesToTry(keys).map(time => {
             const at = pullAt(world, time, lens.location), { block, camera } = plain.expect;
             return { time, expect: { camera, block: { ...block, ...at } } };

@@ -281,7 +281,7 @@ export class Model {
         this.remember();
     }
 
-    /// Whether the f-stop follows from the points. Three of them are sharp at any.
+    /// True if the f-stop follows from the points. Three of them are sharp at any.
     get holds() {
         return this.hold && this.block.family === "sharp" && this.picks.length > FEWEST;
     }

@@ -18,7 +18,7 @@ const stop = value => `f/${Number(value.toPrecision(3))}`;
 /// The blur of a point with its side, and whether it binds.
 const described = (blur, binds) => pixels(blur) + (Math.abs(blur) < SHARP ? "" : blur > 0 ? " before" : " behind") + (binds ? ", binds" : "");
 
-/// What the lens does to all points.
+/// Summary of all points.
 function summary(model, { greatest, without }) {
     const { fStop } = model.block, held = model.holds, reached = greatest > model.within * (1 - 1e-6);
     const now = held ? `${stop(fStop)} is the widest that ${reached ? `keeps all within ${model.within} px` : "is taken; it keeps all within less"}.`

@@ -30,7 +30,7 @@ export class Pair {
         return this.other && { shown: this.shown, other: this.other.state };
     }
 
-    /// Takes what the address has kept.
+    /// Takes the lenses that the address holds.
     restore({ shown, other }) {
         this.shown = shown === "B" ? "B" : "A";
         this.other = { state: other, past: [JSON.stringify(other)] };

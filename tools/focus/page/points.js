@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The picked points of a model: the plane that they state, and what the lens does to them.
+/// The picked points of a model: the plane that they state, and their blur.
 
 import { along, cross, dot, length, subtract, unit } from "./vector.js";
 import { axesOf, blurOfPoint, greatestBlur, pointAt, project, stopWithoutTilt } from "./lens.js";
@@ -33,7 +33,7 @@ export function planePoints({ mode, third, picks, wantedPicks, camera }) {
     return [picks[0], picks[1], along(picks[0], size, third === "upright" ? sky : level)];
 }
 
-/// What the lens does to the points: { blurs: signed, pixels; binds: of each point; greatest; without: f-number without tilt, or null }.
+/// Blur of the points: { blurs: signed, pixels; binds: of each point; greatest; without: f-number without tilt, or null }.
 export function sharpnessOf({ lens, picks, width, block, camera }) {
     const blurs = picks.map(point => blurOfPoint(lens, point, width)), greatest = picks.length ? greatestBlur(lens, picks, width) : 0;
     const best = block.family === "sharp" && greatest > SHARP;

@@ -8,6 +8,7 @@ import { blurDiameter, blurPerVergence, chiefRay } from "./lens.js";
 import { pixels } from "./more.js";
 import { SHARP } from "./points.js";
 
+const ABOVE = 24; // screen pixels from the place to the loupe
 const LIMIT = 1; // pixels of blur up to which a thing counts as sharp, as for the tint and the limits of focus
 
 /// Distances from the lens along the chief ray through x, y: { surface, blur, near, far }. `surface` and `blur`, in pixels, are null
@@ -37,7 +38,7 @@ export function buildReading(find, model, blur, at) {
     const picture = find("picture"), loupe = find("loupe"), scale = find("loupe-scale"), said = find("reading");
     let place = null; // of the pointer, in the film
 
-    /// The live picture around the place, one of its pixels on as many of the screen's as the scale says.
+    /// The live picture around the place, one of its pixels on as many of the page's as the scale says.
     const drawLoupe = () => {
         loupe.hidden = !(find("show-loupe").checked && place && blur.values && blur.lens);
         if (loupe.hidden)
@@ -45,7 +46,7 @@ export function buildReading(find, model, blur, at) {
         const side = Math.round(loupe.clientWidth * devicePixelRatio), canvas = blur.canvas, context = loupe.getContext("2d");
         if (loupe.width !== side)
             loupe.width = loupe.height = side;
-        const across = side / Number(scale.value), [sx, sy] = [canvas.width / blur.width, canvas.height / blur.height];
+        const across = loupe.clientWidth / Number(scale.value), [sx, sy] = [canvas.width / blur.width, canvas.height / blur.height];
         const left = Math.round((place[0] + 0.5) * blur.width - across / 2), top = Math.round((0.5 - place[1]) * blur.height - across / 2);
         context.imageSmoothingEnabled = false;
         context.clearRect(0, 0, side, side);
@@ -54,7 +55,7 @@ export function buildReading(find, model, blur, at) {
         const box = picture.getBoundingClientRect(), half = loupe.offsetWidth / 2, y = (0.5 - place[1]) * box.height;
         const x = Math.min(box.width - half, Math.max(half, (place[0] + 0.5) * box.width));
         loupe.style.left = `${x - half}px`;
-        loupe.style.top = `${y > 2 * half + 24 ? y - 2 * half - 24 : Math.min(box.height - 2 * half, y + 24)}px`;
+        loupe.style.top = `${y > 2 * half + ABOVE ? y - 2 * half - ABOVE : Math.max(0, Math.min(box.height - 2 * half, y + ABOVE))}px`;
     };
     const show = () => {
         said.textContent = place && model.lens && blur.values ? inWords(readingAt(model.lens, ...place, at(...place), model.width)) : "";

@@ -7,7 +7,7 @@
 import { project } from "./lens.js";
 import { pixels } from "./more.js";
 
-const LOW = -0.43; // of the picture: below this the blur stands above its point
+const LABEL = 40; // pixels below a point that its blur needs; where there are fewer, it stands above the point
 const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
 
 const clamp = x => Math.min(0.5, Math.max(-0.5, x));
@@ -128,7 +128,7 @@ export function buildStage(model, on) {
                 const { x, y, depth } = project(model.lens, point), made = points.children[i];
                 made.hidden = !(depth > 0 && Math.abs(x) <= 0.5 && Math.abs(y) <= 0.5);
                 made.className = model.error ? "bad" : binds[i] ? "binds" : "";
-                made.classList.toggle("low", y < LOW);
+                made.classList.toggle("low", (y + 0.5) * picture.clientHeight < LABEL);
                 made.toggleAttribute("data-blur", i in blurs);
                 if (i in blurs)
                     made.dataset.blur = pixels(blurs[i]);
