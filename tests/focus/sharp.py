@@ -149,12 +149,16 @@ class Sharp(PageTest):
         self.assertEqual(self.run("return focusPage.model.within"), 2.5)
 
     def test_a_scene_with_sharp_points_begins_with_them(self):
-        items = "sharp_points <-2, 0.3, -2>, <1.7, 0.6, 0>, <0, 1, 2>, <2, 0, -1.5> sharp_within 2"
-        scene = self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  tilt_lens {{ scene_unit 20 {items} }}\n"))
-        self.open(scene)
-        self.assertEqual(self.run("const { mode, hold, within } = focusPage.model; return [mode, hold, within]"), ["more", True, 2])
-        self.compare(scene, (160, 90))
-        self.assertIn(items, " ".join(self.text("block").split()))
+        for limit in ("sharp_within 2", "circle_of_confusion 0.45"):  # the same, in pixels and in millimetres
+            items = f"sharp_points <-2, 0.3, -2>, <1.7, 0.6, 0>, <0, 1, 2>, <2, 0, -1.5> {limit}"
+            scene = self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  tilt_lens {{ scene_unit 20 {items} }}\n"))
+            with self.subTest(limit):
+                self.open(scene)
+                self.assertEqual(self.run("const { mode, hold, within } = focusPage.model; return [mode, hold, within]"), ["more", True, 2])
+                self.compare(scene, (160, 90))
+                self.assertIn(items, " ".join(self.text("block").split()))
+                self.assertIn(limit, self.written(scene))
+                self.end()
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ QUALITIES = (
 )
 WORDS = (
     "film_width", "focal_length", "scene_unit", "tilt", "swing", "focus_tilt", "focus_swing", "focal_plane", "focal_points",
-    "sharp_points", "sharp_within", "shift", "f_stop", "blades",
+    "sharp_points", "sharp_within", "circle_of_confusion", "shift", "f_stop", "blades",
 )  # fmt: skip
 
 

@@ -24,7 +24,7 @@ const isBlock = block => Object.entries(PLAIN).every(([name, plain]) => (MEMBERS
 export function isState(state) {
     return isBlock(state?.block) && ["location", "direction", "right", "up", "sky"].every(name => isVector(state.camera?.[name])) &&
         areVectors(state.picks, 0, MOST) && ["one", "three", "more"].includes(state.mode) &&
-        ["picked", "level", "upright", "film"].includes(state.third) && typeof state.hold === "boolean" && isSize(state.within) &&
+        ["picked", "level", "upright", "film"].includes(state.third) && typeof state.hold === "boolean" && typeof state.onFilm === "boolean" && isSize(state.within) &&
         (state.real === null || ["focalLength", "fStop", "tilt", "shift"].every(name => isNumber(state.real?.[name])));
 }
 

@@ -92,7 +92,8 @@ function hint() {
 // ---- messages of the program ----
 
 function takeScene(message) {
-    if (Number.isInteger(kept?.chosen) && kept.chosen >= 0)
+    const other = Number.isInteger(kept?.chosen) ? message.cameras[kept.chosen] : null;
+    if (other && markOf(signatureOf(other)) === kept.of)
         ({ chosen } = kept);
     const index = chosen !== null && chosen < message.cameras.length ? chosen : null;
     scene = { ...message, view: index === null ? message.view : message.cameras[index] };
@@ -119,9 +120,15 @@ function showLeftOut() {
     find("left-out").textContent = items && words;
 }
 
+/// The camera itself as text, without its place in the scene.
+function signatureOf(view) {
+    const { file, line: place, offset, own, kept: items, ...camera } = view;
+    return JSON.stringify(camera);
+}
+
 /// Starts with a camera of the scene, unless the page already shows it or has just written it.
 function takeView(view) {
-    const { file, line: place, offset, own, kept, ...camera } = view, signature = JSON.stringify(camera);
+    const signature = signatureOf(view);
     const seen = startedFor === signature, written = ownChange;
     startedFor = signature;
     ownChange = false;

@@ -53,6 +53,12 @@ const pointIn = ({ inverse }, lens) => world => {
     return roundedVector(local, length(subtract(local, movedPoint(inverse, lens.location))));
 };
 
+/// The blur within which the points are held, millimetres on the film, as the text states it.
+function widestBlur({ within, onFilm, width }, { filmWidth }) {
+    const blur = within * filmWidth / width;
+    return onFilm ? rounded(blur) : blur;
+}
+
 /// The block with rounded numbers, in a form, in the coordinates of a place.
 function roundedBlock(model, form, place) {
     const { matrix, inverse, scale } = place, point = pointIn(place, model.lens);
@@ -63,7 +69,7 @@ function roundedBlock(model, form, place) {
         bladesAngle: rounded(block.bladesAngle), aperture: 0, sharpWithin: null, scale,
     };
     if (form === "points" && block.family === "sharp")
-        return { ...said, sharpPoints: block.sharpPoints.map(point), sharpWithin: model.holds ? model.within * said.filmWidth / model.width : null };
+        return { ...said, sharpPoints: block.sharpPoints.map(point), sharpWithin: model.holds ? widestBlur(model, said) : null };
     if (form === "points")
         return { ...said, family: "points", points: threePoints(model).map(point) };
     if (form === "plane") {
@@ -77,10 +83,11 @@ function roundedBlock(model, form, place) {
     return { ...said, family: "lensTurn", tilt: rounded(tilt, 10), swing: rounded(swing, 10), focalPoint: point(model.anchor()) };
 }
 
-function focusItems(block, within) {
+function focusItems(block, { within, onFilm }) {
     if (block.family === "sharp") {
         const points = block.sharpPoints.map(vector).join(block.sharpPoints.length > 3 ? ",\n    " : ", ");
-        return [`sharp_points ${points}`, block.sharpWithin !== null && `sharp_within ${text(within)}`];
+        const limit = onFilm ? `circle_of_confusion ${text(block.sharpWithin)}` : `sharp_within ${text(within)}`;
+        return [`sharp_points ${points}`, block.sharpWithin !== null && limit];
     }
     if (block.family === "points")
         return [`focal_points ${block.points.map(vector).join(", ")}`];
@@ -90,7 +97,7 @@ function focusItems(block, within) {
 }
 
 /// The expected block in world coordinates.
-function expected(block, { matrix, inverse, scale }, camera, { within, width }) {
+function expected(block, { matrix, inverse, scale }, camera, { width }) {
     const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
     const world = {
         ...block, sceneUnit: block.sceneUnit / scale, points: block.points.map(point => movedPoint(matrix, point)),
@@ -98,7 +105,7 @@ function expected(block, { matrix, inverse, scale }, camera, { within, width }) 
         sharpPoints: block.sharpPoints.map(point => movedPoint(matrix, point)), scale: 1,
     };
     if (world.sharpWithin !== null)
-        world.fStop = widestStop(camera, world, within, width); // of the rounded points
+        world.fStop = widestStop(camera, world, world.sharpWithin * width / world.filmWidth, width); // of the rounded points
     return Object.fromEntries([...EXPECTED, ...FOCUS[block.family]].map(name => [name, world[name]]));
 }
 
@@ -117,7 +124,7 @@ export function describe(model, form, place = model.place) {
         said.sharpWithin === null && `f_stop ${text(said.fStop)}`,
         said.blades > 0 && `blades ${said.blades}${said.bladesAngle ? `, ${text(said.bladesAngle)}` : ""}`,
         (said.shift[0] || said.shift[1]) && `shift <${said.shift.map(text).join(", ")}>`,
-        ...focusItems(said, model.within),
+        ...focusItems(said, model),
     ].filter(Boolean);
     const items = {};
     if (model.given.aperture)

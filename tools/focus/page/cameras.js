@@ -48,8 +48,7 @@ export function buildCameras(find, on) {
             find("clock-choice").hidden = !animated || least === most;
             for (const slider of clocks)
                 Object.assign(slider, { min: least, max: most, step: (most - least) / CLOCK_STEPS || 1 });
-            if (animated || now !== null)
-                setTime(now ?? least);
+            setTime(animated || now !== null ? now ?? least : clock.value);
         },
         /// Items of the shown camera's block that the page does not write, as text.
         kept: () => cameras[Number(choice.value)]?.kept ?? [],

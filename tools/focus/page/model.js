@@ -51,6 +51,7 @@ export class Model {
             picks: [],
             hold: false,       // whether the f-stop is the widest that keeps the picks of "more" within a blur
             within: 1,         // that blur, pixels
+            onFilm: false,     // whether the text states it in millimetres on the film
             real: null,        // a lens of tilt_lens.inc
             refused: {},       // knob -> reason why its last number was refused
             past: [],          // states, the present one last
@@ -59,8 +60,8 @@ export class Model {
 
     /// All of the user's choices.
     get state() {
-        const { block, camera, picks, mode, third, hold, within, real } = this;
-        return { block, camera, picks, mode, third, hold, within, real };
+        const { block, camera, picks, mode, third, hold, within, onFilm, real } = this;
+        return { block, camera, picks, mode, third, hold, within, onFilm, real };
     }
 
     /// Stores properties of the scene's camera.
@@ -95,6 +96,7 @@ export class Model {
             this.mode = "more";
             this.picks = block.sharpPoints.slice();
             this.hold = block.sharpWithin !== null;
+            this.onFilm = view.words.includes("circle_of_confusion");
             this.within = this.hold ? Number((block.sharpWithin * this.width / block.filmWidth).toPrecision(6)) : 1;
         }
         block.fStop ??= this.stopOfAperture() ?? START_STOP;
