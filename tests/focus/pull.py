@@ -78,8 +78,11 @@ class Pull(PageTest):
                     self.assertAlmostEqual(a, b, delta=1e-5 * max(1, abs(b)), msg=f"{name} at {time}")
         # again, with another mark: the former keys are replaced
         self.until("the new preview", lambda: "new preview" in self.text("status") and self.drawn())
+        self.run("window.noted = 0; const model = focusPage.model, { note } = model; model.note = view => { window.noted++; note.call(model, view); }")
         self.move_clock(0.5)
         self.set_number("fStop", 5)
+        self.until("the camera of this time", lambda: self.run("return window.noted"))
+        self.assertEqual(self.run("return focusPage.model.block.fStop"), 5, "the lens being chosen stays")
         self.press("#mark")
         self.assertIn("Written", self.answer("#pull-write"))
         self.assertEqual(scene.read_text().count("Tilt_Lens_Key_Points"), 3)

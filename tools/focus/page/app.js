@@ -4,6 +4,7 @@
 /// The page: connects the model, the live picture, the knobs and the program.
 
 import { solve } from "./lens.js";
+import { unit } from "./vector.js";
 import { Model } from "./model.js";
 import { openBlur } from "./blur.js";
 import { Live } from "./live.js";
@@ -27,6 +28,8 @@ const model = new Model(), pair = new Pair(model);
 const ask = message => line.ask(message);
 let blur, live, line, knobs, scene, reading;
 let startedFor = null;   // signature of the camera that the model started with
+let startedFrom = null;  // place and direction of that camera
+let ownClock = false;    // the next scene is of a clock that this page has set
 let chosen = null;       // index of the chosen camera; null: the scene's own
 let ownChange = false;   // the next camera of the scene is one that this page has written
 let changedFiles = "";   // files whose change led to this preview
@@ -129,10 +132,14 @@ function signatureOf(view) {
 /// Starts with a camera of the scene, unless the page already shows it or has just written it.
 function takeView(view) {
     const signature = signatureOf(view);
+    const { location, direction, right, up } = view, from = JSON.stringify([location, unit(direction), right, up]);
     const seen = startedFor === signature, written = ownChange;
+    // between the marks of a focus pull the page says which lens is shown, also where the scene has the pull by now
+    const pulled = ownClock && film.keys.length > 1 && startedFrom === from;
     startedFor = signature;
-    ownChange = false;
-    if (seen || written) {
+    startedFrom = from;
+    ownChange = ownClock = false;
+    if (seen || written || pulled) {
         model.note(view);
         model.changed();
         keep();
@@ -259,8 +266,10 @@ const cameras = buildCameras(find, {
     },
     clock: clock => {
         model.remember();
-        if (cameras.animated)
+        if (cameras.animated) {
+            ownClock = true;
             ask({ do: "preview", clock });
+        }
     },
     moved: time => film.moved(time),
 });
