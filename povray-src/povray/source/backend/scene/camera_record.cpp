@@ -129,7 +129,8 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// The statement of a solved camera, with a point or a plane in place of the film's position, and the f-number that sharpWithin has led to.
+/// The statement of a solved camera, with a point or a plane in place of the film's position, and the f-number that sharpWithin
+/// has led to.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
