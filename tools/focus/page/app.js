@@ -37,7 +37,10 @@ let kept = readAddress(); // value in the address, until the first scene
 
 // ---- changes ----
 
-model.remembered = () => keep();
+model.remembered = () => {
+    showBack();
+    keep();
+};
 
 /// Called after each change of the model.
 model.changed = () => {
@@ -63,6 +66,8 @@ function status(words) {
     find("status").textContent = changedFiles && words ? `${changedFiles} changed: ${words}` : words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+const showBack = () => (find("back").disabled = model.past.length < 2);
+
 /// Remarks beside the knobs.
 function say() {
     const remarks = { ...model.remarks(), ...(model.error ? { [model.error.knob]: model.error.message } : {}) };
@@ -74,7 +79,7 @@ function say() {
     document.querySelector(`input[name=mode][value=${model.mode}]`).checked = true;
     find("third-choice").hidden = model.mode !== "three";
     find("third").value = model.third;
-    find("back").disabled = model.past.length < 2;
+    showBack();
     find("hint").textContent = hint();
 }
 
