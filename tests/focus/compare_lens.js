@@ -3,6 +3,21 @@
 
 /// Compares the page's lens with cases of the library (lens_cases.cpp). The test runs it in the browser.
 
+/// The blur of the sharp points, pixels; the f-number that holds them within a pixel; the blur without a tilt.
+function compareSharpPoints(lensModule, given, block, lens, number, note) {
+    const { width } = given, points = block.sharpPoints, off = (found, wanted) => Math.abs(found - wanted) / wanted;
+    points.forEach((point, i) => note("pixels", Math.abs(lensModule.blurOfPoint(lens, point, width) - given.sharpBlurs[i]), `sharp point of case ${number}`));
+    const greatest = lensModule.greatestBlur(lens, points, width);
+    if (!(greatest > 1e-3))
+        return;
+    note("relative", off(lensModule.widestStop(given, block, 1, width), given.stopWithinPixel), `widest stop of case ${number}`);
+    const without = lensModule.stopWithoutTilt(given, block, lens, points, width), stop = lens.focalLength / lens.diameter;
+    if ((without === null) !== (given.blurWithoutTilt === null))
+        note("relative", 1, `lens without tilt of case ${number}`);
+    else if (without !== null)
+        note("relative", off(without * greatest / stop, given.blurWithoutTilt), `blur without tilt of case ${number}`);
+}
+
 /// @param lensModule  the page's lens.js
 /// @returns the largest differences, of blur in pixels and of other numbers relative to their size, and their place
 export function compareLenses(lensModule, cases) {
@@ -19,12 +34,17 @@ export function compareLenses(lensModule, cases) {
         const numbers = {
             tilt: [turn.tilt], swing: [turn.swing], focalLength: [lens.focalLength], filmDistance: [lens.filmDistance],
             diameter: [lens.diameter], hinge: [lensModule.hingeDistanceOf(lens)], lensX: lens.lensX, lensY: lens.lensY,
-            axisFocus: [lensModule.axisFocusOf(lens)], near: lensModule.planeOfBlur(lens, 1, given.width),
+            near: lensModule.planeOfBlur(lens, 1, given.width),
         };
+        if (block.family === "sharp")
+            compareSharpPoints(lensModule, given, block, lens, number, note);
         for (const [name, values] of Object.entries(numbers)) {
             const wanted = [given[name]].flat(), size = Math.hypot(...wanted) || 1;
             values.forEach((value, i) => note("relative", Math.abs(value - wanted[i]) / size, `${name} of case ${number}`));
         }
+        // as vergences: a plane that hardly meets the axis does so anywhere
+        const axisOff = 1 / lensModule.axisFocusOf(lens) - (given.axisFocus === null ? 0 : 1 / given.axisFocus);
+        note("relative", Math.abs(axisOff) / Math.hypot(...lens.focus), `axisFocus of case ${number}`);
         for (const [x, y, T, blur, depth] of given.blur) {
             const chief = lensModule.chiefRay(lens, x, y), point = lensModule.pointAt(lens, x, y, depth);
             note("pixels", Math.abs(lensModule.blurDiameter(lens, chief, T, given.width) - blur), `case ${number}`);

@@ -26,7 +26,7 @@ for (const [id, value] of Object.entries(numbers)) {
     if (Math.abs(shown - value) > 0.06 + 1e-3 * Math.abs(value))
         wrong.push(`${id} shows ${shown} for ${value}`);
 }
-const wanted = model.picks.length >= model.wantedPicks && !model.error ? model.picks : [];
+const wanted = model.picks.length === model.wantedPicks && !model.error ? model.picks : [];
 return [...wrong, ...wanted.map(p => model.offPlane(p)).filter(off => !(Math.abs(off) < 1e-6)).map(off => `a point is off by ${off}`)];
 """
 
@@ -156,7 +156,8 @@ class Knobs(PageTest):
             elif action == 1:
                 self.set_number(chance.choice(ids), chance.choice([0, -1, 3, 8, 14.5, 40, 70, 1e9, -1e9, ""]))
             elif action == 2:
-                self.press(chance.choice(["input[name=mode][value=one]", "input[name=mode][value=three]", "#back"]))
+                self.press(chance.choice(["input[name=mode][value=one]", "input[name=mode][value=three]", "input[name=mode][value=more]", "#hold",
+                                          "input[name=pair][value=A]", "input[name=pair][value=B]", "#back"]))
             elif action == 3:
                 self.press(chance.choice(["#show-blur", "#show-peaking", "#show-map", "#show-planes"]))
             elif action == 4:

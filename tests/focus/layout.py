@@ -39,6 +39,16 @@ return worst;
 """
 
 
+# Labels of the side view that are not wholly inside it.
+CLIPPED = """
+const { left, right, top, bottom } = document.getElementById("side").getBoundingClientRect();
+return [...document.querySelectorAll("#side text")].filter(text => {
+    const box = text.getBoundingClientRect();
+    return box.left < left || box.right > right || box.top < top || box.bottom > bottom;
+}).map(text => text.textContent);
+"""
+
+
 class Layout(PageTest):
     def set_device(self, width, height):
         """Emulates the screen of a device."""
@@ -67,6 +77,20 @@ class Layout(PageTest):
         self.assertEqual(self.run(top), [True, True, True])
         boxes = self.run("return ['stage', 'wipe'].map(id => document.getElementById(id).getBoundingClientRect().toJSON())")
         self.assertGreaterEqual(boxes[1]["top"], boxes[0]["bottom"])
+
+    def test_on_a_phone_the_labels_of_the_side_view_are_whole(self):
+        self.open(self.scene())
+        self.set_device(360, 780)
+        self.until("the side view", lambda: self.run("return document.getElementById('side').viewBox.baseVal.width") < 360)
+        seen = set()
+        for tilt in (-8, -2, 0, 2, 8):
+            self.set_number("tilt", tilt)
+            for place in ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3), (0.4, 0.4)):
+                self.click_at(*place)
+                with self.subTest(tilt=tilt, place=place):
+                    self.assertEqual(self.run(CLIPPED), [])
+                seen |= set(self.run("return [...document.querySelectorAll('#side text')].map(text => text.textContent)"))
+        self.assertLessEqual({"film", "lens", "plane of sharp focus", "film, lens and plane meet"}, seen)
 
     def test_on_a_phone_the_picture_stays_in_view_beside_the_knobs(self):
         self.open(self.scene())

@@ -10,14 +10,16 @@
 #include <iostream>
 
 #include "random_cameras.h"
+#include "tilt_lens/camera/sharp_points.h"
 
 using namespace tilt_lens;
 
 namespace
 {
 
-const char* const kFamilies[] = {"lensTurn", "focusTurn", "plane", "points"};
+const char* const kFamilies[] = {"lensTurn", "focusTurn", "plane", "points", "sharp"};
 const double kWidth = 960.0;
+const double kLargestFocus = 1000.0;
 
 struct List
 {
@@ -50,7 +52,69 @@ void PrintBlock(std::ostream& out, const Statement& s)
     list("swing", s.swing)("focusTilt", s.focusTilt)("focusSwing", s.focusSwing)("planeNormal", s.planeNormal);
     list("planeDistance", s.planeDistance)("fStop", s.fStop)("focalPoint", s.focalPoint)("aperture", s.aperture);
     list("scale", s.scale)("A", s.points[0])("B", s.points[1])("C", s.points[2]);
-    out << ", \"shift\": [" << s.shiftRight << ", " << s.shiftUp << "]}";
+    out << ", \"shift\": [" << s.shiftRight << ", " << s.shiftUp << "], \"sharpPoints\": [";
+    for (std::size_t i = 0; i < s.sharpPoints.size(); i++)
+        out << (i ? ", [" : "[") << s.sharpPoints[i].x << ", " << s.sharpPoints[i].y << ", " << s.sharpPoints[i].z << "]";
+    out << "]}";
+}
+
+/// A request for points about the plane of focus of another request: from far off it to nearly on it, sometimes some in one place or
+/// nearly on one line.
+Request WithSharpPoints(const Request& other, Random& random)
+{
+    Request request = other;
+    Statement& s = request.given;
+    const int count = 3 + int(random.Power(0.0, 1.3));
+    const double off = random.Power(-6.0, -1.0), narrow = random.Coin() ? 1.0 : random.Power(-4.0, 0.0);
+    const Vec3 u = s.points[1] - s.points[0], v = s.points[2] - s.points[0], axis = AxisOf(request.camera);
+    for (int i = 0; i < count; i++)
+    {
+        const Vec3 point = s.points[0] + random(-0.5, 0.5) * u + narrow * random(-0.5, 0.5) * v;
+        const bool again = i > 0 && random(0.0, 1.0) < 0.1;
+        s.sharpPoints.push_back((again ? s.sharpPoints.back() : point) + off * random(-1.0, 1.0) * Dot(point - request.camera.location, axis) * axis);
+    }
+    s.family = FocusFamily::SharpPoints;
+    return request;
+}
+
+/// The next random request of any family, and its lens.
+Request NextRequest(int number, Random& random, Lens& lens)
+{
+    const FocusFamily family = FocusFamily(number % 5);
+    const bool focalLengthGiven = number / 5 % 2 == 0;
+    if (family != FocusFamily::SharpPoints)
+        return SolvableRequest(random, family, focalLengthGiven, lens);
+    for (;;)
+    {
+        const Request request = WithSharpPoints(SolvableRequest(random, FocusFamily::FocalPoints, focalLengthGiven, lens), random);
+        try
+        {
+            lens = Solve(request.camera, request.given);
+        }
+        catch (const OpticsError&)
+        {
+            continue;
+        }
+        // a plane that nearly passes through the lens has a k of which too few digits count
+        const double distance = Length(request.given.sharpPoints[0] - request.camera.location);
+        if (CouldBeBuilt(lens) && Length(lens.focus) * distance < kLargestFocus)
+            return request;
+    }
+}
+
+/// Prints the blur of the sharp points, the f-number that holds them within a pixel, and the blur without a tilt.
+void PrintSharpPoints(std::ostream& out, const Request& request, const Lens& lens)
+{
+    const double pixels = kWidth / request.given.filmWidth;
+    out << ", \"sharpBlurs\": [";
+    const std::vector<double> blurs = SharpPointBlurs(request.camera.location, request.given, lens);
+    for (std::size_t i = 0; i < blurs.size(); i++)
+        out << (i ? ", " : "") << blurs[i] * pixels;
+    Statement held = request.given;
+    held.sharpWithin = 1.0 / pixels;
+    const std::optional<double> without = BlurWithoutTilt(request.camera.location, request.given, lens);
+    out << "]";
+    List{out}("stopWithinPixel", WithWidestStop(request.camera, held).fStop)("blurWithoutTilt", without ? *without * pixels : HUGE_VAL);
 }
 
 /// Blur of surface points all over the picture, near the plane of sharp focus and far from it.
@@ -81,7 +145,7 @@ int main(int count, char** words)
     for (int i = 0; i < cases; i++)
     {
         Lens lens;
-        const Request request = SolvableRequest(random, FocusFamily(i % 4), i / 4 % 2 == 0, lens);
+        const Request request = NextRequest(i, random, lens);
         std::cout << (i ? ",\n" : "\n") << "{\"width\": " << kWidth;
         List list{std::cout};
         const CameraFrame& c = request.camera;
@@ -91,6 +155,8 @@ int main(int count, char** words)
         list("diameter", lens.diameter)("hinge", HingeDistanceOf(lens))("axisFocus", AxisFocusOf(lens))("lensX", lens.lensX);
         list("lensY", lens.lensY)("near", PlaneOfBlur(lens, 1.0, kWidth));
         PrintBlur(std::cout, lens, random);
+        if (request.given.family == FocusFamily::SharpPoints)
+            PrintSharpPoints(std::cout, request, lens);
         std::cout << "}";
     }
     std::cout << "]\n";

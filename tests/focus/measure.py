@@ -20,6 +20,8 @@ PICTURES = ROOT / "docs" / "pictures" / "focus"
 TUTORIAL = sorted(path.stem for path in (ROOT / "scenes" / "tutorial").glob("*.pov"))
 SCENES = ("three_points", "tilt", "swing")  # for the live picture against the true one
 LARGE, SIZE = ("+W960", "+H540"), ("+W480", "+H270")
+POINTS = ((-0.28, -0.36), (0.31, -0.27), (0.02, 0.01), (-0.2, -0.05), (0.1, -0.42))
+SET_CLOCK = "const e = document.getElementById('time'); e.value = arguments[0]; for (const n of ['input', 'change']) e.dispatchEvent(new Event(n))"
 CLICKS = 12
 STARTS = 3  # of each scene; the median is reported
 # Milliseconds from a click to its first blurred picture: until it is drawn, and until the browser's next frame, by which it is visible.
@@ -97,6 +99,29 @@ class Measure(PageTest):
         self.run("scrollTo(0, 0)")
         self.shot("phone")
         self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        self.points()
+        self.pull()
+
+    def points(self):
+        """Five points, and the f-stop that holds them."""
+        self.press("input[name=mode][value=one]")
+        self.press("input[name=mode][value=more]")
+        for place in POINTS:
+            self.click_at(*place)
+        self.press("#hold")
+        self.shot("points")
+
+    def pull(self):
+        """Two marks of a focus pull."""
+        self.press("#pull summary")
+        for time_, place in ((0, POINTS[0]), (1, POINTS[2])):
+            self.run(SET_CLOCK, time_)
+            self.press("input[name=mode][value=one]")
+            self.click_at(*place)
+            self.set_number("fStop", 2.8)
+            self.press("#mark")
+        self.run("document.getElementById('pull').scrollIntoView()")
+        self.shot("pull")
 
     def test_pictures(self):
         self.open(ROOT / "scenes" / "tutorial" / f"{SCENES[0]}.pov", "+W640", "+H360")

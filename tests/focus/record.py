@@ -56,7 +56,8 @@ class Record(FocusTest):
         self.assertEqual(record["view"]["block"], block, "told before the lens is taken away")
         _, record = self.render("tilt_lens { sharp_points <1, 0, 2>, <-1, 0, 2>, <0, 1, 3>, <0, -1, 4> circle_of_confusion 0.03 }")
         block = record["view"]["block"]
-        self.assertEqual(block["family"], "plane")
+        self.assertEqual((block["family"], block["sharpWithin"]), ("sharp", 0.03))
+        self.assertEqual(block["sharpPoints"], [[1, 0, 2], [-1, 0, 2], [0, 1, 3], [0, -1, 4]])
         self.assertGreaterEqual(block["fStop"], 0.5)
         self.assertIn("sharp_points", record["view"]["words"])
         _, record = self.render("aperture 0.5 focal_point 0")

@@ -30,6 +30,13 @@ class Editor:
         """Checks whether the block would do in the scene's file; `tell` receives the answer."""
         self.begin(lambda: self.tried(request), "untried", tell)
 
+    def start_pull(self, request, tell):
+        """Writes a focus pull, or checks whether it would do; `tell` receives the answer to the latter."""
+        if request["write"]:
+            self.begin(lambda: self.pulled(request), "refused", lambda told: self.tell_all({**told, "pull": True}))
+        else:
+            self.begin(lambda: self.pulled(request), "untried", lambda told: tell({**told, "pull": True}))
+
     async def tell_all(self, told):
         """Tells all pages the result."""
         await self.session.tell("file", **told)
@@ -77,10 +84,24 @@ class Editor:
 
     async def write(self, request):
         """Changes the file; returns the answer for the page."""
-        before, after, added = await self.change(request)
+        return self.replaced(*await self.change(request))
+
+    def replaced(self, before, after, added):
+        """Replaces the file's contents; returns the answer for the page."""
         kept = self.session.file.replace(before, after)
         self.choose(added)
         return {"state": "written", "kept": kept, "chosen": self.session.chosen}
+
+    async def pulled(self, request):
+        """Writes a focus pull if the program finds its lenses at some times; returns the answer for the page."""
+        session = self.session
+        await self.renew_record()
+        camera, before = session.record["cameras"][self.index_to_change()], session.file.bytes()
+        text = session.file.decoded(before)
+        after = session.file.encoded(scene_text.with_head(self.in_camera(camera, text, request), text, camera["line"], request["head"]))
+        for check in request["checks"]:
+            await self.check(after, camera, 0, check["expect"], [f"+K{check['time']!r}"])
+        return self.replaced(before, after, 0) if request["write"] else {"state": "tried"}
 
     async def tried(self, request):
         """Changes nothing; returns the answer for the page."""
@@ -99,15 +120,15 @@ class Editor:
         if self.session.chosen is not None:
             self.session.chosen += added
 
-    async def look_at(self, path, name):
-        """The cameras of a file, by a render of one pixel."""
+    async def look_at(self, path, name, more=()):
+        """The cameras of a file, by a render of one pixel with more options."""
 
         async def nothing(_):
             return
 
         session = self.session
         render = Render(session.settings.program, session.folder, name)
-        words = render.words(path, [*session.options(), "-A"], session.size)
+        words = render.words(path, [*session.options(), *more, "-A"], session.size)
         await render.run([*words, "+SR1", "+ER1", "+SC1", "+EC1"], True, nothing)
         return render.camera()
 
@@ -132,12 +153,12 @@ class Editor:
             raise EditError(f"the camera stands in another file, {os.path.basename(camera['file'])}")
         return index
 
-    async def check(self, data, old, added, expected):
+    async def check(self, data, old, added, expected, more=()):
         """@throws EditError  unless the program finds the wanted lens, and the items that the page keeps, in the changed scene"""
         session = self.session
         path = session.folder / "changed.pov"
         path.write_bytes(data)
-        found = await self.look_at(path, "changed")
+        found = await self.look_at(path, "changed", more)
         camera = found["view"] if session.chosen is None else found["cameras"][session.chosen + added]
         lost = set(old["words"]) & {*scene_text.KEPT, *scene_text.REFUSED} - set(camera["words"])
         if lost:

@@ -9,6 +9,9 @@ import jsonschema
 from tools.focus.scene_text import with_items
 
 LARGEST = 16384  # pixels of a side
+MOST_POINTS = MOST_KEYS = 100  # the program's own limits
+MOST_CHECKS = 5  # of a focus pull
+LONGEST_BLOCK = 1000 + 80 * MOST_POINTS  # characters
 QUALITIES = (
     "blur_samples 32",
     "blur_samples 256 variance 1/8000",
@@ -16,7 +19,7 @@ QUALITIES = (
 )
 WORDS = (
     "film_width", "focal_length", "scene_unit", "tilt", "swing", "focus_tilt", "focus_swing", "focal_plane", "focal_points",
-    "shift", "f_stop", "blades",
+    "sharp_points", "sharp_within", "circle_of_confusion", "shift", "f_stop", "blades",
 )  # fmt: skip
 
 
@@ -36,18 +39,23 @@ VECTOR_TEXT = rf"<{DIGITS}(?:, {DIGITS}){{2}}>"
 BLOCK_PART = rf"(?:[ \n<>,]|(?:{'|'.join(WORDS)}|{DIGITS})(?=[ \n<>,{{}}]))*"
 BLOCK_TEXT = rf"tilt_lens \{{{BLOCK_PART}(?:\{{{BLOCK_PART}\}}{BLOCK_PART})?\}}"
 
+# a focus pull: its keys before the camera, and the block that uses them
+KEY_TEXT = rf"Tilt_Lens_Key_Points\({DIGITS}, {DIGITS}(?:, {VECTOR_TEXT}){{3}}\)\n"
+HEAD_TEXT = rf'#include "tilt_lens\.inc"\n#declare Tilt_Lens_Keys = 0;\n(?:{KEY_TEXT}){{2,{MOST_KEYS}}}'
+PULL_TEXT = rf"tilt_lens \{{{BLOCK_PART}Tilt_Lens_Pull\(clock, {VECTOR_TEXT}\)\n\}}"
+
 NUMBER = {"type": "number", "minimum": -1e300, "maximum": 1e300}
 NUMBER_OR_NONE = {"anyOf": [NUMBER, {"type": "null"}]}
 
 
-def text(pattern):
+def text(pattern, longest=2000):
     """A text that matches the pattern completely."""
-    return {"type": "string", "maxLength": 2000, "pattern": rf"\A(?:{pattern})\Z"}
+    return {"type": "string", "maxLength": longest, "pattern": rf"\A(?:{pattern})\Z"}
 
 
-def values(item, count):
-    """A list of `count` items."""
-    return {"type": "array", "items": item, "minItems": count, "maxItems": count}
+def values(item, count, most=None):
+    """A list of `count` items, or of as many to `most`."""
+    return {"type": "array", "items": item, "minItems": count, "maxItems": most or count}
 
 
 def record(**parts):
@@ -62,7 +70,7 @@ def some_of(**parts):
 
 VECTOR = values(NUMBER, 3)
 CAMERA = record(location=VECTOR, direction=VECTOR, right=VECTOR, up=VECTOR)
-BLOCK = text(BLOCK_TEXT)
+BLOCK = text(BLOCK_TEXT, LONGEST_BLOCK)
 ITEMS = some_of(
     focal_point=text(VECTOR_TEXT),
     angle={"anyOf": [text(DIGITS), {"type": "null"}]},
@@ -76,6 +84,7 @@ FOCUS = {
     "lensTurn": {"tilt": NUMBER, "swing": NUMBER, "focalPoint": VECTOR},
     "plane": {"planeNormal": VECTOR, "planeDistance": NUMBER},
     "points": {"points": values(VECTOR, 3)},
+    "sharp": {"sharpPoints": values(VECTOR, 3, MOST_POINTS), "sharpWithin": NUMBER_OR_NONE},
 }
 EXPECTED = {"anyOf": [record(family={"const": family}, **LENS, **focus) for family, focus in FOCUS.items()]}
 EXPECT = record(block=EXPECTED, camera=CAMERA)
@@ -93,6 +102,13 @@ MESSAGES = {
     "write": CHANGE,
     "try": CHANGE,
     "undo": {},
+    "pull": {
+        "write": {"type": "boolean"},
+        "head": text(HEAD_TEXT, 1000 + 300 * MOST_KEYS),
+        "block": text(PULL_TEXT),
+        "items": ITEMS,
+        "checks": {"type": "array", "items": record(time=NUMBER, expect=EXPECT), "minItems": 1, "maxItems": MOST_CHECKS},
+    },
 }
 OPTIONAL = {"preview"}  # messages with optional members
 

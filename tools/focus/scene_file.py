@@ -20,6 +20,7 @@ FOCUS = {
     "lensTurn": ("tilt", "swing", "focalPoint"),
     "plane": ("plane",),
     "points": ("points",),
+    "sharp": ("sharpPoints", "sharpWithin"),
 }
 LENS = ("filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle")
 CAMERA = ("location", "direction", "right", "up")
@@ -45,8 +46,9 @@ def seen_from(location, block):
     if block["family"] == "plane":
         normal = numpy.array(block["planeNormal"]) / numpy.linalg.norm(block["planeNormal"])
         found["plane"] = list(normal / (block["planeDistance"] - normal @ location))
-    elif block["family"] == "points":
-        found["points"] = [list(numpy.subtract(point, location)) for point in block["points"]]
+    elif block["family"] in ("points", "sharp"):
+        name = "points" if block["family"] == "points" else "sharpPoints"
+        found[name] = [list(numpy.subtract(point, location)) for point in block[name]]
     else:
         found["focalPoint"] = list(numpy.subtract(block["focalPoint"], location))
     return found

@@ -180,6 +180,24 @@ def behind_camera(text, line, block):
     return f"{text[:word]}#declare {name} = {text[word : end + 1]}{newline}{newline.join(lines)}{text[end + 1 :]}"
 
 
+PULL_HEAD = re.compile(r'#include "tilt_lens\.inc"\s+#declare Tilt_Lens_Keys = 0;\s+(?:Tilt_Lens_Key_Points\([^()]*\)\s+)+\Z')
+
+
+def with_head(changed, text, line, head):
+    """A changed text with lines before the camera whose closing brace was in a line of the text before. The change lies inside the camera.
+    Lines of an earlier focus pull there are replaced.
+    @throws EditError"""
+    word = camera_at(text, line)[0]
+    start = text.rfind("\n", 0, word) + 1
+    if text[start:word].strip():
+        raise EditError("the camera does not begin its line")
+    before, newline = changed[:start], newline_of(text)
+    old = PULL_HEAD.search(before)
+    if old:
+        before = before[: old.start()]
+    return before + indented(head, text[start:word], newline) + newline + changed[start:]
+
+
 def with_block_in(body, block, indent, newline):
     """A camera's text with its block replaced or added; `indent` is that of the camera's line."""
     old = block_in(body)

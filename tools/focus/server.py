@@ -207,5 +207,14 @@ class Server:
 
         self.session.editor.start_trial(message, tell)
 
+    def do_pull(self, message, peer):
+        """Writes a focus pull into the scene's file, or checks for one page whether it would do there."""
+        messages.need(self.session.record)
+
+        async def tell(told):
+            self.put({"type": "file", **told}, [peer])
+
+        self.session.editor.start_pull(message, tell)
+
     def do_undo(self, _message, _peer):
         self.session.editor.start_undo()

@@ -4,6 +4,7 @@
 /// The page: connects the model, the live picture, the knobs and the program.
 
 import { solve } from "./lens.js";
+import { unit } from "./vector.js";
 import { Model } from "./model.js";
 import { openBlur } from "./blur.js";
 import { Live } from "./live.js";
@@ -12,20 +13,34 @@ import { buildStage } from "./stage.js";
 import { buildCameras } from "./cameras.js";
 import { drawSide, surfaceSection } from "./side.js";
 import { buildText } from "./text.js";
+import { isState, markOf, readAddress, writeAddress } from "./address.js";
+import { Pair, buildPair } from "./pair.js";
+import { areKeys } from "./pull.js";
+import { buildFilm } from "./film.js";
+import { buildReading } from "./reading.js";
+import { buildMore } from "./more.js";
 import { connect } from "./connection.js";
 import { buildTruth } from "./truth.js";
 import { buildProbe } from "./probe.js";
 
 const find = id => document.getElementById(id);
-const model = new Model();
+const model = new Model(), pair = new Pair(model);
 const ask = message => line.ask(message);
-let blur, live, line, knobs, scene;
+let blur, live, line, knobs, scene, reading;
 let startedFor = null;   // signature of the camera that the model started with
+let startedFrom = null;  // place and direction of that camera
+let ownClock = false;    // the next scene is of a clock that this page has set
 let chosen = null;       // index of the chosen camera; null: the scene's own
 let ownChange = false;   // the next camera of the scene is one that this page has written
 let changedFiles = "";   // files whose change led to this preview
+let kept = readAddress(); // value in the address, until the first scene
 
 // ---- changes ----
+
+model.remembered = () => {
+    showBack();
+    keep();
+};
 
 /// Called after each change of the model.
 model.changed = () => {
@@ -33,11 +48,15 @@ model.changed = () => {
         return;
     knobs();
     stage.show();
+    more();
+    showPair();
     say();
     text.show();
+    film.show();
     truth.show();
     if (live.show())
         showSide();
+    reading.show();
 };
 
 const showSide = () => drawSide(find("side"), model.lens, surfaceSection(model.lens, (x, y) => blur.inverseDepthAt(x, y)));
@@ -46,6 +65,8 @@ const showSide = () => drawSide(find("side"), model.lens, surfaceSection(model.l
 function status(words) {
     find("status").textContent = changedFiles && words ? `${changedFiles} changed: ${words}` : words.charAt(0).toUpperCase() + words.slice(1);
 }
+
+const showBack = () => (find("back").disabled = model.past.length < 2);
 
 /// Remarks beside the knobs.
 function say() {
@@ -58,7 +79,7 @@ function say() {
     document.querySelector(`input[name=mode][value=${model.mode}]`).checked = true;
     find("third-choice").hidden = model.mode !== "three";
     find("third").value = model.third;
-    find("back").disabled = model.past.length < 2;
+    showBack();
     find("hint").textContent = hint();
 }
 
@@ -71,15 +92,21 @@ function hint() {
         const places = missing === 1 ? "place that is" : "places that are";
         return `Click ${model.picks.length ? `${missing} more` : missing} ${places} to be sharp.${keys}`;
     }
+    if (model.mode === "more")
+        return `Each click adds a point. Drag a point to move it.${keys}`;
     return `All of these are sharp. Drag a point, or click to move the nearest.${keys}`;
 }
 
 // ---- messages of the program ----
 
 function takeScene(message) {
+    const other = Number.isInteger(kept?.chosen) ? message.cameras[kept.chosen] : null;
+    if (other && markOf(signatureOf(other)) === kept.of)
+        ({ chosen } = kept);
     const index = chosen !== null && chosen < message.cameras.length ? chosen : null;
     scene = { ...message, view: index === null ? message.view : message.cameras[index] };
     const { view } = scene;
+    [model.width] = message.size;
     live.ownView = message.view;
     showLeftOut();
     cameras.show(message, index ?? message.used);
@@ -101,19 +128,54 @@ function showLeftOut() {
     find("left-out").textContent = items && words;
 }
 
+/// The camera itself as text, without its place in the scene.
+function signatureOf(view) {
+    const { file, line: place, offset, own, kept: items, ...camera } = view;
+    return JSON.stringify(camera);
+}
+
 /// Starts with a camera of the scene, unless the page already shows it or has just written it.
 function takeView(view) {
-    const { file, line: place, offset, own, kept, ...camera } = view, signature = JSON.stringify(camera);
+    const signature = signatureOf(view);
+    const { location, direction, right, up } = view, from = JSON.stringify([location, unit(direction), right, up]);
     const seen = startedFor === signature, written = ownChange;
+    // between the marks of a focus pull the page says which lens is shown, also where the scene has the pull by now
+    const pulled = ownClock && film.keys.length > 1 && startedFrom === from;
     startedFor = signature;
-    ownChange = false;
-    if (seen || written) {
+    startedFrom = from;
+    ownChange = ownClock = false;
+    if (seen || written || pulled) {
         model.note(view);
         model.changed();
+        keep();
         return;
     }
+    pair.begin();
     model.take(view);
+    takeKept();
     model.remember();
+}
+
+/// Writes the choices into the address, unless the focus still waits for the preview.
+function keep() {
+    if (!model.open && !model.error)
+        writeAddress({ of: markOf(startedFor), chosen, state: model.state, pair: pair.kept, keys: film.keys });
+}
+
+/// The choices that the address has kept, if they are of the shown camera.
+function takeKept() {
+    const found = kept;
+    kept = null;
+    if (!found)
+        return;
+    if (found.of === markOf(startedFor) && isState(found.state)) {
+        if (areKeys(found.keys))
+            film.keys = found.keys;
+        if (isState(found.pair?.other))
+            pair.restore(found.pair);
+        model.restore(found.state);
+    } else
+        model.refuse("points", "The address holds a lens of another camera or scene. This is the scene's own.");
 }
 
 /// Requests a preview of the chosen camera.
@@ -139,6 +201,8 @@ function takePreviewState(message) {
 }
 
 function takeFileState(message) {
+    if (message.pull)
+        film.take(message);
     if (!text.take(message) || message.again)
         return;
     ownChange = true;
@@ -191,6 +255,7 @@ const takes = {
 const stage = buildStage(model, {
     pointAt: (x, y) => live.surfaceAt(x, y),
     done: () => model.remember(),
+    cross: (x, y) => reading.moveTo([x, y]),
     entered: () => (find("hint").textContent = hint()),
     nothing: () => (find("hint").textContent = live.complete
         ? "There is nothing at this place to focus on. Click a thing."
@@ -204,9 +269,18 @@ const cameras = buildCameras(find, {
         takeView(scene.view);
         askForCamera();
     },
-    clock: clock => ask({ do: "preview", clock }),
+    clock: clock => {
+        model.remember();
+        if (cameras.animated) {
+            ownClock = true;
+            ask({ do: "preview", clock });
+        }
+    },
+    moved: time => film.moved(time),
 });
+const more = buildMore(find, model), showPair = buildPair(pair);
 const text = buildText(find, model, cameras.kept, ask);
+const film = buildFilm(find, model, cameras, cameras.kept, ask, keep);
 const truth = buildTruth(find, stage, model, () => [blur.width, blur.height], ask);
 
 function listen() {
@@ -222,11 +296,17 @@ function listen() {
     find("third").onchange = event => model.setThird(event.target.value);
     find("back").onclick = () => model.back();
     document.onkeydown = event => {
+        const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !["text", "select-one"].includes(event.target.type);
+        if (plain && event.key.toLowerCase() === "x" && model.lens)
+            pair.swap();
+        if (plain && event.key.toLowerCase() === "l")
+            find("show-loupe").click();
         if ((event.ctrlKey || event.metaKey) && event.key === "z" && event.target.type !== "text") {
             event.preventDefault();
             model.back();
         }
     };
+    onhashchange = () => location.reload();
     const dark = matchMedia("(prefers-color-scheme: dark)");
     const paint = () => {
         blur.empty = dark.matches ? [0.055, 0.06, 0.067] : [0.914, 0.914, 0.894];
@@ -240,6 +320,8 @@ function listen() {
 try {
     blur = openBlur(find("picture"));
     live = new Live(blur, model, ask, model.changed);
+    reading = buildReading(find, model, blur, (x, y) => live.inverseDepthAt(x, y));
+    live.drawn = () => reading.drawLoupe();
     listen();
     line = connect({
         message: message => takes[message.type]?.(message),

@@ -1,18 +1,18 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens as text for a scene: the `tilt_lens` block in three forms, and its camera items.
+/// The lens as text for a scene: the `tilt_lens` block in three forms, "points", "plane" and "angles", and its camera items.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
-import { planeOf, turnOf } from "./lens.js";
+import { planeOf, turnOf, widestStop } from "./lens.js";
+import { pullAt } from "./pull.js";
 import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 
-export const FORMS = { points: "three points", plane: "plane", angles: "angles" };
 const DIGITS = 7;
 
 /// items of the block that the program's answer must match: always, and by family
 const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
-const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"] };
+const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"], sharp: ["sharpPoints", "sharpWithin"] };
 
 /// A number with few digits, for a length of this size; rounding errors become 0.
 export function rounded(value, size = Math.abs(value)) {
@@ -29,10 +29,14 @@ function text(value) {
     return /e/.test(plain) ? value.toExponential().replace("e+", "e") : plain;
 }
 
+/// A number with as few digits as leave it within a fifth of a millionth.
+const short = value => [1, 2, 3, 4, 5, 6].map(digits => Number(value.toPrecision(digits))).find(few => Math.abs(few - value) < 2e-7 * Math.abs(value)) ??
+    rounded(value);
+
 const roundedVector = (v, size = length(v)) => v.map(x => rounded(x, size));
 
 /// Three points of the plane of sharp focus: the picked ones, or else points near the picture's content.
-function threePoints(model) {
+export function threePoints(model) {
     if (model.block.family === "points")
         return model.block.points;
     const { lens } = model, first = model.anchor(), normal = unit(lens.focus);
@@ -43,19 +47,29 @@ function threePoints(model) {
     return [first, along(first, size, x), along(first, size, y)];
 }
 
+/// A world point in the coordinates of a place, with as many digits as the distance from the lens needs.
+const pointIn = ({ inverse }, lens) => world => {
+    const local = movedPoint(inverse, world);
+    return roundedVector(local, length(subtract(local, movedPoint(inverse, lens.location))));
+};
+
+/// The blur within which the points are held, millimetres on the film, as the text states it.
+function widestBlur({ within, onFilm, width }, { filmWidth }) {
+    const blur = within * filmWidth / width;
+    return onFilm ? rounded(blur) : blur;
+}
+
 /// The block with rounded numbers, in a form, in the coordinates of a place.
-function roundedBlock(model, form, { matrix, inverse, scale }) {
+function roundedBlock(model, form, place) {
+    const { matrix, inverse, scale } = place, point = pointIn(place, model.lens);
     const { block, lens } = model, location = movedPoint(inverse, lens.location);
     const said = {
-        ...block, filmWidth: rounded(block.filmWidth), sceneUnit: rounded(block.sceneUnit * scale), fStop: rounded(block.fStop),
+        ...block, filmWidth: rounded(block.filmWidth), sceneUnit: short(block.sceneUnit * scale), fStop: rounded(block.fStop),
         focalLength: block.focalLength === null ? null : rounded(block.focalLength), shift: block.shift.map(x => rounded(x, block.filmWidth)),
-        bladesAngle: rounded(block.bladesAngle), aperture: 0, scale,
+        bladesAngle: rounded(block.bladesAngle), aperture: 0, sharpWithin: null, scale,
     };
-    // as many digits as the distance from the lens needs
-    const point = world => {
-        const local = movedPoint(inverse, world);
-        return roundedVector(local, length(subtract(local, location)));
-    };
+    if (form === "points" && block.family === "sharp")
+        return { ...said, sharpPoints: block.sharpPoints.map(point), sharpWithin: model.holds ? widestBlur(model, said) : null };
     if (form === "points")
         return { ...said, family: "points", points: threePoints(model).map(point) };
     if (form === "plane") {
@@ -69,7 +83,12 @@ function roundedBlock(model, form, { matrix, inverse, scale }) {
     return { ...said, family: "lensTurn", tilt: rounded(tilt, 10), swing: rounded(swing, 10), focalPoint: point(model.anchor()) };
 }
 
-function focusItems(block) {
+function focusItems(block, { within, onFilm }) {
+    if (block.family === "sharp") {
+        const points = block.sharpPoints.map(vector).join(block.sharpPoints.length > 3 ? ",\n    " : ", ");
+        const limit = onFilm ? `circle_of_confusion ${text(block.sharpWithin)}` : `sharp_within ${text(within)}`;
+        return [`sharp_points ${points}`, block.sharpWithin !== null && limit];
+    }
     if (block.family === "points")
         return [`focal_points ${block.points.map(vector).join(", ")}`];
     if (block.family === "plane")
@@ -78,12 +97,15 @@ function focusItems(block) {
 }
 
 /// The expected block in world coordinates.
-function expected(block, { matrix, inverse, scale }) {
+function expected(block, { matrix, inverse, scale }, camera, { width }) {
     const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
     const world = {
         ...block, sceneUnit: block.sceneUnit / scale, points: block.points.map(point => movedPoint(matrix, point)),
         planeNormal: plane.normal, planeDistance: plane.distance, focalPoint: movedPoint(matrix, block.focalPoint),
+        sharpPoints: block.sharpPoints.map(point => movedPoint(matrix, point)), scale: 1,
     };
+    if (world.sharpWithin !== null)
+        world.fStop = widestStop(camera, world, world.sharpWithin * width / world.filmWidth, width); // of the rounded points
     return Object.fromEntries([...EXPECTED, ...FOCUS[block.family]].map(name => [name, world[name]]));
 }
 
@@ -99,10 +121,10 @@ export function describe(model, form, place = model.place) {
         said.sceneUnit !== 1000 && `scene_unit ${text(said.sceneUnit)}`,
         said.filmWidth !== 36 && `film_width ${text(said.filmWidth)}`,
         said.focalLength !== null && `focal_length ${text(said.focalLength)}`,
-        `f_stop ${text(said.fStop)}`,
+        said.sharpWithin === null && `f_stop ${text(said.fStop)}`,
         said.blades > 0 && `blades ${said.blades}${said.bladesAngle ? `, ${text(said.bladesAngle)}` : ""}`,
         (said.shift[0] || said.shift[1]) && `shift <${said.shift.map(text).join(", ")}>`,
-        ...focusItems(said),
+        ...focusItems(said, model),
     ].filter(Boolean);
     const items = {};
     if (model.given.aperture)
@@ -119,10 +141,11 @@ export function describe(model, form, place = model.place) {
     }
     if (said.family === "lensTurn")
         items.focal_point = vector(said.focalPoint);
+    const { location, right, up } = camera, seen = { location, direction, right, up };
     return {
         block: `tilt_lens {\n${lines.map(line => `  ${line}`).join("\n")}\n}`,
         items,
-        expect: { block: expected(said, place), camera: { location: camera.location, direction, right: camera.right, up: camera.up } },
+        expect: { block: expected(said, place, seen, model), camera: seen },
     };
 }
 
@@ -131,6 +154,32 @@ export function describe(model, form, place = model.place) {
 export function change(model, form) {
     const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
     return { ...describe(model, form), behind: { block, expect } };
+}
+
+/// Times at which a focus pull is tried in the scene: those of some keys, and one between two.
+function timesToTry(keys) {
+    const times = (keys.length <= 4 ? keys : [keys[0], keys[1], keys.at(-1)]).map(key => key.time);
+    return [...times, keys[0].time + (keys[1].time - keys[0].time) / 4];
+}
+
+/// A focus pull: its keys as text before the camera, and the block that uses them.
+/// @returns as describe(), and { head: text, checks: [{ time, expect }] }
+export function describePull(model, keys) {
+    const { place, lens } = model, plain = describe(model, "plane"), point = pointIn(place, lens);
+    const location = movedPoint(place.inverse, lens.location), reach = length(subtract(movedPoint(place.inverse, keys[0].points[0]), location));
+    const seenFrom = location.map(x => (Math.abs(x) < 1e-12 * reach ? 0 : Number(x.toPrecision(12))));
+    const said = keys.map(({ time, stop, points }) => ({ time, stop: rounded(stop), points: points.map(point) }));
+    const lines = said.map(({ time, stop, points }) => `Tilt_Lens_Key_Points(${[text(time), text(stop), ...points.map(vector)].join(", ")})\n`);
+    const items = plain.block.split("\n").filter(line => !/^ *(f_stop|focal_plane|[{}])/.test(line)).slice(1);
+    const world = said.map(key => ({ ...key, points: key.points.map(p => movedPoint(place.matrix, p)) }));
+    return {
+        ...plain, head: `#include "tilt_lens.inc"\n#declare Tilt_Lens_Keys = 0;\n${lines.join("")}`,
+        block: `tilt_lens {\n${items.map(line => `${line}\n`).join("")}  Tilt_Lens_Pull(clock, ${vector(seenFrom)})\n}`,
+        checks: timesToTry(keys).map(time => {
+            const at = pullAt(world, time, lens.location), { block, camera } = plain.expect;
+            return { time, expect: { camera, block: { ...block, ...at } } };
+        }),
+    };
 }
 
 /// The text to copy: camera items, then the block.

@@ -7,18 +7,32 @@ const CLOCK_STEPS = 100;
 
 const nameOf = ({ line, own, file }) => `line ${line}${own ? "" : ` of ${file.split("/").at(-1)}`}`;
 
-/// @param on  { camera(index): another camera was chosen, clock(value) }
+/// @param on  { camera(index): another camera was chosen, clock(value): the clock was set, moved(value): the clock moves }
 export function buildCameras(find, on) {
-    const choice = find("camera"), clock = find("clock"), clockValue = find("clock-value");
+    const choice = find("camera"), clock = find("clock"), clocks = [clock, find("time")]; // in the head, and beside the focus pull
     let cameras = [];
     choice.onchange = () => on.camera(Number(choice.value));
-    const showClock = () => (clockValue.textContent = Number(Number(clock.value).toPrecision(6)));
-    clock.oninput = showClock;
-    clock.onchange = () => on.clock(Number(clock.value));
+    const time = () => Number(Number(clock.value).toPrecision(6));
+    const setTime = value => {
+        for (const slider of clocks) {
+            slider.value = value;
+            find(`${slider.id}-value`).textContent = time();
+        }
+    };
+    for (const slider of clocks) {
+        slider.oninput = () => {
+            setTime(slider.value);
+            on.moved(time());
+        };
+        slider.onchange = () => on.clock(time());
+    }
 
     return {
+        time,
+        setTime,
         /// Shows a scene. @param index  of the shown camera, or null
         show({ name, cameras: all, animated, clock: now, clocks: [least, most] }, index) {
+            this.animated = animated;
             cameras = all;
             find("name").textContent = name;
             document.title = `${name} – focus`;
@@ -32,8 +46,9 @@ export function buildCameras(find, on) {
             choice.value = index ?? "";
             find("camera-choice").hidden = cameras.length < 2;
             find("clock-choice").hidden = !animated || least === most;
-            Object.assign(clock, { min: least, max: most, step: (most - least) / CLOCK_STEPS || 1, value: now ?? least });
-            showClock();
+            for (const slider of clocks)
+                Object.assign(slider, { min: least, max: most, step: (most - least) / CLOCK_STEPS || 1 });
+            setTime(animated || now !== null ? now ?? least : clock.value);
         },
         /// Items of the shown camera's block that the page does not write, as text.
         kept: () => cameras[Number(choice.value)]?.kept ?? [],

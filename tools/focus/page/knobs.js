@@ -14,7 +14,7 @@ const GROUPS = [
         { id: "swing", words: "Swing", unit: "°", least: -15, most: 15, digits: 2, title: "Turns the right-hand side of the lens toward the scene",
           show: m => m.numbers().swing, turn: (m, v) => m.turn("lensTurn", "swing", v) },
         { id: "fStop", words: "f-stop", unit: "f/", least: 0.5, most: 64, digits: 2, slide: log, said: "fStop", title: "Smaller: a wider lens, more blur",
-          show: m => m.block.fStop, turn: (m, v) => m.set({ fStop: v }) },
+          show: m => m.block.fStop, turn: (m, v) => m.setStop(v) },
         { id: "angle", words: "Angle of view", unit: "°", least: 3, most: 120, digits: 2, title: "How much the picture shows from left to right",
           show: m => m.numbers().angle, turn: (m, v) => m.setAngle(v) },
         { id: "focalLength", words: "Focal length", unit: "mm", least: 8, most: 400, digits: 1, slide: log, said: "focalLength", title: "The same in millimetres; holds the lens and lets the view breathe with the focus",
@@ -98,8 +98,8 @@ function choice(group, knob, model, lists, done) {
     };
 }
 
-/// Parses a number with a point or a comma.
-function valueOf(written) {
+/// Parses a number with a point or a comma; NaN for other texts.
+export function numberIn(written) {
     const plain = written.trim().replace(",", ".");
     return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
 }
@@ -122,7 +122,7 @@ function slider(group, knob, model, lists, done) {
     range.oninput = () => knob.turn(model, Number(scale.from(Number(range.value)).toPrecision(4)), lists);
     range.onchange = done;
     const take = written => {
-        const value = valueOf(written), wanted = wantedOf(knob);
+        const value = numberIn(written), wanted = wantedOf(knob);
         if (wanted.allows(value)) {
             knob.turn(model, value, lists);
         } else {
@@ -133,7 +133,7 @@ function slider(group, knob, model, lists, done) {
     };
     number.onchange = () => take(number.value);
     number.onkeydown = event => {
-        const value = valueOf(number.value) + { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        const value = numberIn(number.value) + { ArrowUp: 1, ArrowDown: -1 }[event.key];
         if (!Number.isFinite(value))
             return;
         event.preventDefault();

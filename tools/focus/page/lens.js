@@ -6,16 +6,19 @@
 /// angles in degrees, vectors in world coordinates.
 ///
 ///     camera   { location, direction, right, up }
-///     block    { family: "lensTurn" | "focusTurn" | "plane" | "points", filmWidth, focalLength (mm, or null: the
+///     block    { family: "lensTurn" | "focusTurn" | "plane" | "points" | "sharp", filmWidth, focalLength (mm, or null: the
 ///                angle of view counts), sceneUnit, tilt, swing, focusTilt, focusSwing, planeNormal, planeDistance,
-///                points: [A, B, C], shift: [right, up], fStop (or null), blades, bladesAngle, focalPoint,
-///                aperture (twice the diameter, if fStop is null), scale }
+///                points: [A, B, C], sharpPoints: [A, B, C, ...], shift: [right, up], fStop (or null), blades, bladesAngle,
+///                focalPoint, aperture (twice the diameter, if fStop is null), scale }
 
+import { planeOfLeastBlur } from "./sharp.js";
 import { add, along, cross, dot, length, subtract, times, unit } from "./vector.js";
 
 const DEGREE = Math.PI / 180;
 /// Largest rounding error, relative to the operands, of a difference that ought to be 0.
 const ROUNDING = 1e-14;
+/// No lens in air has a smaller f-number.
+const WIDEST_STOP = 0.5;
 
 /// A block that no lens fulfils. `knob` names the knob beside which the message appears.
 export class LensError extends Error {
@@ -65,8 +68,22 @@ function focalPointInCamera(axes, camera, block) {
     return point;
 }
 
+/// k that leaves the least greatest blur over the sharp points.
+function focusOfSharpPoints(axes, camera, block) {
+    const ways = block.sharpPoints.map(point => subtract(point, camera.location));
+    const behind = ways.findIndex(way => !(dot(way, axes.axis) > ROUNDING * (length(way) + length(camera.location))));
+    if (behind >= 0)
+        throw new LensError("points", `Point ${behind + 1} is not in front of the lens.`);
+    const k = planeOfLeastBlur(block.sharpPoints, camera, axes.axis);
+    if (!k)
+        throw new LensError("points", "The picture has all points on one line. Move one of them off it, or add another.");
+    return toCamera(axes, k);
+}
+
 /// k for the families that state the plane of sharp focus.
 function givenFocus(axes, camera, block) {
+    if (block.family === "sharp")
+        return focusOfSharpPoints(axes, camera, block);
     if (block.family === "points") {
         const [a, b, c] = block.points;
         const normal = cross(unit(subtract(b, a)), unit(subtract(c, a)));
@@ -215,6 +232,29 @@ export const blurDiameter = (lens, chief, T, width) => (1 / T - dot(lens.focus, 
 export function blurOfPoint(lens, point, width) {
     const X = subtract(point, lens.location), T = dot(X, lens.axis) / dot(lens.direction, lens.axis);
     return (1 - dot(lens.focus, X)) / T * blurPerVergence(lens, width);
+}
+
+/// The greatest blur of points, in pixels.
+export const greatestBlur = (lens, points, width) => Math.max(...points.map(point => Math.abs(blurOfPoint(lens, point, width))));
+
+/// The smallest f-number that keeps the sharp points of a block within a blur, in pixels.
+export function widestStop(camera, block, within, width) {
+    const lens = solve(camera, { ...block, fStop: 1 });
+    return Math.max(WIDEST_STOP, greatestBlur(lens, block.sharpPoints, width) / within);
+}
+
+/// The f-number that a lens without tilt would need for the same greatest blur of points, at its best focus; null if it cannot be so
+/// focused.
+export function stopWithoutTilt(camera, block, lens, points, width) {
+    const vergences = points.map(point => 1 / dot(subtract(point, lens.location), lens.axis));
+    const focalPoint = along(lens.location, 2 / (Math.min(...vergences) + Math.max(...vergences)), lens.axis);
+    const fStop = lens.focalLength / lens.diameter;
+    try {
+        const untilted = solve(camera, { ...block, family: "lensTurn", tilt: 0, swing: 0, focalPoint, fStop });
+        return fStop * greatestBlur(untilted, points, width) / greatestBlur(lens, points, width);
+    } catch {
+        return null;
+    }
 }
 
 /// k of the plane of all points with this signed blur.

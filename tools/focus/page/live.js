@@ -18,6 +18,7 @@ export class Live {
     /// @param begun  called when the first part of a new preview is there
     constructor(blur, model, ask, begun) {
         Object.assign(this, { blur, model, ask, begun });
+        this.drawn = () => {};     // called after each drawing
         this.complete = false;     // no more tiles of the preview are to come
         this.former = null;        // the previous preview of the same scene, while the current one arrives
         this.readAnew = false;     // the scene was parsed again for the arriving preview
@@ -88,15 +89,20 @@ export class Live {
         return Boolean(preview?.values) && String(preview.frame?.location) === String(this.model.camera.location);
     }
 
+    /// 1/distance along the axis of the surface at x, y of the film; 0 without one.
+    inverseDepthAt(x, y) {
+        for (const preview of [this.blur, this.former]) {
+            const inverse = this.isFromHere(preview) ? inverseDepthOf(preview, this.model.lens, x, y) : 0;
+            if (inverse > 0)
+                return inverse;
+        }
+        return 0;
+    }
+
     /// World point of the surface at x, y of the film, or null.
     surfaceAt(x, y) {
-        const { lens } = this.model;
-        for (const preview of [this.blur, this.former]) {
-            const inverse = this.isFromHere(preview) ? inverseDepthOf(preview, lens, x, y) : 0;
-            if (inverse > 0)
-                return pointAt(lens, x, y, 1 / inverse);
-        }
-        return null;
+        const inverse = this.inverseDepthAt(x, y);
+        return inverse > 0 ? pointAt(this.model.lens, x, y, 1 / inverse) : null;
     }
 
     // ---- changes ----
@@ -151,6 +157,7 @@ export class Live {
         const moving = !this.complete || performance.now() - this.lastChange < REST;
         this.blur.draw(moving);
         this.lastDrawing = performance.now();
+        this.drawn();
         if (this.complete && (moving || this.blur.unfinished))
             this.draw();
     }

@@ -4,20 +4,24 @@
 /// The user's choices: camera, block, points. Knobs and points change the same block, so that they always agree. A change that no lens
 /// fulfils keeps the last lens and sets `error`.
 
-import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
+import { along, dot, length, subtract, times } from "./vector.js";
 import {
-    LensError, angleOfView, axesOf, axisFocusOf, focusTurnOf, hingeDistanceOf, pointAt,
-    project, solve, turnOf, wholeTurnOf,
+    LensError, angleOfView, axesOf, axisFocusOf, focusTurnOf, hingeDistanceOf, solve, turnOf, widestStop,
 } from "./lens.js";
+import { nearestPick, planePoints, sharpnessOf, visiblePoints } from "./points.js";
+import { remarksOf } from "./remarks.js";
 
 const START_STOP = 2.8;
 /// Millimetres from the lens to the subject of a scene without a lens, as if it were a model on a table.
 const MODEL_DISTANCE = 1200;
 
-const PLAIN = {
+/// Least and greatest number of points that a best plane serves; the program's own limits.
+export const FEWEST = 3, MOST = 100;
+
+export const PLAIN = {
     family: "lensTurn", filmWidth: 36, focalLength: null, sceneUnit: 1000, tilt: 0, swing: 0, focusTilt: 0, focusSwing: 0,
-    planeNormal: [0, 0, 1], planeDistance: 0, points: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], shift: [0, 0], fStop: null,
-    blades: 0, bladesAngle: 0, focalPoint: [0, 0, 0], aperture: 0, scale: 1,
+    planeNormal: [0, 0, 1], planeDistance: 0, points: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], sharpPoints: [], sharpWithin: null,
+    shift: [0, 0], fStop: null, blades: 0, bladesAngle: 0, focalPoint: [0, 0, 0], aperture: 0, scale: 1,
 };
 
 /// The nearest of 1, 2, 5 times a power of ten.
@@ -32,14 +36,32 @@ export class Model {
         this.block = null;
         this.lens = null;
         this.error = null;
-        this.refused = {};      // knob -> reason why its last number was refused
-        this.mode = "one";      // or "three"
-        this.third = "picked";  // or "level", "upright", "film"
-        this.picks = [];
-        this.real = null;       // a lens of tilt_lens.inc
+        this.begin();
+        this.width = 960;       // of the preview, pixels, in which blur counts
         this.changed = () => {};
-        this.past = [];
+        this.remembered = () => {};
         this.open = false;      // the focus waits for the preview, because neither scene nor user states it
+    }
+
+    /// The choices that a camera begins with.
+    begin() {
+        Object.assign(this, {
+            mode: "one",       // or "three", "more"
+            third: "picked",   // or "level", "upright", "film"
+            picks: [],
+            hold: false,       // whether the f-stop is the widest that keeps the picks of "more" within a blur
+            within: 1,         // that blur, pixels
+            onFilm: false,     // whether the text states it in millimetres on the film
+            real: null,        // a lens of tilt_lens.inc
+            refused: {},       // knob -> reason why its last number was refused
+            past: [],          // states, the present one last
+        });
+    }
+
+    /// All of the user's choices.
+    get state() {
+        const { block, camera, picks, mode, third, hold, within, onFilm, real } = this;
+        return { block, camera, picks, mode, third, hold, within, onFilm, real };
     }
 
     /// Stores properties of the scene's camera.
@@ -53,12 +75,7 @@ export class Model {
         const { location, direction, right, up, sky } = view;
         this.camera = { location, direction, right, up, sky };
         this.note(view);
-        this.refused = {};
-        this.picks = [];
-        this.mode = "one";
-        this.third = "picked";
-        this.real = null;
-        this.past = [];
+        this.begin();
         const block = { ...PLAIN, ...(view.block ?? {}) };
         block.sceneUnit /= block.scale;
         block.aperture *= block.scale;
@@ -74,6 +91,13 @@ export class Model {
         if (block.family === "points") {
             this.mode = "three";
             this.picks = block.points.slice();
+        }
+        if (block.family === "sharp") {
+            this.mode = "more";
+            this.picks = block.sharpPoints.slice();
+            this.hold = block.sharpWithin !== null;
+            this.onFilm = view.words.includes("circle_of_confusion");
+            this.within = this.hold ? Number((block.sharpWithin * this.width / block.filmWidth).toPrecision(6)) : 1;
         }
         block.fStop ??= this.stopOfAperture() ?? START_STOP;
         this.lens = null;
@@ -110,6 +134,8 @@ export class Model {
     /// Solves the block; keeps the last lens on failure.
     resolve() {
         try {
+            if (this.holds)
+                this.block.fStop = widestStop(this.camera, this.block, this.within, this.width);
             this.lens = solve(this.camera, this.block);
             this.error = null;
         } catch (error) {
@@ -129,8 +155,6 @@ export class Model {
     /// Applies a change; an impossible state is shown as an error and discarded at the next change.
     change(what) {
         this.refused = {};
-        if (!this.error)
-            this.good = { block: structuredClone(this.block), camera: structuredClone(this.camera) };
         what(this.block);
         this.resolve();
     }
@@ -139,10 +163,17 @@ export class Model {
     remember() {
         if (this.error)
             return;
-        const state = JSON.stringify({ block: this.block, camera: this.camera, picks: this.picks, mode: this.mode, third: this.third, real: this.real });
+        const state = JSON.stringify(this.state);
         if (this.past.at(-1) !== state)
             this.past.push(state);
         this.past.splice(0, this.past.length - 100);
+        this.remembered();
+    }
+
+    /// Takes choices from elsewhere, such as the address.
+    restore(state) {
+        Object.assign(this, structuredClone(state), { refused: {}, open: false });
+        this.resolve();
     }
 
     /// Goes back one step. @returns true if there was one
@@ -150,8 +181,8 @@ export class Model {
         const now = this.past.length > 1 ? (this.past.pop(), this.past.at(-1)) : null;
         if (!now)
             return false;
-        Object.assign(this, JSON.parse(now), { refused: {} });
-        this.resolve();
+        this.restore(JSON.parse(now));
+        this.remembered();
         return true;
     }
 
@@ -164,7 +195,7 @@ export class Model {
         const distance = this.lens ? axisFocusOf(this.lens) : 0;
         if (distance > 0 && Number.isFinite(distance))
             return along(this.camera.location, distance, this.lens.axis);
-        return this.visiblePoints()[0] ?? this.block.focalPoint;
+        return visiblePoints(this.lens)[0] ?? this.block.focalPoint;
     }
 
     /// 1 - k.X: 0 on the plane of sharp focus.
@@ -174,30 +205,25 @@ export class Model {
 
     /// A click into the scene. With three points, a fourth click moves the point nearest in the picture.
     pick(point) {
-        if (this.mode === "one") {
-            this.picks = [point];
-        } else {
-            if (this.picks.length < this.wantedPicks)
-                this.picks.push(point);
-            else
-                this.picks[this.nearestPick(point)] = point;
+        if (this.mode === "more" && this.picks.length === MOST) {
+            this.refuse("points", `${MOST} points are the most. Remove one, or drag it.`);
+            return;
         }
+        if (this.mode === "one")
+            this.picks = [point];
+        else if (this.mode === "more" || this.picks.length < this.wantedPicks)
+            this.picks.push(point);
+        else
+            this.picks[nearestPick(this, point)] = point;
         this.usePicks();
         this.remember();
     }
 
     /// Number of points that determine the plane.
     get wantedPicks() {
+        if (this.mode === "more")
+            return FEWEST;
         return this.mode === "one" || this.third === "film" ? 1 : this.third === "picked" ? 3 : 2;
-    }
-
-    nearestPick(point) {
-        const at = project(this.lens, point);
-        const far = this.picks.map(p => {
-            const there = project(this.lens, p);
-            return Math.hypot(there.x - at.x, there.y - at.y);
-        });
-        return far.indexOf(Math.min(...far));
     }
 
     move(index, point) {
@@ -205,21 +231,17 @@ export class Model {
         this.usePicks();
     }
 
-    /// The points of the plane: picked, and derived from the choice for the third.
-    planePoints() {
-        const { picks } = this;
-        if (this.wantedPicks === 1 || picks.length < 2)
-            return null;
-        if (picks.length === 3)
-            return picks;
-        const { axis, right } = axesOf(this.camera), sky = unit(this.camera.sky);
-        const across = cross(sky, axis), level = length(across) > 1e-6 ? unit(across) : right;
-        const size = Math.max(length(subtract(picks[1], picks[0])), length(subtract(picks[0], this.camera.location)) / 4);
-        return [picks[0], picks[1], along(picks[0], size, this.third === "upright" ? sky : level)];
+    /// Removes a point.
+    remove(index) {
+        this.picks.splice(index, 1);
+        this.usePicks();
+        if (!this.picks.length)
+            this.resolve();
+        this.remember();
     }
 
     usePicks() {
-        const points = this.planePoints();
+        const points = planePoints(this);
         if (!this.picks.length)
             return;
         this.close(this.picks[0]);
@@ -229,17 +251,23 @@ export class Model {
                 block.points = points;
                 return;
             }
+            if (this.mode === "more" && this.picks.length >= FEWEST) {
+                block.family = "sharp";
+                block.sharpPoints = this.picks.slice();
+                return;
+            }
             if (this.mode === "three" && this.third === "film")
                 Object.assign(block, { family: "lensTurn", tilt: 0, swing: 0 });
-            else if (block.family === "points" || block.family === "plane")
+            else if (["points", "plane", "sharp"].includes(block.family))
                 Object.assign(block, { family: "lensTurn" }, this.lens ? turnOf(this.lens) : {});
             block.focalPoint = this.picks[0];
         });
     }
 
     setMode(mode) {
+        const several = this.mode !== "one" && mode !== "one";
         this.mode = mode;
-        this.picks = mode === "one" ? this.picks.slice(0, 1) : [];
+        this.picks = mode === "one" ? this.picks.slice(0, 1) : several ? this.picks.slice(0, mode === "more" ? MOST : this.wantedPicks) : [];
         this.usePicks();
         if (!this.picks.length)
             this.resolve();
@@ -253,6 +281,29 @@ export class Model {
         if (!this.picks.length)
             this.resolve();
         this.remember();
+    }
+
+    /// True if the f-stop follows from the points. Three of them are sharp at any.
+    get holds() {
+        return this.hold && this.block.family === "sharp" && this.picks.length > FEWEST;
+    }
+
+    /// Holds the points within a blur, or no longer.
+    setHold(hold, within = this.within) {
+        Object.assign(this, { hold, within });
+        this.change(() => {});
+        this.remember();
+    }
+
+    /// See sharpnessOf().
+    sharpness() {
+        return sharpnessOf(this);
+    }
+
+    /// Shows a lens of a focus pull.
+    pull(items) {
+        Object.assign(this, { mode: "one", picks: [], hold: false });
+        this.change(block => Object.assign(block, items));
     }
 
     // ---- knobs ----
@@ -279,6 +330,12 @@ export class Model {
     /// Sets items of the block that do not concern the focus.
     set(items) {
         this.change(block => Object.assign(block, items));
+    }
+
+    /// Sets the f-stop by hand.
+    setStop(fStop) {
+        this.hold = false;
+        this.set({ fStop });
     }
 
     /// Sets the angle of view, degrees; the focal length follows.
@@ -326,21 +383,9 @@ export class Model {
 
     // ---- what is shown ----
 
-    /// Limits of the chosen real lens, and unusual values: knob -> words.
+    /// See remarksOf().
     remarks() {
-        const { real, block, lens } = this, said = { ...this.refused };
-        if (!lens)
-            return said;
-        const turn = wholeTurnOf(lens), shift = Math.hypot(...block.shift);
-        if (real && turn > real.tilt + 1e-6)
-            said.turn ??= `This needs ${turn.toFixed(1)}°. The real lens tilts up to ${real.tilt}°.`;
-        else if (turn > 15)
-            said.turn ??= `${turn.toFixed(1)}° is much; real lenses stop at about 10°.`;
-        if (real && shift > real.shift + 1e-6)
-            said.shift ??= `${shift.toFixed(1)} mm. The real lens shifts up to ${real.shift} mm.`;
-        if (real && block.fStop < real.fStop - 1e-6)
-            said.fStop ??= `The real lens opens to f/${real.fStop} only.`;
-        return said;
+        return remarksOf(this);
     }
 
     /// Numbers for a photographer.
@@ -350,16 +395,5 @@ export class Model {
             ...turnOf(lens), focus: focusTurnOf(lens), focalLength: lens.focalLength * perMm, film: lens.filmDistance * perMm,
             angle: angleOfView(lens), hinge: hingeDistanceOf(lens), axisFocus: axisFocusOf(lens), fStop: block.fStop,
         };
-    }
-
-    /// Visible points of the plane of sharp focus, spread over the picture, nearest to its centre first.
-    visiblePoints() {
-        const found = [];
-        for (const [x, y] of [[0, 0], [-0.25, -0.25], [0.25, -0.25], [0, 0.3], [0, -0.45], [-0.3, 0.2], [0.3, 0.2]]) {
-            const w = this.lens.focusMiddle + x * this.lens.focusRight + y * this.lens.focusUp;
-            if (w > 0)
-                found.push(pointAt(this.lens, x, y, dot(this.lens.direction, this.lens.axis) / w));
-        }
-        return found;
     }
 }

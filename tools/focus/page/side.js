@@ -8,6 +8,7 @@
 import { along, dot, length, unit } from "./vector.js";
 import { axisFocusOf, planeOfBlur } from "./lens.js";
 
+const MARGIN = 4; // beside a label
 const NAME = "http://www.w3.org/2000/svg";
 
 function shape(name, attributes, text) {
@@ -67,8 +68,12 @@ export function drawSide(svg, lens, surfaces) {
         line(kind, [p[0] - size * d[0], p[1] - size * d[1]], [p[0] + size * d[0], p[1] + size * d[1]]);
     };
     const label = (text, point, anchor = "start", dx = 6, dy = -6) => {
-        const [x, y] = at(point), tx = Math.min(width - 8, Math.max(8, x + dx)), ty = Math.min(height - 6, Math.max(14, y + dy));
-        svg.append(shape("text", { x: tx, y: ty, "text-anchor": anchor }, text));
+        const [x, y] = at(point), tx = x + dx, ty = Math.min(height - 6, Math.max(14, y + dy));
+        const made = shape("text", { x: tx, y: ty, "text-anchor": anchor }, text);
+        svg.append(made);
+        // moved to the side until all of it is seen
+        const extent = made.getBBox(), left = Math.min(tx, tx + width - MARGIN - extent.x - extent.width);
+        made.setAttribute("x", Math.max(left, tx + MARGIN - extent.x));
     };
     svg.append(shape("path", { class: "surface", d: surfaces.map(p => `M${at(p).map(x => x.toFixed(1))}h0`).join("") }));
     line("axis", [-s, 0], [box.right + size, 0]);

@@ -5,14 +5,15 @@
 /// true one.
 
 import { project } from "./lens.js";
+import { pixels } from "./more.js";
 
-const NAMES = ["A", "B", "C"];
+const LABEL = 40; // pixels below a point that its blur needs; where there are fewer, it stands above the point
 const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
 
 const clamp = x => Math.min(0.5, Math.max(-0.5, x));
 
 /// @param on  { pointAt(x, y) -> world point or null, done(), nothing(): there is no surface, entered(): the picture has gained or lost
-///             the keyboard focus }
+///             the keyboard focus, cross(x, y): the crosshair has moved there }
 export function buildStage(model, on) {
     const picture = document.getElementById("picture"), points = document.getElementById("points");
     const cross = document.getElementById("cross"), truth = document.getElementById("truth"), wipe = document.getElementById("wipe");
@@ -57,6 +58,7 @@ export function buildStage(model, on) {
             at[1] = clamp(at[1] + move[1]);
             cross.hidden = false;
             place(cross, at);
+            on.cross(...at);
         }
     };
     picture.onfocus = () => {
@@ -77,7 +79,7 @@ export function buildStage(model, on) {
     const button = index => {
         const made = document.createElement("button");
         made.type = "button";
-        made.textContent = NAMES[index];
+        made.textContent = index + 1;
         made.onpointerdown = event => {
             made.setPointerCapture(event.pointerId);
             made.onpointermove = move => moveTo(index, filmOf(move));
@@ -87,6 +89,12 @@ export function buildStage(model, on) {
             on.done();
         };
         made.onkeydown = event => {
+            if (event.key === "Delete" || event.key === "Backspace") {
+                event.preventDefault();
+                model.remove(index);
+                picture.focus();
+                return;
+            }
             const step = event.shiftKey ? LARGE_STEP : STEP / 2;
             const move = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[event.key];
             if (!move)
@@ -115,11 +123,16 @@ export function buildStage(model, on) {
                 points.lastChild.remove();
             while (points.children.length < model.picks.length)
                 points.append(button(points.children.length));
+            const { blurs, binds } = model.mode === "more" ? model.sharpness() : { blurs: [], binds: [] };
             model.picks.forEach((point, i) => {
                 const { x, y, depth } = project(model.lens, point), made = points.children[i];
                 made.hidden = !(depth > 0 && Math.abs(x) <= 0.5 && Math.abs(y) <= 0.5);
-                made.className = model.error ? "bad" : "";
-                made.setAttribute("aria-label", `Point ${NAMES[i]}; arrow keys move it`);
+                made.className = model.error ? "bad" : binds[i] ? "binds" : "";
+                made.classList.toggle("low", (y + 0.5) * picture.clientHeight < LABEL);
+                made.toggleAttribute("data-blur", i in blurs);
+                if (i in blurs)
+                    made.dataset.blur = pixels(blurs[i]);
+                made.setAttribute("aria-label", `Point ${i + 1}; arrow keys move it, Delete removes it`);
                 place(made, [x, y]);
             });
         },

@@ -3,11 +3,11 @@
 
 /// The lens as text for the scene: choosing its form, copying it, writing it into the scene's file.
 
-import { FORMS, change, copyText, describe } from "./block.js";
+import { change, copyText, describe } from "./block.js";
 
 const sentence = words => words.replace(/\.?$/, ".");
 
-const WORDS = {
+export const WORDS = {
     written: ({ kept }) => `Written. The scene as it was is kept as ${kept}.`,
     undone: () => "The scene is as it was before.",
     tried: () => "It belongs into the camera of your scene; tried there, it makes this lens.",
@@ -15,50 +15,56 @@ const WORDS = {
     refused: ({ reason }) => `Not written: ${sentence(reason)} Copy the text and put it in by hand.`,
 };
 
+/// Copies an element's text, or marks it where the browser does not allow that. @returns words for the user
+export async function copy(element) {
+    try {
+        await navigator.clipboard.writeText(element.textContent);
+        return "Copied.";
+    } catch {
+        const range = document.createRange();
+        range.selectNodeContents(element);
+        getSelection().removeAllRanges();
+        getSelection().addRange(range);
+        return "The browser does not let this page copy. The text is marked: press Ctrl-C.";
+    }
+}
+
 /// @param kept  () -> items of the scene's own block that stay in it, as text
 /// @param ask   sends a message to the program
 export function buildText(find, model, kept, ask) {
     const block = find("block"), said = find("file-said");
-    let form = "plane", copied = "";
+    let chosen = null, copied = "";
 
+    /// The form of the text: the points where a plane only follows from them.
+    const form = () => chosen ?? (model.block.family === "sharp" ? "points" : "plane");
     const show = () => {
-        block.textContent = copyText(describe(model, form), kept());
-        document.querySelector(`input[name=form][value=${form}]`).checked = true;
+        block.textContent = copyText(describe(model, form()), kept());
+        document.querySelector(`input[name=form][value=${form()}]`).checked = true;
         find("write").disabled = find("copy").disabled = find("render").disabled = Boolean(model.error);
-    };
-    const mark = () => {
-        const range = document.createRange();
-        range.selectNodeContents(block);
-        getSelection().removeAllRanges();
-        getSelection().addRange(range);
     };
     for (const radio of document.querySelectorAll("input[name=form]"))
         radio.onchange = () => {
-            form = radio.value in FORMS ? radio.value : form;
+            chosen = radio.value;
             show();
         };
     find("copy").onclick = async () => {
-        try {
-            await navigator.clipboard.writeText(block.textContent);
-            copied = "Copied.";
-        } catch {
-            mark();
-            copied = "The browser does not let this page copy. The text is marked: press Ctrl-C.";
-        }
+        copied = await copy(block);
         said.textContent = `${copied} Trying it in the scene …`;
-        ask({ do: "try", ...change(model, form) });
+        ask({ do: "try", ...change(model, form()) });
     };
-    find("write").onclick = () => ask({ do: "write", ...change(model, form) });
+    find("write").onclick = () => ask({ do: "write", ...change(model, form()) });
     find("undo").onclick = () => ask({ do: "undo" });
 
     return {
         show,
         /// Takes the result of a change of the scene's file. @returns true if this page changed it
         take(message) {
-            said.textContent = (message.state.endsWith("tried") ? `${copied} ` : "") + WORDS[message.state](message);
             const changed = message.state === "written" || message.state === "undone";
             if (changed)
                 find("undo").hidden = message.state !== "written";
+            if (message.pull)
+                return changed;
+            said.textContent = (message.state.endsWith("tried") ? `${copied} ` : "") + WORDS[message.state](message);
             return changed;
         },
     };

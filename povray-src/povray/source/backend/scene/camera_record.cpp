@@ -93,8 +93,17 @@ const char* FamilyName(tilt_lens::FocusFamily family)
         case tilt_lens::FocusFamily::FocusTurn:   return "focusTurn";
         case tilt_lens::FocusFamily::FocalPlane:  return "plane";
         case tilt_lens::FocusFamily::FocalPoints: return "points";
+        case tilt_lens::FocusFamily::SharpPoints: return "sharp";
         default:                                  return "lensTurn";
     }
+}
+
+std::string Vectors(const std::vector<Vec3>& list)
+{
+    std::string text;
+    for (const Vec3& v : list)
+        text += (text.empty() ? "" : ", ") + Vector(v);
+    return "[" + text + "]";
 }
 
 std::string Block(const Statement& s)
@@ -105,7 +114,8 @@ std::string Block(const Statement& s)
            ", \"focusTilt\": " + Number(s.focusTilt) + ", \"focusSwing\": " + Number(s.focusSwing) +
            ", \"planeNormal\": " + Vector(s.planeNormal) + ", \"planeDistance\": " + Number(s.planeDistance) +
            ", \"points\": [" + Vector(s.points[0]) + ", " + Vector(s.points[1]) + ", " + Vector(s.points[2]) +
-           "], \"shift\": [" + Number(s.shiftRight) + ", " + Number(s.shiftUp) + "], \"fStop\": " + Number(s.fStop) +
+           "], \"sharpPoints\": " + Vectors(s.sharpPoints) + ", \"sharpWithin\": " + Number(s.sharpWithin) +
+           ", \"shift\": [" + Number(s.shiftRight) + ", " + Number(s.shiftUp) + "], \"fStop\": " + Number(s.fStop) +
            ", \"blades\": " + Number(s.blades) + ", \"bladesAngle\": " + Number(s.bladesAngle) +
            ", \"focalPoint\": " + Vector(s.focalPoint) + ", \"aperture\": " + Number(s.aperture) +
            ", \"scale\": " + Number(s.scale) + "}";
@@ -119,22 +129,23 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// The statement of a solved camera, with a point or a plane in place of the film's position.
+/// The statement of a solved camera, with a point or a plane in place of the film's position, and the f-number that sharpWithin
+/// has led to.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
-    const bool sharpPoints = s.family == tilt_lens::FocusFamily::SharpPoints;
-    if (!(s.filmDistance || s.focusScale || sharpPoints) || !camera.TiltLens.lens)
+    if (!(s.filmDistance || s.focusScale || s.sharpWithin) || !camera.TiltLens.lens)
         return s;
     const tilt_lens::Lens& lens = *camera.TiltLens.lens;
     if (s.sharpWithin)
         s.fStop = lens.focalLength / lens.diameter;
-    s.sharpWithin.reset();
+    if (!(s.filmDistance || s.focusScale))
+        return s;
     const Vec3 location = FromPov(camera.Location);
     const double distance = Length(lens.focus), axisFocus = AxisFocusOf(lens), farthest = 1e9 * lens.filmDistance;
     s.filmDistance.reset();
     s.focusScale.reset();
-    if (distance == 0.0 || (axisFocus > 0.0 && !sharpPoints))
+    if (distance == 0.0 || axisFocus > 0.0)
         s.focalPoint = location + std::min(axisFocus, farthest) * lens.axis;
     else
     {

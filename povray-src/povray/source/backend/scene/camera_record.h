@@ -19,7 +19,7 @@
 /// `scale`                   linear scale of all transformations so far
 /// `words`                   names of the block's items
 /// `block`                   the `tilt_lens` block as a Statement (optics.h), or null; a focus given by a ray or by the film's distance
-///                           is replaced by the resulting point or plane
+///                           is replaced by the resulting point or plane, and `fStop` is the number that `sharpWithin` has led to
 /// `gamma` of the scene is the transfer curve from pixel values to light: `sRGB`, a number (power), or null for none.
 
 #ifndef POVRAY_BACKEND_CAMERA_RECORD_H

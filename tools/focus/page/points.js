@@ -1,0 +1,55 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// The picked points of a model: the plane that they state, and their blur.
+
+import { along, cross, dot, length, subtract, unit } from "./vector.js";
+import { axesOf, blurOfPoint, greatestBlur, pointAt, project, stopWithoutTilt } from "./lens.js";
+
+/// Blur in pixels that counts as none.
+export const SHARP = 0.005;
+/// Share of the greatest blur below which a point does not bind: rounding.
+const BINDS = 1 - 1e-6;
+
+/// Index of the point nearest to another in the picture.
+export function nearestPick({ lens, picks }, point) {
+    const at = project(lens, point);
+    const far = picks.map(p => {
+        const there = project(lens, p);
+        return Math.hypot(there.x - at.x, there.y - at.y);
+    });
+    return far.indexOf(Math.min(...far));
+}
+
+/// Three points of the plane: picked, and derived from the choice for the third; null if the picks state no such plane.
+export function planePoints({ mode, third, picks, wantedPicks, camera }) {
+    if (mode !== "three" || wantedPicks === 1 || picks.length < 2)
+        return null;
+    if (picks.length === 3)
+        return picks;
+    const { axis, right } = axesOf(camera), sky = unit(camera.sky);
+    const across = cross(sky, axis), level = length(across) > 1e-6 ? unit(across) : right;
+    const size = Math.max(length(subtract(picks[1], picks[0])), length(subtract(picks[0], camera.location)) / 4);
+    return [picks[0], picks[1], along(picks[0], size, third === "upright" ? sky : level)];
+}
+
+/// Blur of the points: { blurs: signed, pixels; binds: of each point; greatest; without: f-number without tilt, or null }.
+export function sharpnessOf({ lens, picks, width, block, camera }) {
+    const blurs = picks.map(point => blurOfPoint(lens, point, width)), greatest = picks.length ? greatestBlur(lens, picks, width) : 0;
+    const best = block.family === "sharp" && greatest > SHARP;
+    return {
+        blurs, greatest, binds: blurs.map(blur => best && Math.abs(blur) >= BINDS * greatest),
+        without: best ? stopWithoutTilt(camera, block, lens, picks, width) : null,
+    };
+}
+
+/// Visible points of the plane of sharp focus, spread over the picture, nearest to its centre first.
+export function visiblePoints(lens) {
+    const found = [];
+    for (const [x, y] of [[0, 0], [-0.25, -0.25], [0.25, -0.25], [0, 0.3], [0, -0.45], [-0.3, 0.2], [0.3, 0.2]]) {
+        const w = lens.focusMiddle + x * lens.focusRight + y * lens.focusUp;
+        if (w > 0)
+            found.push(pointAt(lens, x, y, dot(lens.direction, lens.axis) / w));
+    }
+    return found;
+}

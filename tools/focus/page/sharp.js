@@ -1,0 +1,160 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// The plane k.X = 1 that leaves the least greatest blur over any number of points. povray-src/tilt_lens/camera/sharp_plane.h has the
+/// theory: the strict Chebyshev solution of the equations k.D = 1/z, found by exchanging circuits. tests/focus compares the two.
+
+import {
+    NO_VECTOR, ZERO, acrossBoth, differenceOf, exact, exactVector, isLess, magnitude, minus, negative, plus, product, quotient,
+    rounded, scalar, scaled, size, sumOf,
+} from "./exact.js";
+
+/// Directions count as linearly dependent where no more than this share of one's length is left beside the others.
+const DEPENDENT = 1e-12;
+/// Difference of deviations, relative to the greatest vergence, that counts as none.
+const SAME = 1e-24;
+
+const isEmpty = row => row.direction === NO_VECTOR;
+
+/// The span of some rows' directions, and the k in it that leaves given residuals there.
+class Span {
+    constructor() {
+        this.k = NO_VECTOR;
+        this.basis = []; // orthogonal
+    }
+
+    /// The part of a row's direction at right angles to the span; NO_VECTOR where it is only rounding.
+    beside(row) {
+        let { direction } = row;
+        for (const one of [...this.basis, ...this.basis]) // again: the second turn removes the rounding of the first
+            direction = differenceOf(direction, scaled(quotient(scalar(direction, one), scalar(one, one)), one));
+        return size(direction) > row.rounding ? direction : NO_VECTOR;
+    }
+
+    holds(row) {
+        return this.beside(row) === NO_VECTOR;
+    }
+
+    /// @param row  not in the span
+    add(row, residual = ZERO) {
+        const one = this.beside(row), left = minus(minus(row.vergence, residual), scalar(this.k, row.direction));
+        this.k = sumOf(this.k, scaled(quotient(left, scalar(one, row.direction)), one));
+        this.basis.push(one);
+    }
+
+    /// The row without the part that the span and k explain.
+    rest(row) {
+        return { ...row, direction: this.beside(row), vergence: minus(row.vergence, scalar(this.k, row.direction)) };
+    }
+}
+
+const NO_CIRCUIT = { rows: [], weights: [], deviation: ZERO };
+
+/// The circuit of `last` with independent rows whose span holds it; those that it does not need stay out.
+function circuitOf(rows, independent, last) {
+    const found = [], weights = [];
+    for (const i of independent) {
+        const others = new Span();
+        for (const other of independent)
+            if (other !== i)
+                others.add(rows[other]);
+        if (others.holds(rows[last]))
+            continue;
+        const beside = others.beside(rows[i]);
+        found.push(i);
+        weights.push(quotient(scalar(rows[last].direction, beside), scalar(rows[i].direction, beside)));
+    }
+    found.push(last);
+    weights.push(exact(-1));
+    const deviation = weights.reduce((sum, weight, i) => plus(sum, product(weight, rows[found[i]].vergence)), ZERO);
+    const scale = quotient(exact(deviation[0] < 0 ? -1 : 1), weights.map(magnitude).reduce(plus));
+    return { rows: found, weights: weights.map(weight => product(weight, scale)), deviation: product(deviation, scale) };
+}
+
+/// The first circuit among some rows, in their order; null if they are independent.
+function firstCircuit(rows, few) {
+    const span = new Span(), independent = [];
+    for (const i of few) {
+        if (span.holds(rows[i]))
+            return circuitOf(rows, independent, i);
+        span.add(rows[i]);
+        independent.push(i);
+    }
+    return null;
+}
+
+/// The circuit of the greatest deviation among a few rows.
+function greatestCircuit(rows, few) {
+    let greatest = NO_CIRCUIT;
+    for (let chosen = 1; chosen < 1 << few.length; chosen++) {
+        const circuit = firstCircuit(rows, few.filter((_, i) => (chosen >> i) & 1));
+        if (circuit && (greatest === NO_CIRCUIT || isLess(greatest.deviation, circuit.deviation)))
+            greatest = circuit;
+    }
+    return greatest;
+}
+
+/// Gives the rows of a circuit its deviation, and solves the others by the part of k that is still free.
+function solveBeside(rows, circuit, same) {
+    const span = new Span(), { deviation } = circuit;
+    circuit.rows.slice(0, -1).forEach((row, i) => span.add(rows[row], circuit.weights[i][0] > 0 ? deviation : negative(deviation)));
+    const indices = rows.map((_, i) => i).filter(i => !circuit.rows.includes(i));
+    const solved = strictSolution(indices.map(i => span.rest(rows[i])), same);
+    return { k: sumOf(span.k, solved.k), circuit: { ...solved.circuit, rows: solved.circuit.rows.map(row => indices[row]) } };
+}
+
+/// Exchanges circuits until none has a greater deviation. @param rows  none of them empty
+function solveRows(rows, same) {
+    let circuit = firstCircuit(rows, rows.map((_, i) => i));
+    if (!circuit) {
+        const span = new Span();
+        rows.forEach(row => span.add(row));
+        return { k: span.k, circuit: NO_CIRCUIT };
+    }
+    for (;;) {
+        const beside = solveBeside(rows, circuit, same);
+        if (!isLess(plus(circuit.deviation, same), beside.circuit.deviation))
+            return { k: beside.k, circuit };
+        const greater = greatestCircuit(rows, [...circuit.rows, ...beside.circuit.rows]);
+        if (!isLess(circuit.deviation, greater.deviation))
+            return { k: beside.k, circuit: beside.circuit };
+        circuit = greater;
+    }
+}
+
+/// An empty row is a circuit of its own, and has no say in k.
+function strictSolution(rows, same) {
+    const full = rows.map((_, i) => i).filter(i => !isEmpty(rows[i]));
+    let empty = NO_CIRCUIT;
+    rows.forEach((row, i) => {
+        const deviation = magnitude(row.vergence);
+        if (isEmpty(row) && (empty === NO_CIRCUIT || isLess(empty.deviation, deviation)))
+            empty = { rows: [i], weights: [exact(row.vergence[0] < 0 ? -1 : 1)], deviation };
+    });
+    const { k, circuit } = solveRows(full.map(i => rows[i]), same);
+    const fuller = { ...circuit, rows: circuit.rows.map(row => full[row]) };
+    return { k, circuit: isLess(circuit.deviation, empty.deviation) ? empty : fuller };
+}
+
+/// The equations k.D = 1/z of points, in world coordinates; z counts in another unit, which changes no k.
+function rowsOf(points, camera, axis) {
+    const across = acrossBoth(exactVector(camera.right), exactVector(camera.up)), side = exact(scalar(across, exactVector(axis))[0] < 0 ? -1 : 1);
+    return points.map(point => {
+        const way = differenceOf(exactVector(point), exactVector(camera.location)), vergence = quotient(side, scalar(way, across));
+        const direction = scaled(vergence, way);
+        return { direction, vergence, rounding: DEPENDENT * size(direction) };
+    });
+}
+
+/// k of the best plane, in world coordinates; null if the picture has all of the points on one line.
+/// @param points  world, before the lens
+/// @param axis    the film's normal into the scene
+export function planeOfLeastBlur(points, camera, axis) {
+    const rows = rowsOf(points, camera, axis), span = new Span();
+    for (const row of rows)
+        if (!span.holds(row))
+            span.add(row);
+    if (span.basis.length < 3)
+        return null;
+    return rounded(strictSolution(rows, exact(SAME * Math.max(...rows.map(row => row.vergence[0])))).k);
+}
