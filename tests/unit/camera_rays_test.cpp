@@ -53,12 +53,14 @@ std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
             rays.origin[2][i], rays.direction[0][i], rays.direction[1][i], rays.direction[2][i], rays.length[i], rays.w[i]};
 }
 
-void ExpectRaysOneByOne(const Lens& lens, const EmitterSampler& emitters)
+void ExpectRaysOneByOne(const LensSampler& plain, const std::vector<Emitter>& lamps = {})
 {
+    const EmitterSampling emitters(plain, Limits(8, 64, 1e-3), lamps);
+    EXPECT_EQ(emitters.TargetsOf(27, 24).targets.empty(), lamps.empty());
     for (const std::uint32_t x : {0u, 27u, 63u})
     {
-        CameraRayBatch batch(lens, emitters, nullptr, 5);
-        const EmitterSampler::Targets targets = emitters.TargetsOf(x, 24);
+        CameraRayBatch batch(plain, emitters, nullptr, 5);
+        const EmitterSampling::Targets targets = emitters.TargetsOf(x, 24);
         const PixelSampler sampler(x, 24, 5);
         for (const SampleRun& run : Runs(x, 24))
         {
@@ -67,7 +69,7 @@ void ExpectRaysOneByOne(const Lens& lens, const EmitterSampler& emitters)
             for (std::uint32_t i = 0; i < run.count; i++)
             {
                 CameraRays expected{};
-                expected.Put(0, CameraRay(lens, emitters.Generate(targets, run[i], sampler(run[i].index))));
+                expected.Put(0, CameraRay(plain.lens, emitters.Draw(targets, run[i], sampler(run[i].index))));
                 ASSERT_EQ(NumbersOf(batch.Rays(), run.Place() + i), NumbersOf(expected, 0)) << x << ", sample " << run[i].index;
             }
         }
@@ -84,21 +86,15 @@ TEST(CameraRays, EqualRaysComputedOneByOne)
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3), Aperture::Polygon(7, 0.3, 0.5), bright,
                                      Aperture::Squeezed(Aperture::Disc(), 2.0), Aperture::Graded(Aperture::Polygon(6, 0.0), 0.5)})
         for (const Character& character : {Character(), distorts, curves})
-        {
-            const Lens lens = SomeLens(character);
-            ExpectRaysOneByOne(lens, EmitterSampler(lens, aperture, Limits(8, 64, 1e-3), kWidth, kHeight, {}));
-        }
+            ExpectRaysOneByOne({SomeLens(character), aperture, kWidth, kHeight});
     const Lens lens = SomeLens(rims);
     const Vignetting vignetting(lens, Aperture::Disc(), rims);
-    ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}, vignetting));
+    ExpectRaysOneByOne({lens, Aperture::Disc(), kWidth, kHeight, vignetting});
 }
 
 TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
 {
-    const Lens lens = SomeLens();
-    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
-    ASSERT_FALSE(emitters.TargetsOf(27, 24).targets.empty());
-    ExpectRaysOneByOne(lens, emitters);
+    ExpectRaysOneByOne({SomeLens(), Aperture::Disc(), kWidth, kHeight}, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
 }
 
 /// A double Gauss, wide open, at the picture's edge: its rims block some samples, and some pixels see nothing.
@@ -113,11 +109,12 @@ TEST(CameraRays, OfAGlassLensEqualRaysComputedOneByOne)
     statement.shiftUp = 9.0;
     const Lens lens = Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
     const GlassCamera glass(lens, Aperture::Disc(), 1.0);
-    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {});
+    const LensSampler plain(lens, Aperture::Disc(), kWidth, kHeight);
+    const EmitterSampling emitters(plain, Limits(8, 64, 1e-3), {});
     std::uint32_t refusedInAll = 0;
     for (const std::uint32_t y : {0u, 24u, 47u})
     {
-        CameraRayBatch batch(lens, emitters, &glass, 5);
+        CameraRayBatch batch(plain, emitters, &glass, 5);
         const PixelSampler sampler(27, y, 5);
         for (const SampleRun& run : Runs(27, y))
         {
@@ -151,7 +148,7 @@ TEST(CameraRays, MayHaveAnyLength)
         Lens lens = SomeLens({}, scale);
         lens.lensX = scale * lens.lensX;
         lens.focusMiddle = lens.focusRight = lens.focusUp = 0.0;
-        ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}));
+        ExpectRaysOneByOne({lens, Aperture::Disc(), kWidth, kHeight});
     }
 }
 

@@ -117,14 +117,14 @@ void CameraRayBatch::Make(const SampleRun& run)
     sampler.FindGroup(run.first.index, points);
     if (glass != nullptr)
         return MakeOfGlass(run);
-    emitters.Generate(targets, run, points, rays.samples);
-    FindRays(lens, run, rays);
+    emitters.Draw(targets, run, points, rays.samples);
+    FindRays(plain.lens, run, rays);
 }
 
 void CameraRayBatch::MakeOfGlass(const SampleRun& run)
 {
     refused = 0;
-    emitters.BeginSamples(run, points, rays.samples);
+    plain.DrawFilmPoints(run, points, rays.samples);
     const std::uint32_t end = run.Place() + run.count;
     if (glass->HasColours())
         for (std::uint32_t i = run.Place(); i < end; i++)

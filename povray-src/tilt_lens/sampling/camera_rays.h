@@ -96,10 +96,11 @@ void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays);
 class CameraRayBatch
 {
   public:
+    /// @param emitters  with `plain`
     /// @param glass  null for an ideal lens
     /// @param seed   of the sampling pattern (Statement::sampleSeed)
-    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t seed) :
-        lens(lens), emitters(emitters), glass(glass), seed(seed)
+    CameraRayBatch(const LensSampler& plain, const EmitterSampling& emitters, const GlassCamera* glass, std::uint32_t seed) :
+        plain(plain), emitters(emitters), glass(glass), seed(seed)
     {
     }
 
@@ -115,14 +116,14 @@ class CameraRayBatch
     /// @}
 
   private:
-    const Lens& lens;
-    const EmitterSampler& emitters;
+    const LensSampler& plain;
+    const EmitterSampling& emitters;
     const GlassCamera* const glass;
     const std::uint32_t seed;
     bool empty = true;  ///< no run yet
     SampleId pixel{};   ///< of the last run
     PixelSampler sampler{0, 0, 0}, glassSeeds{0, 0, 0};
-    EmitterSampler::Targets targets;
+    EmitterSampling::Targets targets;
     SequencePoints points{};
     CameraRays rays{};
     std::array<CameraRay, settings.cameraRaysOfBatch> ofGlass;

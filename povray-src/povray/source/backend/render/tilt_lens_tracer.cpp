@@ -286,7 +286,7 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
             camera.Draw(*view->glass, id, point, tilt_lens::FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height));
         }
         else
-            camera = tilt_lens::CameraRay(view->lens, view->emitters.Generate({}, id, sequence(id.index)));
+            camera = tilt_lens::CameraRay(view->lens, view->lensSampler.Draw(id, sequence(id.index)));
         pixel = &sequence;
         index = id.index;
         TraceSample(camera, result);
@@ -306,7 +306,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::BlockCache own(view->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lensSampler, view->emitters, view->glass.get(), view->seed);
     Ray ray = CameraRayOfPov();
     areaLightPoints = areaLightPointsSkipped = 0;
     refusedRays = 0;
@@ -335,7 +335,7 @@ void TiltLensTracer::EstimateWork()
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::settings.probeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    tilt_lens::CameraRayBatch rays(view->lensSampler, view->emitters, view->glass.get(), view->seed);
     Ray ray = CameraRayOfPov();
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->progress.NextProbe())

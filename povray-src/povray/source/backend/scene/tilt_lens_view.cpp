@@ -114,8 +114,8 @@ TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
-    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData()),
-             VignettingOf(camera, aperture))
+    lensSampler(lens, aperture, view.GetWidth(), view.GetHeight(), VignettingOf(camera, aperture)),
+    emitters(lensSampler, limits, EmittersToSample(camera, *view.GetSceneData()))
 {
 }
 

@@ -88,7 +88,8 @@ class TiltLensView
     /// All objects with an interior, for the report.
     const std::size_t objectsWithInterior;
 
-    const tilt_lens::EmitterSampler emitters;
+    const tilt_lens::LensSampler lensSampler;
+    const tilt_lens::EmitterSampling emitters;
 
     tilt_lens::ProgressEstimator progress;
 
