@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The double Gauss of experiments/tools/glass_lens.cpp as a file for `prescription`, as it is, and with a first element that moves
+"""The double Gauss of experiments/tools/double_gauss.cpp as a file for `prescription`, as it is, and with a first element that moves
 forward to focus."""
 
 import json

@@ -109,7 +109,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
     limits.variance = variance;
     limits.denoise = denoise;
     if (limits.min == 0)
-        limits.min = std::min(limits.max, denoise ? settings.firstSamples : settings.firstSamplesAlone);
+        limits.SetUsualMinimum(true);
     const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);  // recorded circles lie in the picture already
     const Area all{0, 0, recording.width, recording.height};
     BlockCache cache(limits, recording.width, recording.height, all);

@@ -8,7 +8,7 @@
 #ifndef PAPER_BOX_SCENE_H
 #define PAPER_BOX_SCENE_H
 
-#include "glass_lens.h"
+#include "double_gauss.h"
 
 namespace paper
 {

@@ -3,7 +3,7 @@
 
 // A second "photograph" of the box scene, by a lens of glass tilted as a whole: rays from each
 // pixel of the film through every refracting surface to the scene of scenes/paper/box_objects.inc.
-// With --model an ideal lens that has only some of the glass's properties (glass_camera.h), and
+// With --model an ideal lens that has only some of the glass's properties (double_gauss_camera.h), and
 // along --line how far aside, in pixels, each of the properties sends the rays.
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "box_scene.h"
-#include "glass_camera.h"
+#include "double_gauss_camera.h"
 #include "lens_points.h"
 #include "picture.h"
 

@@ -1,7 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The library's #include lines obey the table of docs/architecture.md, and README.md and docs/patching.md name every folder."""
+"""The library's #include lines obey the table of docs/architecture.md, README.md and docs/patching.md name every folder, and one class of
+some length joins the library to POV-Ray's tracing."""
 
+import collections
 import pathlib
 import re
 import shutil
@@ -117,6 +119,29 @@ class Maps(unittest.TestCase):
 
     def test_patching(self):
         self.check("docs/patching.md", "# Patching POV-Ray", folders_of("povray-src") + folders_of("patches") + self.library())
+
+
+def same_names(paths):
+    """The names that several of the files have."""
+    return sorted(name for name, count in collections.Counter(path.name for path in paths).items() if count > 1)
+
+
+class Sources(unittest.TestCase):
+    def test_names_are_unique(self):
+        sources = [path for folder in ("povray-src", "benchmarks", "experiments", "tests", "tools") for path in (ROOT / folder).rglob("*.*")
+                   if path.suffix in (".h", ".cpp")]
+        self.assertGreater(len(sources), 200)
+        self.assertEqual(same_names(sources), [])
+
+    def test_a_name_given_twice_is_found(self):
+        self.assertEqual(same_names(map(pathlib.Path, ("a/lens.h", "b/lens.h", "b/lens.cpp"))), ["lens.h"])
+
+    def test_one_short_class_follows_rays(self):
+        glue = {path: path.read_text(encoding="utf-8") for path in (ROOT / "povray-src" / "povray").rglob("*.h")}
+        bridges = [path for path, text in glue.items() if "tilt_lens::RayTracer" in text]
+        self.assertEqual([path.name for path in bridges], ["tilt_lens_tracer.h"])
+        lines = sum(len(path.read_text(encoding="utf-8").splitlines()) for path in (bridges[0], bridges[0].with_suffix(".cpp")))
+        self.assertLessEqual(lines, 300)
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@
 
 #include "../unit/reference_camera.h"
 #include "extreme_cameras.h"
-#include "spread.h"
+#include "error_spread.h"
 #include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens

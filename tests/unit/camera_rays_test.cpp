@@ -53,12 +53,18 @@ std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
             rays.origin[2][i], rays.direction[0][i], rays.direction[1][i], rays.direction[2][i], rays.length[i], rays.w[i]};
 }
 
-void ExpectRaysOneByOne(const Lens& lens, const EmitterSampler& emitters)
+void ExpectRaysOneByOne(const Lens& lens, const Aperture& aperture, const Character& character = {}, const std::vector<Emitter>& lamps = {})
 {
+    Statement statement;
+    statement.character = character;
+    statement.sampleSeed = 5;
+    const SampledCamera camera(lens, aperture, statement, Limits(8, 64, 1e-3), {kWidth, kHeight, false, lamps});
+    const EmitterSampling& emitters = camera.emitters;
+    EXPECT_EQ(emitters.TargetsOf(27, 24).targets.empty(), lamps.empty());
     for (const std::uint32_t x : {0u, 27u, 63u})
     {
-        CameraRayBatch batch(lens, emitters, nullptr, 5);
-        const EmitterSampler::Targets targets = emitters.TargetsOf(x, 24);
+        CameraRayBatch batch(camera);
+        const EmitterSampling::Targets targets = emitters.TargetsOf(x, 24);
         const PixelSampler sampler(x, 24, 5);
         for (const SampleRun& run : Runs(x, 24))
         {
@@ -67,7 +73,9 @@ void ExpectRaysOneByOne(const Lens& lens, const EmitterSampler& emitters)
             for (std::uint32_t i = 0; i < run.count; i++)
             {
                 CameraRays expected{};
-                expected.Put(0, CameraRay(lens, emitters.Generate(targets, run[i], sampler(run[i].index))));
+                const CameraSample sample = emitters.Draw(targets, run[i], sampler(run[i].index));
+                expected.samples.Put(0, sample);
+                expected.Put(0, MakeRay(lens, sample.x, sample.y, sample.point.a, sample.point.b));
                 ASSERT_EQ(NumbersOf(batch.Rays(), run.Place() + i), NumbersOf(expected, 0)) << x << ", sample " << run[i].index;
             }
         }
@@ -84,21 +92,13 @@ TEST(CameraRays, EqualRaysComputedOneByOne)
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3), Aperture::Polygon(7, 0.3, 0.5), bright,
                                      Aperture::Squeezed(Aperture::Disc(), 2.0), Aperture::Graded(Aperture::Polygon(6, 0.0), 0.5)})
         for (const Character& character : {Character(), distorts, curves})
-        {
-            const Lens lens = SomeLens(character);
-            ExpectRaysOneByOne(lens, EmitterSampler(lens, aperture, Limits(8, 64, 1e-3), kWidth, kHeight, {}));
-        }
-    const Lens lens = SomeLens(rims);
-    const Vignetting vignetting(lens, Aperture::Disc(), rims);
-    ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}, vignetting));
+            ExpectRaysOneByOne(SomeLens(character), aperture);
+    ExpectRaysOneByOne(SomeLens(rims), Aperture::Disc(), rims);
 }
 
 TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
 {
-    const Lens lens = SomeLens();
-    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
-    ASSERT_FALSE(emitters.TargetsOf(27, 24).targets.empty());
-    ExpectRaysOneByOne(lens, emitters);
+    ExpectRaysOneByOne(SomeLens(), Aperture::Disc(), {}, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
 }
 
 /// A double Gauss, wide open, at the picture's edge: its rims block some samples, and some pixels see nothing.
@@ -112,12 +112,13 @@ TEST(CameraRays, OfAGlassLensEqualRaysComputedOneByOne)
     statement.focalPoint = {0.0, 0.0, 3000.0};
     statement.shiftUp = 9.0;
     const Lens lens = Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
-    const GlassCamera glass(lens, Aperture::Disc(), 1.0);
-    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {});
+    statement.character.naturalVignetting = 1.0;
+    statement.sampleSeed = 5;
+    const SampledCamera camera(lens, Aperture::Disc(), statement, Limits(8, 64, 1e-3), {kWidth, kHeight});
     std::uint32_t refusedInAll = 0;
     for (const std::uint32_t y : {0u, 24u, 47u})
     {
-        CameraRayBatch batch(lens, emitters, &glass, 5);
+        CameraRayBatch batch(camera);
         const PixelSampler sampler(27, y, 5);
         for (const SampleRun& run : Runs(27, y))
         {
@@ -126,14 +127,15 @@ TEST(CameraRays, OfAGlassLensEqualRaysComputedOneByOne)
             for (std::uint32_t i = 0; i < run.count; i++)
             {
                 const SequencePoint point = sampler(run[i].index);
-                CameraRay one;
-                one.Draw(glass, run[i], point, FilmPointAt(27 + point.pixelX, y + point.pixelY, kWidth, kHeight));
-                CameraRays expected{};
-                expected.Put(0, one);
+                const FilmPoint film = FilmPointAt(27 + point.pixelX, y + point.pixelY, kWidth, kHeight);
+                const GlassSample one = camera.glass->Draw(film, point.lensU, point.lensV, GlassSeeds(27, y).Hash(run[i].index));
                 refused += one.refused;
-                ASSERT_EQ(batch.Rays().samples.weight[run.Place() + i], one.sample.weight);
-                if (one.sample.weight == 0.0)
+                ASSERT_EQ(batch.Rays().samples.weight[run.Place() + i], one.weight);
+                if (one.weight == 0.0)
                     continue;
+                CameraRays expected{};
+                expected.samples.Put(0, {film.x, film.y, {0.0, 0.0}, one.weight, 0.0});
+                expected.Put(0, one.ray);
                 ASSERT_EQ(NumbersOf(batch.Rays(), run.Place() + i), NumbersOf(expected, 0)) << y << ", sample " << run[i].index;
             }
             EXPECT_EQ(batch.Refused(), refused);
@@ -151,7 +153,7 @@ TEST(CameraRays, MayHaveAnyLength)
         Lens lens = SomeLens({}, scale);
         lens.lensX = scale * lens.lensX;
         lens.focusMiddle = lens.focusRight = lens.focusUp = 0.0;
-        ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}));
+        ExpectRaysOneByOne(lens, Aperture::Disc());
     }
 }
 

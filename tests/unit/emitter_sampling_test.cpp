@@ -65,15 +65,15 @@ struct Pixel
     double mean, variance, withinStrata;
 };
 
-Pixel SampleOf(const EmitterSampler& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y,
+Pixel SampleOf(const EmitterSampling& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y,
                std::uint32_t n, std::uint32_t seed)
 {
-    const EmitterSampler::Targets targets = emitters.TargetsOf(x, y);
+    const EmitterSampling::Targets targets = emitters.TargetsOf(x, y);
     const PixelSampler sampler(x, y, seed);
     double sums[2] = {}, counts[2] = {}, squares = 0.0;
     for (std::uint32_t i = 0; i < n; i++)
     {
-        const CameraSample start = emitters.Generate(targets, {x, y, i}, sampler(i));
+        const CameraSample start = emitters.Draw(targets, {x, y, i}, sampler(i));
         const double light =
             start.weight > 0.0
                 ? start.weight * world(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) : 0.0;
@@ -144,16 +144,16 @@ struct Prepared
 {
     Lens lens;
     World world;
-    EmitterSampler emitterSampled, plain;
-};
+    LensSampler lensSampler;
+    EmitterSampling emitterSampled, plain;
 
-Prepared Ready(const Case& one)
-{
-    const Lens lens = LensOf(one.turn, one.character);
-    const Vignetting vignetting(lens, one.aperture, one.character);
-    return {lens, {one.lamps}, EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps, vignetting),
-            EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, {}, vignetting)};
-}
+    explicit Prepared(const Case& one) :
+        lens(LensOf(one.turn, one.character)), world{one.lamps},
+        lensSampler(lens, one.aperture, kWidth, kHeight, Vignetting(lens, one.aperture, one.character)),
+        emitterSampled(lensSampler, Limits(), one.lamps), plain(lensSampler, Limits(), {})
+    {
+    }
+};
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& lens, const Case& one)
 {
@@ -169,11 +169,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& le
     return pixels;
 }
 
-TEST(EmitterSampler, IsUnbiased)
+TEST(EmitterSampling, IsUnbiased)
 {
     for (const Case& one : Cases())
     {
-        const auto [lens, world, emitterSampled, plain] = Ready(one);
+        const Prepared prepared(one);
+        const auto& [lens, world, lensSampler, emitterSampled, plain] = prepared;
         ASSERT_FALSE(emitterSampled.Empty()) << one.name;
         double squares = 0.0;
         int count = 0;
@@ -191,11 +192,12 @@ TEST(EmitterSampler, IsUnbiased)
     }
 }
 
-TEST(EmitterSampler, LowersTheVarianceOfLamps)
+TEST(EmitterSampling, LowersTheVarianceOfLamps)
 {
     for (const Case& one : Cases())
     {
-        const auto [lens, world, emitterSampled, plain] = Ready(one);
+        const Prepared prepared(one);
+        const auto& [lens, world, lensSampler, emitterSampled, plain] = prepared;
         double with = 0.0, without = 0.0;
         for (const auto& [x, y] : PixelsAround(lens, one))
         {
@@ -207,11 +209,12 @@ TEST(EmitterSampler, LowersTheVarianceOfLamps)
 }
 
 /// A hidden lamp costs samples but leaves no trace.
-TEST(EmitterSampler, HiddenLampsLeaveEvenLightEven)
+TEST(EmitterSampling, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const EmitterSampler emitterSampled(lens, Aperture::Disc(), Limits(), kWidth, kHeight, {lamp});
+    const LensSampler plain(lens, Aperture::Disc(), kWidth, kHeight);
+    const EmitterSampling emitterSampled(plain, Limits(), {lamp});
     int reached = 0;
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
@@ -224,11 +227,12 @@ TEST(EmitterSampler, HiddenLampsLeaveEvenLightEven)
     EXPECT_LT(reached, 100);
 }
 
-TEST(EmitterSampler, ReachesEveryPixelThatSeesALamp)
+TEST(EmitterSampling, ReachesEveryPixelThatSeesALamp)
 {
     for (const Case& one : Cases())
     {
-        const auto [lens, world, emitterSampled, plain] = Ready(one);
+        const Prepared prepared(one);
+        const auto& [lens, world, lensSampler, emitterSampled, plain] = prepared;
         for (std::uint32_t y = 0; y < kHeight; y++)
             for (std::uint32_t x = 0; x < kWidth; x++)
             {
@@ -238,11 +242,11 @@ TEST(EmitterSampler, ReachesEveryPixelThatSeesALamp)
     }
 }
 
-TEST(EmitterSampler, KeepsOnlySmallBrightEmittersInFront)
+TEST(EmitterSampling, KeepsOnlySmallBrightEmittersInFront)
 {
-    const Lens lens = LensOf(0.0);
+    const LensSampler plain(LensOf(0.0), Aperture::Disc(), kWidth, kHeight);
     const auto empty = [&](const Emitter& emitter, const SamplingLimits& limits = Limits())
-    { return EmitterSampler(lens, Aperture::Disc(), limits, kWidth, kHeight, {emitter}).Empty(); };
+    { return EmitterSampling(plain, limits, {emitter}).Empty(); };
     EXPECT_FALSE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}));
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 3.0, 40.0})) << "large: found by chance";
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 1.0})) << "dim";
@@ -254,21 +258,22 @@ TEST(EmitterSampler, KeepsOnlySmallBrightEmittersInFront)
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}, Limits(1, 2))) << "fewer samples than a block of four";
 }
 
-TEST(EmitterSampler, EveryBlockOfFourHasTheSameShare)
+TEST(EmitterSampling, EveryBlockOfFourHasTheSameShare)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const EmitterSampler emitterSampled(lens, Aperture::Disc(), Limits(8, 39), kWidth, kHeight, {lamp});
+    const LensSampler plain(lens, Aperture::Disc(), kWidth, kHeight);
+    const EmitterSampling emitterSampled(plain, Limits(8, 39), {lamp});
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
         {
-            const EmitterSampler::Targets targets = emitterSampled.TargetsOf(x, y);
+            const EmitterSampling::Targets targets = emitterSampled.TargetsOf(x, y);
             const PixelSampler sampler(x, y, 0);
             for (std::uint32_t from = 0; from < 40; from += 4)
             {
                 int count = 0;
                 for (std::uint32_t i = from; i < from + 4; i++)
-                    count += emitterSampled.Generate(targets, {x, y, i}, sampler(i)).expectedEmission > 0.0;
+                    count += emitterSampled.Draw(targets, {x, y, i}, sampler(i)).expectedEmission > 0.0;
                 EXPECT_EQ(count, from + 4 > 39 ? 0 : int(4 * targets.share)) << x << ", " << y << " from " << from;
             }
         }

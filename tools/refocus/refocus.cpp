@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "layers.h"
-#include "spread.h"
+#include "spread_pixels.h"
 
 namespace
 {

@@ -75,8 +75,9 @@ const auto findPlainRays = HasAvx2() ? FindRaysByAvx2 : FindRaysPlain;
 
 void FindRaysOneByOne(const Lens& lens, const SampleRun& run, CameraRays& rays)
 {
+    const CameraSamples& samples = rays.samples;
     for (std::uint32_t i = run.Place(); i < run.Place() + run.count; i++)
-        rays.Put(i, CameraRay(lens, rays.samples[i]));
+        rays.Put(i, MakeRay(lens, samples.x[i], samples.y[i], samples.a[i], samples.b[i]));
 }
 
 void PutFour(const FourGlassSamples& four, std::uint32_t first, CameraRays& rays)
@@ -105,33 +106,32 @@ void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays)
 
 void CameraRayBatch::Make(const SampleRun& run)
 {
-    if (empty || run.first.x != pixel.x || run.first.y != pixel.y)
+    const SampleId& pixel = run.first;
+    if (empty || pixel.x != last.first.x || pixel.y != last.first.y)
     {
         empty = false;
-        pixel = run.first;
-        sampler = PixelSampler(pixel.x, pixel.y, seed);
-        targets = emitters.TargetsOf(pixel.x, pixel.y);
-        if (glass != nullptr)
+        sampler = PixelSampler(pixel.x, pixel.y, camera.seed);
+        if (aims)
+            targets = camera.emitters.TargetsOf(pixel.x, pixel.y);
+        if (camera.glass)
             glassSeeds = GlassSeeds(pixel.x, pixel.y);
     }
+    last = run;
     sampler.FindGroup(run.first.index, points);
-    if (glass != nullptr)
+    if (camera.glass)
         return MakeOfGlass(run);
-    emitters.Generate(targets, run, points, rays.samples);
-    FindRays(lens, run, rays);
+    camera.emitters.Draw(targets, run, points, rays.samples);
+    FindRays(camera.GetLens(), run, rays);
 }
 
 void CameraRayBatch::MakeOfGlass(const SampleRun& run)
 {
     refused = 0;
-    emitters.BeginSamples(run, points, rays.samples);
+    camera.lensSampler.DrawFilmPoints(run, points, rays.samples);
     const std::uint32_t end = run.Place() + run.count;
-    if (glass->HasColours())
+    if (camera.glass->HasColours())  // their rays are made by MakeColour()
         for (std::uint32_t i = run.Place(); i < end; i++)
-        {
-            ofGlass[i].Draw(*glass, run[i - run.Place()], points[i], {rays.samples.x[i], rays.samples.y[i]});
-            rays.samples.weight[i] = ofGlass[i].sample.weight;
-        }
+            rays.samples.weight[i] = camera.glass->Brightness({rays.samples.x[i], rays.samples.y[i]});
     else
         for (std::uint32_t first = Quads(run).begin; first < end; first += 4)
             DrawFour(run, first);
@@ -152,18 +152,26 @@ void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
         four.wanted |= (place >= run.Place() && place < run.Place() + run.count ? 1u : 0u) << i;
     }
     FourGlassSamples samples;
-    glass->Draw(four, samples);
+    camera.glass->Draw(four, samples);
     PutFour(samples, first, rays);
     refused = std::accumulate(samples.refused, samples.refused + 4, refused);
 }
 
-CameraRay CameraRayBatch::One(std::uint32_t place) const
+void CameraRayBatch::MakeColour(std::uint32_t place, double hue, CameraRays& ray)
 {
-    if (glass != nullptr)
-        return ofGlass[place];
-    CameraRay one;
-    one.sample = rays.samples[place];
-    return one;
+    const CameraSample sample = rays.samples[place];
+    ray.samples.Put(0, sample);
+    refused = 0;
+    if (sample.weight == 0.0)
+        return;
+    if (!camera.glass)
+        return ray.Put(0, MakeColourRay(camera.GetLens(), sample.x, sample.y, sample.point.a, sample.point.b, hue));
+    const std::uint32_t index = last.first.index - last.Place() + place;
+    const GlassSample drawn = camera.glass->DrawColour({sample.x, sample.y}, points.lensU[place], points.lensV[place], glassSeeds.Hash(index), hue);
+    refused = drawn.refused;
+    ray.samples.weight[0] = drawn.weight;
+    if (drawn.weight != 0.0)
+        ray.Put(0, drawn.ray);
 }
 
 } // namespace tilt_lens

@@ -8,11 +8,9 @@
 #ifndef TILT_LENS_CAMERA_RAYS_H
 #define TILT_LENS_CAMERA_RAYS_H
 
-#include <array>
-
 #include "tilt_lens/camera/ray.h"
 #include "tilt_lens/glass/glass_camera.h"
-#include "tilt_lens/sampling/emitter_sampling.h"
+#include "tilt_lens/sampling/sampled_camera.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
@@ -21,64 +19,18 @@ namespace tilt_lens
 /// Seeds (by Hash()) of the random numbers with which samples of a glass lens are redrawn; independent of those used in tracing.
 inline PixelSampler GlassSeeds(std::uint32_t x, std::uint32_t y) { return PixelSampler(x, y, 0x476c61); }
 
-struct CameraRay
-{
-    CameraSample sample;  ///< film point, lens point and weight
-    LensRay ray;          ///< origin relative to the lens centre, world axes, scene units
-    std::uint32_t refused = 0;  ///< rays blocked by the glass lens before this one
-
-    CameraRay() = default;
-    CameraRay(const Lens& lens, const CameraSample& start) : sample(start), ray(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) {}
-
-    /// Draws a sample of a glass lens and its ray; with dispersion only the sample: DrawColour() then computes its rays.
-    void Draw(const GlassCamera& glass, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
-    {
-        lensU = point.lensU;
-        lensV = point.lensV;
-        glassSeed = GlassSeeds(id.x, id.y).Hash(id.index);
-        if (glass.HasColours())
-            sample = {film.x, film.y, {0.0, 0.0}, glass.Brightness(film), 0.0};
-        else
-            Take(glass.Draw(film, lensU, lensV, glassSeed), film);
-    }
-
-    /// Computes the ray of a sample drawn by Draw() for light of one colour.
-    void DrawColour(const GlassCamera& glass, double hue)
-    {
-        const FilmPoint film{sample.x, sample.y};
-        Take(glass.DrawColour(film, lensU, lensV, glassSeed, hue), film);
-    }
-
-    /// Computes the ray for light of one colour; see MakeColourRay().
-    void FindRay(const Lens& lens, double hue) { ray = MakeColourRay(lens, sample.x, sample.y, sample.point.a, sample.point.b, hue); }
-
-  private:
-    double lensU = 0.0, lensV = 0.0;  ///< lens coordinates of a glass lens's sample
-    std::uint32_t glassSeed = 0;
-
-    void Take(const GlassSample& drawn, const FilmPoint& film)
-    {
-        sample = {film.x, film.y, {0.0, 0.0}, drawn.weight, 0.0};
-        refused = drawn.refused;
-        if (drawn.weight != 0.0)
-            ray = drawn.ray;
-    }
-};
-
-/// The rays of a group of samples, as CameraRay but one array per number.
+/// The rays of a group of samples, one array per number. Relative to the lens centre, world axes, scene units.
 struct CameraRays
 {
     CameraSamples samples;
     OfGroup origin[3], direction[3];  ///< the direction is normalised
-    OfGroup length, w;
+    OfGroup length, w;                ///< of LensRay's direction; as in LensRay
 
-    void Put(std::uint32_t i, const CameraRay& ray)
+    void Put(std::uint32_t i, const LensRay& ray)
     {
-        samples.Put(i, ray.sample);
-        const Vec3& from = ray.ray.origin;
-        origin[0][i] = from.x, origin[1][i] = from.y, origin[2][i] = from.z;
-        PutDirection(i, ray.ray.direction);
-        w[i] = ray.ray.w;
+        origin[0][i] = ray.origin.x, origin[1][i] = ray.origin.y, origin[2][i] = ray.origin.z;
+        PutDirection(i, ray.direction);
+        w[i] = ray.w;
     }
 
     /// @param along  need not be normalised
@@ -89,43 +41,40 @@ struct CameraRays
     }
 };
 
-/// Computes the rays of a run from their samples, bit for bit as CameraRay does.
+/// Computes the rays of a run from their samples, bit for bit as MakeRay() does.
 void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays);
 
 /// Makes the camera rays of samples, pixel by pixel.
 class CameraRayBatch
 {
   public:
-    /// @param glass  null for an ideal lens
-    /// @param seed   of the sampling pattern (Statement::sampleSeed)
-    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t seed) :
-        lens(lens), emitters(emitters), glass(glass), seed(seed)
-    {
-    }
+    /// @param aims  false: samples are aimed at no emitter
+    explicit CameraRayBatch(const SampledCamera& camera, bool aims = true) : camera(camera), aims(aims) {}
 
     void Make(const SampleRun& run);
+
+    /// Makes the ray of a sample of the last run for light of one colour.
+    /// @param place     of the sample in its group
+    /// @param hue       see MakeColourRay()
+    /// @param[out] ray  has it at position 0
+    void MakeColour(std::uint32_t place, double hue, CameraRays& ray);
 
     /// @name Of the last run.
     /// @{
     const PixelSampler& Sampler() const { return sampler; }
-    const CameraRays& Rays() const { return rays; }          ///< indexed by the samples' positions in their group
-    /// A single sample, to be traced for light of one colour.
-    CameraRay One(std::uint32_t place) const;
-    std::uint32_t Refused() const { return refused; }        ///< rays blocked by the glass lens
+    const CameraRays& Rays() const { return rays; }    ///< indexed by the samples' positions in their group
+    std::uint32_t Refused() const { return refused; }  ///< rays blocked by the glass lens, of the last run or colour
     /// @}
 
   private:
-    const Lens& lens;
-    const EmitterSampler& emitters;
-    const GlassCamera* const glass;
-    const std::uint32_t seed;
+    const SampledCamera& camera;
+    const bool aims;
     bool empty = true;  ///< no run yet
-    SampleId pixel{};   ///< of the last run
+    SampleRun last{};
     PixelSampler sampler{0, 0, 0}, glassSeeds{0, 0, 0};
-    EmitterSampler::Targets targets;
+    EmitterSampling::Targets targets;
     SequencePoints points{};
     CameraRays rays{};
-    std::array<CameraRay, settings.cameraRaysOfBatch> ofGlass;
     std::uint32_t refused = 0;
 
     void MakeOfGlass(const SampleRun& run);

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tilt_lens/camera/ray.h"
-#include "tilt_lens/math/simd.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
@@ -18,41 +16,10 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Film points (by FilmPointAt()) and weights 1 of plain samples.
-template<class Vector>
-TILT_LENS_INLINED void BeginPlain(double column, double row, double width, double height, const Quads& quads,
-                                  const SequencePoints& points, CameraSamples& samples)
-{
-    for (std::uint32_t i = quads.begin; i < quads.end; i += kVectorWidth<Vector>)
-    {
-        Store(samples.x + i, (column + Load<Vector>(points.pixelX + i)) / width - 0.5);
-        Store(samples.y + i, 0.5 - (row + Load<Vector>(points.pixelY + i)) / height);
-        Store(samples.weight + i, Vector() + 1.0);
-        Store(samples.expectedEmission + i, Vector());
-    }
-}
-
-void BeginPlainly(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
-                  CameraSamples& samples)
-{
-    BeginPlain<Double2>(column, row, width, height, quads, points, samples);
-}
-
-TILT_LENS_FOR_AVX2 void BeginByAvx2(double column, double row, double width, double height, const Quads& quads,
-                                    const SequencePoints& points, CameraSamples& samples)
-{
-    BeginPlain<Double4>(column, row, width, height, quads, points, samples);
-}
-
-const auto beginPlain = HasAvx2() ? BeginByAvx2 : BeginPlainly;
-
 } // namespace
 
-EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
-                               std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all,
-                               const Vignetting& itsVignetting) :
-    lens(itsLens), aperture(itsAperture), vignetting(itsVignetting), width(itsWidth), height(itsHeight),
-    usable(limits.max / settings.emitterStratum * settings.emitterStratum)
+EmitterSampling::EmitterSampling(const LensSampler& plain, const SamplingLimits& limits, const std::vector<Emitter>& all) :
+    plain(plain), usable(limits.max / settings.emitterStratum * settings.emitterStratum)
 {
     if (limits.FirstRound() < settings.emitterStratum)
         return;
@@ -61,44 +28,31 @@ EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture,
     Distribute();
 }
 
-void EmitterSampler::Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
+void EmitterSampling::Draw(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
 {
-    if (!targets.targets.empty() || !vignetting.None())
-        return GenerateOneByOne(targets, run, points, samples);
-    BeginSamples(run, points, samples);
-    const Quads quads(run);
-    aperture.Map(points.lensU + quads.begin, points.lensV + quads.begin, samples.a + quads.begin, samples.b + quads.begin, quads.Count());
-}
-
-void EmitterSampler::BeginSamples(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
-{
-    beginPlain(run.first.x, run.first.y, width, height, Quads(run), points, samples);
-}
-
-void EmitterSampler::GenerateOneByOne(const Targets& targets, const SampleRun& run, const SequencePoints& points,
-                                      CameraSamples& samples) const
-{
+    if (targets.targets.empty())
+        return plain.Draw(run, points, samples);
     for (std::uint32_t i = 0; i < run.count; i++)
-        samples.Put(run.Place() + i, Generate(targets, run[i], points[run.Place() + i]));
+        samples.Put(run.Place() + i, Draw(targets, run[i], points[run.Place() + i]));
 }
 
 /// Film position, in pixels, of the ray from a lens point through `through`; false if none lies in front of the camera.
-bool EmitterSampler::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
+bool EmitterSampling::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
 {
-    const std::optional<Vec3> along = ChiefThrough(lens, through, point.a * lens.lensX + point.b * lens.lensY);
-    const std::optional<FilmPoint> ideal = along ? IdealFilmPointOf(lens, *along) : std::optional<FilmPoint>();
-    const std::optional<FilmPoint> film = ideal ? PictureFilmPoint(lens, *ideal) : ideal;
+    const std::optional<Vec3> along = ChiefThrough(plain.lens, through, point.a * plain.lens.lensX + point.b * plain.lens.lensY);
+    const std::optional<FilmPoint> ideal = along ? IdealFilmPointOf(plain.lens, *along) : std::optional<FilmPoint>();
+    const std::optional<FilmPoint> film = ideal ? PictureFilmPoint(plain.lens, *ideal) : ideal;
     if (!film)
         return false;
-    x = (film->x + 0.5) * width;
-    y = (0.5 - film->y) * height;
+    x = (film->x + 0.5) * plain.width;
+    y = (0.5 - film->y) * plain.height;
     return true;
 }
 
 /// Bounding box of a point's circle of confusion, from points on a circle around the aperture; the circle is enlarged because they are few.
-EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) const
+EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
-    const double radius = aperture.BoundingRadius() / std::cos(pi / settings.blurBoxPoints);
+    const double radius = plain.aperture.BoundingRadius() / std::cos(pi / settings.blurBoxPoints);
     Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
     whole = true;
     for (int i = 0; i < settings.blurBoxPoints; i++)
@@ -115,11 +69,11 @@ EmitterSampler::Box EmitterSampler::BlurBoxOf(const Vec3& centre, bool& whole) c
 
 /// Keeps an emitter if it is worth samples of its own.
 /// @param leastVariance  least variance of one plain sample for which it is worth them
-bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
+bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
 {
-    const double ahead = Dot(emitter.centre, lens.axis);
+    const double ahead = Dot(emitter.centre, plain.lens.axis);
     const double distance = Length(emitter.centre);
-    if (!(ahead > 0.0 && distance > lens.diameter + 2.0 * emitter.radius && emitter.radiance > 0.0))
+    if (!(ahead > 0.0 && distance > plain.lens.diameter + 2.0 * emitter.radius && emitter.radiance > 0.0))
         return false;
     bool whole;
     Box covers = BlurBoxOf(emitter.centre, whole);
@@ -127,8 +81,8 @@ bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
         return false;
 
     // the image of a sphere is elongated, increasingly so towards the picture's edge
-    const double pixels = std::max(width / Length(lens.right), height / Length(lens.up));
-    const double imageRadius = emitter.radius * pixels * Dot(lens.direction, lens.axis) * distance / (ahead * ahead);
+    const double pixels = std::max(plain.width / Length(plain.lens.right), plain.height / Length(plain.lens.up));
+    const double imageRadius = emitter.radius * pixels * Dot(plain.lens.direction, plain.lens.axis) * distance / (ahead * ahead);
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
     const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected hits per sample
     const double emission = hits * emitter.radiance;
@@ -143,23 +97,23 @@ bool EmitterSampler::Keep(const Emitter& emitter, double leastVariance)
 }
 
 /// Lists, for each bin of pixels, the emitters that may be visible there, so that a pixel tests few.
-void EmitterSampler::Distribute()
+void EmitterSampling::Distribute()
 {
-    binSide = std::max(settings.leastEmitterBinSide, std::uint32_t(std::ceil(std::max(width, height) / settings.emitterBins)));
-    columns = std::uint32_t(std::ceil(width / binSide));
-    const std::uint32_t rows = std::uint32_t(std::ceil(height / binSide));
+    binSide = std::max(settings.leastEmitterBinSide, std::uint32_t(std::ceil(std::max(plain.width, plain.height) / settings.emitterBins)));
+    columns = std::uint32_t(std::ceil(plain.width / binSide));
+    const std::uint32_t rows = std::uint32_t(std::ceil(plain.height / binSide));
     bins.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
     // brightest first: a full bin keeps the first ones
     std::stable_sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.emission > b.emission; });
     for (std::uint32_t i = 0; i < kept.size(); i++)
     {
         const Box& box = kept[i].covers;
-        if (!(box.right > 0.0 && box.bottom > 0.0 && box.left < width && box.top < height))
+        if (!(box.right > 0.0 && box.bottom > 0.0 && box.left < plain.width && box.top < plain.height))
             continue;
         const std::uint32_t left = std::uint32_t(std::max(0.0, box.left)) / binSide;
-        const std::uint32_t right = std::uint32_t(std::min(width - 1.0, box.right)) / binSide;
+        const std::uint32_t right = std::uint32_t(std::min(plain.width - 1.0, box.right)) / binSide;
         const std::uint32_t top = std::uint32_t(std::max(0.0, box.top)) / binSide;
-        const std::uint32_t bottom = std::uint32_t(std::min(height - 1.0, box.bottom)) / binSide;
+        const std::uint32_t bottom = std::uint32_t(std::min(plain.height - 1.0, box.bottom)) / binSide;
         for (std::uint32_t row = top; row <= bottom; row++)
             for (std::uint32_t column = left; column <= right; column++)
                 if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < settings.emittersOfBin)
@@ -168,7 +122,7 @@ void EmitterSampler::Distribute()
 }
 
 /// True if an emitter is visible from some film point of the pixel through some lens point.
-bool EmitterSampler::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
+bool EmitterSampling::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
 {
     const Box& box = emitter.covers;
     if (x + 1.0 < box.left || x > box.right || y + 1.0 < box.top || y > box.bottom)
@@ -176,14 +130,14 @@ bool EmitterSampler::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t
     if (!emitter.chooseLensPoint)
         return true;
     // while the film point crosses the circle of confusion, the part of the lens moves across the whole lens
-    const FilmPoint film = FilmPointAt(x + 0.5, y + 0.5, width, height);
+    const FilmPoint film = FilmPointAt(x + 0.5, y + 0.5, plain.width, plain.height);
     const Disc part = PartOfLens(emitter, film.x, film.y);
     const double blur = std::min(box.right - box.left, box.bottom - box.top) - 2.0 * emitter.imageRadius;
-    const double halfPixel = 2.0 * aperture.BoundingRadius() * std::sqrt(0.5) / blur;
-    return std::hypot(part.centre.a, part.centre.b) < aperture.BoundingRadius() + part.radius + halfPixel;
+    const double halfPixel = 2.0 * plain.aperture.BoundingRadius() * std::sqrt(0.5) / blur;
+    return std::hypot(part.centre.a, part.centre.b) < plain.aperture.BoundingRadius() + part.radius + halfPixel;
 }
 
-EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t y) const
+EmitterSampling::Targets EmitterSampling::TargetsOf(std::uint32_t x, std::uint32_t y) const
 {
     Targets result;
     if (kept.empty())
@@ -206,42 +160,47 @@ EmitterSampler::Targets EmitterSampler::TargetsOf(std::uint32_t x, std::uint32_t
     return result;
 }
 
-void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, const SequencePoint& point,
-                                    CameraSample& sample) const
+CameraSample EmitterSampling::Draw(const Targets& targets, const SampleId& id, const SequencePoint& point) const
+{
+    if (targets.targets.empty() || id.index >= usable)
+        return plain.Draw(id, point);
+    CameraSample sample = plain.DrawFilmPoint(id, point);
+    if (Choose(targets, id, point, sample))
+        Weigh(targets, sample);
+    else
+        sample.weight = 0.0;
+    return sample;
+}
+
+/// Chooses a technique by the interval of the first lens coordinate, and draws by it; false if there is no such ray.
+bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
 {
     if (point.lensU >= targets.share)
     {
-        const double u = (point.lensU - targets.share) / (1.0 - targets.share);
-        if (vignetting.None())
-            sample.point = aperture(u, point.lensV);
-        else if (vignetting.DrawPoint(aperture, {sample.x, sample.y}, u, point.lensV, SeedOf(id), sample.point) == 0.0)
-        {
-            sample.weight = 0.0;
-            return;
-        }
+        plain.DrawLensPoint(id, (point.lensU - targets.share) / (1.0 - targets.share), point.lensV, sample);
+        return sample.weight != 0.0;
     }
-    else
-    {
-        sample.expectedEmission = targets.emission;
-        double u = point.lensU;
-        std::size_t i = 0;
-        while (i + 1 < targets.targets.size() && u >= targets.targets[i].share)
-            u -= targets.targets[i++].share;
-        u = std::min(u / targets.targets[i].share, std::nextafter(1.0, 0.0));
-        if (!SampleOne(kept[targets.targets[i].emitter], u, point.lensV, id, point, sample))
-        {
-            sample.weight = 0.0;
-            return;
-        }
-    }
+    sample.expectedEmission = targets.emission;
+    double u = point.lensU;
+    std::size_t i = 0;
+    while (i + 1 < targets.targets.size() && u >= targets.targets[i].share)
+        u -= targets.targets[i++].share;
+    u = std::min(u / targets.targets[i].share, std::nextafter(1.0, 0.0));
+    return Aim(kept[targets.targets[i].emitter], u, id, point, sample);
+}
+
+/// Sets the weight by the balance heuristic.
+void EmitterSampling::Weigh(const Targets& targets, CameraSample& sample) const
+{
     sample.weight = 1.0;
     double density = 1.0 - targets.share;  // density of such samples relative to plain ones
-    if (!vignetting.None())
+    if (!plain.vignetting.None())
     {
         const FilmPoint film{sample.x, sample.y};
-        sample.weight = vignetting.Passes(film, sample.point) ? vignetting.Brightness(film) : 0.0;
-        sample.expectedEmission *= vignetting.Brightness(film) * vignetting.OpenShare(film);
-        density *= vignetting.DrawDensity(film);
+        const double brightness = plain.vignetting.Brightness(film);
+        sample.weight = plain.vignetting.Passes(film, sample.point) ? brightness : 0.0;
+        sample.expectedEmission *= brightness * plain.vignetting.OpenShare(film);
+        density *= plain.vignetting.DrawDensity(film);
     }
     for (const Targets::Target& target : targets.targets)
         density += target.share * Density(kept[target.emitter], sample);
@@ -250,57 +209,58 @@ void EmitterSampler::SampleEmitters(const Targets& targets, const SampleId& id, 
 
 /// A disc that contains the lens points through which a film point sees an emitter. On the ray
 /// l (1 - s w) = P - s D, and l lies in the lens plane.
-EmitterSampler::Disc EmitterSampler::PartOfLens(const Kept& emitter, double x, double y) const
+EmitterSampling::Disc EmitterSampling::PartOfLens(const Kept& emitter, double x, double y) const
 {
-    const LensRay middle = MakeRay(lens, x, y, 0.0, 0.0);
+    const LensRay middle = MakeRay(plain.lens, x, y, 0.0, 0.0);
     const Vec3& chief = middle.direction;
-    const double along = Dot(chief, lens.normal), s = Dot(emitter.centre, lens.normal) / along;
+    const double along = Dot(chief, plain.lens.normal), s = Dot(emitter.centre, plain.lens.normal) / along;
     const double divisor = 1.0 - s * middle.w;
     const Vec3 point = (emitter.centre - s * chief) / divisor;
-    const double lensRadius = 0.5 * lens.diameter;
-    return {{Dot(point, lens.lensX) / (lensRadius * lensRadius), Dot(point, lens.lensY) / (lensRadius * lensRadius)},
+    const double lensRadius = 0.5 * plain.lens.diameter;
+    return {{Dot(point, plain.lens.lensX) / (lensRadius * lensRadius), Dot(point, plain.lens.lensY) / (lensRadius * lensRadius)},
             emitter.radius * Length(chief) / std::fabs(along * divisor * lensRadius)};
 }
 
-/// Aims a sample with the coordinates u, v in [0, 1) at an emitter; false if it misses the lens or the pixel.
-bool EmitterSampler::SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const SequencePoint& point,
-                               CameraSample& sample) const
+/// Aims a sample at an emitter; false if it misses the lens or the pixel.
+/// @param u  in [0, 1), in place of the first lens coordinate
+bool EmitterSampling::Aim(const Kept& emitter, double u, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
 {
+    const double v = point.lensV;
     if (emitter.chooseLensPoint)
     {
         const Disc part = PartOfLens(emitter, sample.x, sample.y);
         const AperturePoint inDisc = Aperture::Disc()(u, v);
         sample.point = {part.centre.a + part.radius * inDisc.a, part.centre.b + part.radius * inDisc.b};
-        return aperture.Density(sample.point) > 0.0;
+        return plain.aperture.Density(sample.point) > 0.0;
     }
-    sample.point = aperture(u, v);
+    sample.point = plain.aperture(u, v);
     double x, y;
     if (!PixelPositionOf(emitter.centre, sample.point, x, y))
         return false;
     const AperturePoint inDisc = Aperture::Disc()(point.pixelX, point.pixelY);
     x += emitter.imageRadius * inDisc.a;
     y += emitter.imageRadius * inDisc.b;
-    const FilmPoint film = FilmPointAt(x, y, width, height);
+    const FilmPoint film = FilmPointAt(x, y, plain.width, plain.height);
     sample.x = film.x;
     sample.y = film.y;
     return x >= id.x && x < id.x + 1.0 && y >= id.y && y < id.y + 1.0;
 }
 
 /// Density of samples aimed at an emitter over that of plain samples.
-double EmitterSampler::Density(const Kept& emitter, const CameraSample& sample) const
+double EmitterSampling::Density(const Kept& emitter, const CameraSample& sample) const
 {
     if (emitter.chooseLensPoint)
     {
         const Disc part = PartOfLens(emitter, sample.x, sample.y);
         if (!(std::hypot(sample.point.a - part.centre.a, sample.point.b - part.centre.b) <= part.radius))
             return 0.0;
-        const double plain = aperture.Density(sample.point);
-        return plain > 0.0 ? 1.0 / (pi * part.radius * part.radius * plain) : 0.0;
+        const double even = plain.aperture.Density(sample.point);
+        return even > 0.0 ? 1.0 / (pi * part.radius * part.radius * even) : 0.0;
     }
     double x, y;
     if (!PixelPositionOf(emitter.centre, sample.point, x, y))
         return 0.0;
-    const double off = std::hypot((sample.x + 0.5) * width - x, (0.5 - sample.y) * height - y);
+    const double off = std::hypot((sample.x + 0.5) * plain.width - x, (0.5 - sample.y) * plain.height - y);
     return off <= emitter.imageRadius ? 1.0 / (pi * emitter.imageRadius * emitter.imageRadius) : 0.0;
 }
 

@@ -24,13 +24,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tilt_lens/camera/aperture.h"
-#include "tilt_lens/camera/optics.h"
-#include "tilt_lens/camera/ray.h"
-#include "tilt_lens/camera/vignetting.h"
-#include "tilt_lens/sampling/sample.h"
+#include "tilt_lens/sampling/lens_sampler.h"
 #include "tilt_lens/sampling/sampling_limits.h"
-#include "tilt_lens/sampling/sequence.h"
 
 namespace tilt_lens
 {
@@ -44,36 +39,13 @@ struct Emitter
     double around = 0.0;  ///< possible radiance of its surroundings
 };
 
-/// Start of a sample's ray.
-struct CameraSample
-{
-    double x, y;              ///< film point as in MakeRay
-    AperturePoint point;      ///< lens point
-    double weight;            ///< weight of its radiance; 0: no ray to trace
-    double expectedEmission;  ///< as in SampleResult
-};
-
-/// The same for a group of samples, one array per number.
-struct CameraSamples
-{
-    OfGroup x, y, a, b, weight, expectedEmission;
-
-    CameraSample operator[](std::uint32_t i) const { return {x[i], y[i], {a[i], b[i]}, weight[i], expectedEmission[i]}; }
-    void Put(std::uint32_t i, const CameraSample& sample)
-    {
-        x[i] = sample.x, y[i] = sample.y, a[i] = sample.point.a, b[i] = sample.point.b;
-        weight[i] = sample.weight, expectedEmission[i] = sample.expectedEmission;
-    }
-};
-
 /// The emitters of a picture. Immutable: threads share it.
-class EmitterSampler
+class EmitterSampling
 {
   public:
     /// Keeps the emitters of `all` that are too small on the film and too bright to be found by chance.
-    /// @param width, height  of the whole picture in pixels
-    EmitterSampler(const Lens& lens, const Aperture& aperture, const SamplingLimits& limits, std::uint32_t width,
-                   std::uint32_t height, const std::vector<Emitter>& all, const Vignetting& vignetting = {});
+    /// @param plain  draws the samples that are aimed at no emitter; must outlive the result
+    EmitterSampling(const LensSampler& plain, const SamplingLimits& limits, const std::vector<Emitter>& all);
 
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
@@ -94,28 +66,12 @@ class EmitterSampler
 
     /// @param targets  of the sample's pixel
     /// @param point    of the pixel's sequence
-    CameraSample Generate(const Targets& targets, const SampleId& id, const SequencePoint& point) const
-    {
-        const FilmPoint film = FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height);
-        CameraSample sample{film.x, film.y, {0.0, 0.0}, 1.0, 0.0};
-        if (!targets.targets.empty() && id.index < usable)
-            SampleEmitters(targets, id, point, sample);
-        else if (vignetting.None())
-            sample.point = aperture(point.lensU, point.lensV);
-        else
-            sample.weight = vignetting.DrawPoint(aperture, film, point.lensU, point.lensV, SeedOf(id), sample.point);
-        return sample;
-    }
+    CameraSample Draw(const Targets& targets, const SampleId& id, const SequencePoint& point) const;
 
-    /// Computes plain samples of a group, all but their lens points.
+    /// Draws the samples of a run.
     /// @param points   of the group
     /// @param samples  receives them, at their positions in the group
-    void BeginSamples(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
-
-    /// Generate() for a run of samples.
-    /// @param points   of the group
-    /// @param samples  receives them, at their positions in the group
-    void Generate(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
+    void Draw(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
   private:
     struct Box
@@ -137,17 +93,11 @@ class EmitterSampler
         double radius;
     };
 
-    const Lens lens;
-    const Aperture aperture;
-    const Vignetting vignetting;
-    const double width, height;
+    const LensSampler& plain;
     std::uint32_t usable;  ///< samples from this number on are plain: their block of four is incomplete
     std::vector<Kept> kept;
     std::uint32_t binSide, columns;  ///< side of a bin in pixels, bins in a row
     std::vector<std::vector<std::uint32_t>> bins;  ///< emitters visible from each bin, brightest first
-
-    /// Seed of the random numbers that redraw a vignetted lens point; independent of those that the sample's ray draws.
-    static std::uint32_t SeedOf(const SampleId& id) { return PixelHash(id.x, id.y, 0x52696d, id.index); }
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;
     bool Keep(const Emitter& emitter, double leastVariance);
@@ -155,10 +105,9 @@ class EmitterSampler
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
     bool Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const;
-    void GenerateOneByOne(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
-    void SampleEmitters(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
-    bool SampleOne(const Kept& emitter, double u, double v, const SampleId& id, const SequencePoint& point,
-                   CameraSample& sample) const;
+    bool Choose(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
+    bool Aim(const Kept& emitter, double u, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
+    void Weigh(const Targets& targets, CameraSample& sample) const;
     double Density(const Kept& emitter, const CameraSample& sample) const;
 };
 

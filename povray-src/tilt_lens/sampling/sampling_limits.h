@@ -32,6 +32,10 @@ struct SamplingLimits
         return std::min(power, max);
     }
 
+    /// Sets the minimum to its default.
+    /// @param aims  samples may be aimed at emitters (SampledCamera)
+    void SetUsualMinimum(bool aims) { min = std::min(max, aims && Denoises() ? settings.firstSamples : settings.firstSamplesAlone); }
+
     /// `variance 0` disables the reconstruction.
     bool Denoises() const { return denoise && variance > 0.0; }
 };

@@ -2,26 +2,46 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file area_light_sampler.h
-/// Hook of Trace, called before it walks the grid of an area light.
+/// Takes one random point of an area light for each camera ray, in place of the whole grid. A pixel averages over many rays, so that the mean
+/// is that of the grid for one shadow ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", 1984).
 
 #ifndef POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
 #define POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
+
+#include <cstdint>
+
+#include "tilt_lens/sampling/sequence.h"
 
 namespace pov
 {
 
 class LightSource;
 
+/// Called by Trace before it walks the grid of an area light.
 class AreaLightSampler
 {
   public:
-    virtual ~AreaLightSampler() = default;
+    /// A camera ray begins.
+    /// @param itsPixel  sequence of its pixel; must outlive the ray
+    /// @param itsIndex  of its sample
+    void Begin(const tilt_lens::PixelSampler& itsPixel, unsigned int itsIndex)
+    {
+        pixel = &itsPixel;
+        index = itsIndex;
+        lightsMet = 0;
+    }
 
-    /// Chooses one point of an area light to represent its grid, for a caller that averages over many rays.
     /// @param radiosityDepth  recursion depth of radiosity; its samples are reused by other pixels and need the whole grid
     /// @param[out] u, v       column and row of the point
     /// @return                false if the whole grid must be walked
-    virtual bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v) = 0;
+    bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
+
+    /// Points of all lights so far.
+    std::uint64_t sampled = 0, skipped = 0;
+
+  private:
+    const tilt_lens::PixelSampler* pixel = nullptr;
+    unsigned int index = 0, lightsMet = 0;
 };
 
 } // namespace pov

@@ -7,42 +7,19 @@
 
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
-#include "backend/math/vector.h"
+#include "backend/render/chief_camera_ray.h"
+#include "backend/render/trace_aids.h"
 #include "backend/render/tracepixel.h"
-#include "backend/render/tracetask.h"
-#include "backend/texture/normal.h"
 
 #include "base/povdebug.h"
 
 namespace pov
 {
 
-using tilt_lens::PixelSampler;
 using tilt_lens::Radiance;
-using tilt_lens::SampleId;
 
 namespace
 {
-
-Colour ToColour(const Radiance& v)
-{
-    return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
-}
-
-/// The point of an area light's row for x in (0, 1), with POV-Ray's weights: POV-Ray bisects the row recursively, and both halves of an odd
-/// row include its middle point.
-int PointOfRow(int points, double x)
-{
-    int first = 0, last = points - 1;
-    while (first < last)
-    {
-        const int sum = first + last;
-        const bool upper = x >= 0.5;
-        x = 2.0 * x - (upper ? 1.0 : 0.0);
-        (upper ? first : last) = upper ? (sum + 1) / 2 : sum / 2;
-    }
-    return first;
-}
 
 template<class Number>
 void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& generators, unsigned int seed)
@@ -54,7 +31,7 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 } // namespace
 
 TiltLensTracer::TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& itsView) :
-    trace(owner), view(itsView),
+    view(itsView), samples(view->camera, *this), trace(owner), plainSamples(view->camera, *this, false),
     interiorsVary(std::any_of(view->aroundLens.begin(), view->aroundLens.end(), [](const ObjectAroundLens& around)
         { return !around.holdsLens; }))
 {
@@ -70,153 +47,76 @@ TiltLensTracer* TiltLensTracer::Of(const TracePixel& owner)
     return owner.tiltLens.get();
 }
 
-void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray,
-                              tilt_lens::SampleResult* results)
+void TiltLensTracer::Trace(const tilt_lens::CameraRays& rays, const tilt_lens::RayRange& range, tilt_lens::Hit* hits)
 {
-    rays.Make(run);
-    refusedRays += rays.Refused();
-    pixel = &rays.Sampler();
-    const unsigned int place = run.Place();
-    if (HasColours(view->lens))
-        for (unsigned int i = 0; i < run.count; i++)
-        {
-            index = run.first.index + i;
-            TraceSample(rays.One(place + i), results[i]);
-        }
-    else
-        TraceRays(rays.Rays(), place, run, ray, results);
-}
-
-void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result)
-{
-    if (HasColours(view->lens) && camera.sample.weight != 0.0)
-        TraceColours(camera, result);
-    else
-        TraceCameraRay(camera, result);
-}
-
-void TiltLensTracer::TraceCameraRay(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result)
-{
-    tilt_lens::CameraRays rays;
-    rays.Put(0, camera);
-    Ray ray = CameraRayOfPov();
-    TraceRays(rays, 0, {{0, 0, index}, 1}, ray, &result);
-}
-
-/// A camera ray without origin and direction, inside the interiors that contain the whole lens.
-Ray TiltLensTracer::CameraRayOfPov() const
-{
+    const pov::Trace::TraceTicket ticket = NewTicket();
+    const VECTOR& location = trace.camera.Location;
     Ray ray(Ray::PrimaryRay, false, false, false, false, trace.pretrace);
     if (!interiorsVary)
         EnterInteriors(ray);
-    return ray;
-}
-
-/// Traces camera rays.
-/// @param place  of the run's first ray
-void TiltLensTracer::TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray,
-                               tilt_lens::SampleResult* results)
-{
-    DBL distances[tilt_lens::settings.cameraRaysOfBatch];
-    const Trace::TraceTicket ticket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
-    const unsigned int first = run.first.index, count = run.count;
-    const bool plain = trace.camera.Tnormal == NULL && !interiorsVary;
-    const bool circlesWanted = first < tilt_lens::settings.mostSentSamples && view->limits.variance > 0.0 && view->samplesSpread;
-    trace.areaLightSampler = this;
-    trace.lightPath.wanted = circlesWanted;
+    pixel = &range.sequence;
+    trace.areaLightSampler = trace.pretrace ? NULL : &areaLights;
+    trace.lightPath.wanted = range.distances;
     LeadGenerators();
-    for (unsigned int i = 0; i < count; i++)
+    for (unsigned int i = 0; i < range.count; i++)
     {
-        index = first + i;
-        results[i].expectedEmission = rays.samples.expectedEmission[place + i];
-        distances[i] = HUGE_VAL;
-        if (rays.samples.weight[place + i] == 0.0)
-            results[i].radiance = Radiance{};
-        else
+        const unsigned int place = range.place + i;
+        for (int axis = X; axis <= Z; axis++)
         {
-            Begin(ray, rays, place + i);
-            if (!plain)
-                BeginSpecially(ray, rays, place + i);
-            TraceRay(ray, ticket, rays.samples.weight[place + i], results[i].radiance);
-            distances[i] = trace.lightPath.Length();
+            ray.Origin[axis] = location[axis] + rays.origin[axis][place];
+            ray.Direction[axis] = rays.direction[axis][place];
         }
+        BendByNormal(ray, trace.camera, rays.samples.x[place], rays.samples.y[place], trace.threadData);
+        if (interiorsVary)
+        {
+            ray.ClearInteriors();
+            EnterInteriors(ray);
+        }
+        trace.ForgetRays();
+        index = range.index + i;
+        areaLights.Begin(*pixel, index);
+        Colour colour;
+        Follow(ray, ticket, colour);
+        hits[i] = {{colour[pRED], colour[pGREEN], colour[pBLUE], colour[pFILTER], colour[pTRANSM]}, trace.lightPath.Length()};
     }
     trace.areaLightSampler = NULL;
     trace.lightPath.wanted = false;
     EndSample();
-    if (circlesWanted)
-        FindCircles(rays, place, count, distances, results);
 }
 
-inline void TiltLensTracer::Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const
+/// Follows a ray of the sample of `pixel` and `index`.
+inline DBL TiltLensTracer::Follow(const Ray& ray, pov::Trace::TraceTicket ticket, Colour& colour)
 {
-    const VECTOR& location = trace.camera.Location;
-    for (int axis = X; axis <= Z; axis++)
-    {
-        ray.Origin[axis] = location[axis] + rays.origin[axis][place];
-        ray.Direction[axis] = rays.direction[axis][place];
-    }
+    BeginSample();
+    if (trace.sceneData->useSubsurface)
+        SeedSubsurface(Seed());
+    return trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
 }
 
-/// For a camera with a normal, or a lens that is partly inside an object.
-void TiltLensTracer::BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place)
+DBL TiltLensTracer::TraceAlone(const Ray& ray, unsigned int x, unsigned int y, Colour& colour)
 {
-    if (trace.camera.Tnormal != NULL)
-    {
-        VECTOR film = {rays.samples.x[place], rays.samples.y[place], 0.0};
-        Perturb_Normal(ray.Direction, trace.camera.Tnormal, film, NULL, NULL, trace.threadData);
-        VNormalizeEq(ray.Direction);
-    }
-    if (interiorsVary)
-    {
-        Ray other = CameraRayOfPov();
-        Assign_Vector(other.Origin, ray.Origin);
-        Assign_Vector(other.Direction, ray.Direction);
-        EnterInteriors(other);
-        ray = other;
-    }
+    const tilt_lens::PixelSampler sequence(x, y, view->camera.seed);
+    pixel = &sequence;
+    index = 0;
+    LeadGenerators();
+    const DBL distance = Follow(ray, NewTicket(), colour);
+    EndSample();
+    return distance;
 }
 
-/// @param ticket  a new one
-inline void TiltLensTracer::TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, Radiance& radiance)
+pov::Trace::TraceTicket TiltLensTracer::NewTicket() const
 {
-    trace.ForgetRays();
-    BeginNumbers();
-    areaLightsMet = 0;
-    Colour colour;
-    trace.TraceRay(ray, colour, 1.0, ticket, false, trace.camera.Max_Ray_Distance);
-    radiance = {weight * colour[pRED], weight * colour[pGREEN], weight * colour[pBLUE], weight * colour[pFILTER],
-                weight * colour[pTRANSM]};
+    return pov::Trace::TraceTicket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
 }
 
-/// Circles of confusion of the hit points.
-void TiltLensTracer::FindCircles(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
-                                 tilt_lens::SampleResult* results) const
+const Camera& TiltLensTracer::GetCamera() const
 {
-    const tilt_lens::CameraSamples& samples = rays.samples;
-    for (unsigned int i = 0; i < count; i++)
-    {
-        const unsigned int at = place + i;
-        results[i].circle = tilt_lens::CircleOfConfusion();
-        if (samples.weight[at] != 0.0)
-            results[i].circle = view->footprint.CircleOf({samples.x[at], samples.y[at]}, {samples.a[at], samples.b[at]},
-                                                         rays.length[at] / distances[i] - rays.w[at]);
-    }
+    return trace.camera;
 }
 
-/// A pixel averages over many rays, so that one random point of an area light per ray has the mean of the whole grid for one shadow ray (R.
-/// L. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", 1984). Radiosity, which reuses its samples, and focus aids, which take one
-/// ray per pixel, get the whole grid.
-bool TiltLensTracer::ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v)
+RenderStatistics& TiltLensTracer::Stats()
 {
-    if (trace.pretrace || radiosityDepth > 0)
-        return false;
-    const tilt_lens::Pair point = pixel->PaddedPair(index, areaLightsMet++);
-    areaLightPointsSkipped += std::uint64_t(light.Area_Size1) * light.Area_Size2 - 1;
-    areaLightPoints++;
-    u = PointOfRow(light.Area_Size1, point.u);
-    v = PointOfRow(light.Area_Size2, point.v);
-    return true;
+    return trace.threadData->Stats();
 }
 
 /// Tests only the objects that may contain lens points.
@@ -240,14 +140,6 @@ void TiltLensTracer::LeadGenerators()
         ofMedia->seeds.Follow(*this);
 }
 
-/// Seeds every generator that the sample may use.
-void TiltLensTracer::BeginNumbers()
-{
-    BeginSample();
-    if (trace.sceneData->useSubsurface)
-        SeedSubsurface(Seed());
-}
-
 /// Creates the sequences of subsurface light, one per recursion level, which Trace would create when first needed: so the sample determines
 /// their first numbers, too.
 void TiltLensTracer::SeedSubsurface(unsigned int seed)
@@ -266,115 +158,23 @@ void TiltLensTracer::SeedSubsurface(unsigned int seed)
 
 void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour)
 {
+    colour.clear();
     if (view->aids)
     {
-        TraceAid(x, y, width, height, colour);
+        colour = AidPixel(trace, x, y, width, height);
         return;
     }
-    const unsigned int samples = trace.pretrace ? 1 : std::min(view->limits.min, view->limits.max);
+    const tilt_lens::SamplingLimits& limits = view->camera.limits;
+    const unsigned int count = trace.pretrace ? 1 : std::min(limits.min, limits.max);
     // pretrace positions lie between pixels and, at the picture's edge, outside
-    SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
-    const PixelSampler sequence(id.x, id.y, view->seed);
-    colour.clear();
-    for (id.index = 0; id.index < samples; id.index++)
+    tilt_lens::SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
+    for (; id.index < count; id.index++)
     {
         tilt_lens::SampleResult result;
-        tilt_lens::CameraRay camera;
-        if (view->glass)
-        {
-            const tilt_lens::SequencePoint point = sequence(id.index);
-            camera.Draw(*view->glass, id, point, tilt_lens::FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height));
-        }
-        else
-            camera = tilt_lens::CameraRay(view->lens, view->emitters.Generate({}, id, sequence(id.index)));
-        pixel = &sequence;
-        index = id.index;
-        TraceSample(camera, result);
+        plainSamples.Trace({id, 1}, &result);
         colour += ToColour(result.radiance);
     }
-    colour /= samples;
-}
-
-void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone,
-                               std::vector<Colour>& pixels)
-{
-    if (view->aids)
-    {
-        TraceAidTile(rect, width, height, pixels);
-        return;
-    }
-    const tilt_lens::Area tile = AreaOf(rect);
-    tilt_lens::BlockCache own(view->limits, width, height, tile);
-    tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
-    Ray ray = CameraRayOfPov();
-    areaLightPoints = areaLightPointsSkipped = 0;
-    refusedRays = 0;
-    sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
-        { TraceRun(rays, run, ray, results); });
-
-    pixels.clear();
-    effort.clear();
-    for (unsigned int y = tile.top; y < tile.Bottom(); y++)
-        for (unsigned int x = tile.left; x < tile.Right(); x++)
-        {
-            pixels.push_back(ToColour(sampler.Mean(x, y)));
-            effort.push_back({sampler.Samples(x, y), sampler.Variance(x, y)});
-        }
-    tilt_lens::SamplingStatistics statistics = sampler.Statistics();
-    statistics.lightPoints = areaLightPoints;
-    statistics.lightPointsSkipped = areaLightPointsSkipped;
-    statistics.refusedRays = refusedRays;
-    view->Add(statistics);
-    trace.threadData->Stats()[Number_Of_Pixels] += statistics.Pixels();
-    trace.threadData->Stats()[Number_Of_Samples] += statistics.Samples();
-}
-
-void TiltLensTracer::EstimateWork()
-{
-    const tilt_lens::SamplingLimits& limits = view->limits;
-    const unsigned int samples = std::min(tilt_lens::settings.probeSamples, limits.max);
-    const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
-    Ray ray = CameraRayOfPov();
-    const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
-    while (const auto probe = view->progress.NextProbe())
-    {
-        const auto before = raysTraced();
-        static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
-        tilt_lens::SampleResult results[tilt_lens::settings.probeSamples];
-        TraceRun(rays, {{probe->x, probe->y, 0}, samples}, ray, results);
-        std::vector<Radiance> tried;
-        for (unsigned int sample = 0; sample < samples; sample++)
-            tried.push_back(results[sample].radiance);
-        view->progress.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
-    }
-}
-
-/// Final render of a `tilt_lens` picture; replaces all anti-aliasing methods.
-void TraceTask::TiltLensSampling()
-{
-    POVRect rect;
-    std::vector<Colour> pixels;
-    unsigned int serial;
-
-    TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
-    tracer.EstimateWork();
-    while (GetViewData()->GetNextRectangle(rect, serial) == true)
-    {
-        radiosity.BeforeTile(highReproducibility ? serial : 0);
-        // reproducible radiosity starts each tile afresh
-        tracer.TraceTile(rect, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
-                         highReproducibility && GetSceneData()->radiositySettings.radiosityEnabled, pixels);
-        radiosity.AfterTile();
-
-        GetViewData()->GetTiltLens()->progress.Finish(AreaOf(rect));
-        GetViewDataPtr()->AfterTile();
-        SendLayers(rect);
-        GetViewData()->CompletedRectangle(rect, serial, pixels, 1, finalTrace);
-
-        Cooperate();
-    }
+    colour /= count;
 }
 
 } // namespace pov

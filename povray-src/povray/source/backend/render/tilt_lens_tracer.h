@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tracer.h
-/// Traces the camera rays of `tilt_lens` pictures. A TracePixel owns one if its view has a lens with an aperture, and is its friend,
-/// because tracing needs TracePixel's private members.
+/// The bridge from the camera library to POV-Ray's tracing: follows the library's camera rays to their hits. A TracePixel owns one if its
+/// view has a lens with an aperture, and is its friend, because tracing needs TracePixel's private members.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_TRACER_H
 #define POVRAY_BACKEND_TILT_LENS_TRACER_H
-
-#include <cstdint>
-#include <vector>
 
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
@@ -17,8 +14,7 @@
 #include "backend/render/trace.h"
 #include "backend/scene/tilt_lens_view.h"
 #include "backend/support/sample_seeds.h"
-#include "tilt_lens/math/vec3.h"
-#include "tilt_lens/sampling/camera_rays.h"
+#include "tilt_lens/sampling/sample_tracer.h"
 
 namespace pov
 {
@@ -26,13 +22,12 @@ namespace pov
 class Ray;
 class TracePixel;
 
-struct TiltLensEffort
+inline Colour ToColour(const tilt_lens::Radiance& v)
 {
-    unsigned int samples;
-    double variance;  ///< see TileSampler::Variance()
-};
+    return Colour(v[pRED], v[pGREEN], v[pBLUE], v[pFILTER], v[pTRANSM]);
+}
 
-class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
+class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
 {
   public:
     /// @return  NULL if the view has no lens with an aperture
@@ -42,78 +37,39 @@ class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
     /// @return  NULL if there is none
     static TiltLensTracer* Of(const TracePixel& owner);
 
+    const shared_ptr<TiltLensView> view;
+    tilt_lens::SampleTracer samples;  ///< of the final picture
+    AreaLightSampler areaLights;
+
     /// A pixel of a preview or of a radiosity pretrace, not of the final picture: a few samples, or one for a pretrace.
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
 
-    /// A tile of the final picture.
-    /// @param width, height  of the whole picture, in pixels
-    /// @param alone          true if the tile may share no samples with others, because its pixels depend on the order of tracing
-    /// @param pixels         row by row
-    void TraceTile(const POVRect& rect, unsigned int width, unsigned int height, bool alone, std::vector<Colour>& pixels);
+    /// Follows one ray of a pixel, with whole grids of area lights.
+    /// @return  distance to its hit
+    DBL TraceAlone(const Ray& ray, unsigned int x, unsigned int y, Colour& colour);
 
-    /// Traces test pixels before the first tile, shared among all threads, to weight the progress display.
-    void EstimateWork();
-
-    /// Of the last tile, row by row; empty for focus aids.
-    const std::vector<TiltLensEffort>& Effort() const { return effort; }
-
-    virtual bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
-
-    virtual unsigned int Seed() const { return pixel->Hash(index); }
-
-    /// @name For picture layers, with any camera.
-    /// @{
-
-    /// First hit of the ray through a pixel's centre, transparent surfaces included.
-    /// @param[out] point  world coordinates
-    /// @param[out] depth  along the camera's axis if it has one, else the length of the ray
-    static bool FirstPoint(TracePixel& trace, unsigned int x, unsigned int y, DBL width, DBL height,
-                           tilt_lens::Vec3& point, DBL& depth);
-    /// @}
+    const Camera& GetCamera() const;
+    RenderStatistics& Stats();  ///< of the thread
 
   private:
     TracePixel& trace;
-    const shared_ptr<TiltLensView> view;
+    tilt_lens::SampleTracer plainSamples;  ///< of previews
     const bool interiorsVary;  ///< the lens is partly inside an object, so that rays start in different interiors
-    std::vector<TiltLensEffort> effort;
 
     /// The current sample.
-    const tilt_lens::PixelSampler* pixel = NULL;  ///< its pixel's sequence; NULL if none is being traced
+    const tilt_lens::PixelSampler* pixel = NULL;  ///< its pixel's sequence
     unsigned int index = 0;
-    unsigned int areaLightsMet = 0;
-    /// Area light points in this tile: sampled, and skipped.
-    std::uint64_t areaLightPoints = 0, areaLightPointsSkipped = 0;
-    /// Rays in this tile that a lens of glass blocked.
-    std::uint64_t refusedRays = 0;
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    /// @param ray  from CameraRayOfPov(); reusable
-    void TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::SampleRun& run, Ray& ray,
-                  tilt_lens::SampleResult* results);
-    /// @name For the sample of `pixel` and `index`.
-    /// @{
-    void TraceSample(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);
-    void TraceColours(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);
-    void TraceCameraRay(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result);
-    void TraceRay(const Ray& ray, Trace::TraceTicket ticket, double weight, tilt_lens::Radiance& radiance);
-    /// @}
-    void TraceRays(const tilt_lens::CameraRays& rays, unsigned int place, const tilt_lens::SampleRun& run, Ray& ray,
-                   tilt_lens::SampleResult* results);
-    void FindCircles(const tilt_lens::CameraRays& rays, unsigned int place, unsigned int count, const DBL* distances,
-                     tilt_lens::SampleResult* results) const;
-    Ray CameraRayOfPov() const;
-    void Begin(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place) const;
-    void BeginSpecially(Ray& ray, const tilt_lens::CameraRays& rays, unsigned int place);
+    virtual void Trace(const tilt_lens::CameraRays& rays, const tilt_lens::RayRange& range, tilt_lens::Hit* hits);
+    virtual unsigned int Seed() const { return pixel->Hash(index); }
+
+    DBL Follow(const Ray& ray, pov::Trace::TraceTicket ticket, Colour& colour);
+    pov::Trace::TraceTicket NewTicket() const;
     void EnterInteriors(Ray& ray) const;
     void LeadGenerators();
-    void BeginNumbers();
     void SeedSubsurface(unsigned int seed);
-    void TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour);
-    void TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height, std::vector<Colour>& pixels);
-    bool MiddleRayOfGlass(Ray& ray, const tilt_lens::FilmPoint& film) const;
-    static bool ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
-    static DBL FirstHit(TracePixel& trace, const Ray& ray);
 };
 
 } // namespace pov

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file tilt_lens_report.cpp
-/// The report of a `tilt_lens` picture: the lens before the render, effort and noise after it.
+#include "backend/scene/tilt_lens_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -257,43 +256,10 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
-} // namespace
-
-void TiltLensView::AddProgress(POVMS_Object& message) const
-{
-    // no work is done in a mosaic preview or in radiosity's first pass; the addition makes a rounded sum of 1 read 100
-    const std::optional<double> share = progress.Share();
-    if (share && *share > 0.0)
-    {
-        message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
-        // pixels of a continued render belong to the picture as well
-        message.SetInt(kPOVAttrib_PixelsCompleted, message.GetInt(kPOVAttrib_PixelsCompleted) + POVMSInt(pixelsBefore));
-    }
-}
-
-std::string TiltLensView::Summary(const TiltLensCost& cost) const
-{
-    boost::mutex::scoped_lock lock(statisticsMutex);
-    std::string text = "Tilt Lens Sampling\n";
-    text += Line("  Time.................%.3f seconds, %.3f of CPU on ", cost.seconds, cost.cpuSeconds) +
-            Count(cost.threads, "thread") + "\n";
-    text += "  Rays................." + Line("%.0f", cost.rays) + ", and " + Count(cost.shadowTests, "test") + " for shadow\n";
-    if (aids)
-        return text + "  Samples per pixel....1, through the lens centre (focus aids)\n" + Skipped();
-    const double pixels = std::max<double>(1.0, statistics.Pixels());
-    text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", statistics.Samples() / pixels,
-                 statistics.Quantile(0.99), statistics.Most());
-    if (limits.max < 2)
-        return text + "  Standard error.......unknown: one sample per pixel gives no estimate\n" + Skipped();
-    text += Line("  Standard error.......%.2g of white (estimated), ", statistics.StandardError());
-    text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance))
-                                  : std::string("all samples asked for\n");
-    return text + Skipped();
-}
-
 /// Omitted or unusable work, one line each.
-std::string TiltLensView::Skipped() const
+std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics)
 {
+    const tilt_lens::SamplingLimits& limits = view.camera.limits;
     const double pixels = statistics.Pixels();
     std::string text;
     const auto stopped = statistics.pixelsBySamples.find(limits.max);
@@ -303,8 +269,8 @@ std::string TiltLensView::Skipped() const
         text += "  Stopped by MAX......." + Count(stopped->second, "pixel") + " (" +
                 Line(share < 99.5 ? "%.2g" : "%.0f", share) + "%), at " + Count(limits.max, "sample") + "\n";
     }
-    if (pixelsBefore > 0)
-        text += "  Skipped.............." + Count(pixelsBefore, "pixel") + ", done before the render was continued\n";
+    if (view.pixelsBefore > 0)
+        text += "  Skipped.............." + Count(view.pixelsBefore, "pixel") + ", done before the render was continued\n";
     if (limits.variance > 0.0)
         text += Line("  Ended at the minimum.%.0f of ", statistics.PixelsUpTo(limits.FirstRound())) + Count(pixels, "pixel") +
                 ", after " + Count(limits.FirstRound(), "sample") + "\n";
@@ -314,17 +280,17 @@ std::string TiltLensView::Skipped() const
     if (statistics.lightPoints > 0)
         text += "  Area lights.........." + Count(statistics.lightPoints, "point") +
                 Line(" sampled, %.0f skipped\n", statistics.lightPointsSkipped);
-    if (!emitters.Empty())
+    if (!view.camera.emitters.Empty())
         text += "  Emitter samples......" + Count(statistics.emitterSampled, "sample") +
-                Line(", emitters in view: %.0f\n", emitters.Count());
-    if (objectsWithInterior > 0)
+                Line(", emitters in view: %.0f\n", view.camera.emitters.Count());
+    if (view.objectsWithInterior > 0)
     {
-        const std::size_t hold = std::count_if(aroundLens.begin(), aroundLens.end(),
+        const std::size_t hold = std::count_if(view.aroundLens.begin(), view.aroundLens.end(),
                                                [](const ObjectAroundLens& around) { return around.holdsLens; });
-        text += Line("  Around the lens......%.0f of ", aroundLens.size() - hold) + Count(objectsWithInterior, "object") +
+        text += Line("  Around the lens......%.0f of ", view.aroundLens.size() - hold) + Count(view.objectsWithInterior, "object") +
                 Line(" with interior tested by each ray, %.0f contain the whole lens\n", hold);
     }
-    if (glass)
+    if (const tilt_lens::GlassCamera* const glass = view.camera.glass.get())
     {
         const double passed = statistics.Samples() * (glass->HasColours() ? 3.0 : 1.0), tried = passed + statistics.refusedRays;
         text += Line("  Blocked by the glass.%.0f of ", statistics.refusedRays) + Count(tried, "ray") +
@@ -333,6 +299,29 @@ std::string TiltLensView::Skipped() const
     if (statistics.notFinite > 0)
         text += "  Not finite..........." + Count(statistics.notFinite, "sample") + ", counted as black\n";
     return text;
+}
+
+} // namespace
+
+std::string SummarizeTiltLens(const TiltLensView& view, const TiltLensCost& cost)
+{
+    const tilt_lens::SamplingLimits& limits = view.camera.limits;
+    const tilt_lens::SamplingStatistics statistics = view.Statistics();
+    std::string text = "Tilt Lens Sampling\n";
+    text += Line("  Time.................%.3f seconds, %.3f of CPU on ", cost.seconds, cost.cpuSeconds) +
+            Count(cost.threads, "thread") + "\n";
+    text += "  Rays................." + Line("%.0f", cost.rays) + ", and " + Count(cost.shadowTests, "test") + " for shadow\n";
+    if (view.aids)
+        return text + "  Samples per pixel....1, through the lens centre (focus aids)\n" + SkippedOf(view, statistics);
+    const double pixels = std::max<double>(1.0, statistics.Pixels());
+    text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", statistics.Samples() / pixels,
+                 statistics.Quantile(0.99), statistics.Most());
+    if (limits.max < 2)
+        return text + "  Standard error.......unknown: one sample per pixel gives no estimate\n" + SkippedOf(view, statistics);
+    text += Line("  Standard error.......%.2g of white (estimated), ", statistics.StandardError());
+    text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance))
+                                  : std::string("all samples asked for\n");
+    return text + SkippedOf(view, statistics);
 }
 
 std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensAids* aids)

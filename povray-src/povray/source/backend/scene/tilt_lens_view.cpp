@@ -14,6 +14,7 @@
 #include "backend/scene/scene.h"
 #include "backend/scene/threaddata.h"
 #include "backend/scene/tilt_lens_emitters.h"
+#include "backend/scene/tilt_lens_report.h"
 #include "backend/scene/view.h"
 #include "backend/texture/pigment.h"
 
@@ -56,21 +57,15 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return s.squeeze == 1.0 ? aperture : tilt_lens::Aperture::Squeezed(aperture, s.squeeze);
 }
 
-/// False if a camera normal or a lens of glass deflects rays aimed at emitters.
-bool EmittersAreSampled(const Camera& camera)
-{
-    return camera.Tnormal == NULL && !camera.TiltLens.lens->glass;
-}
-
+/// With a minimum of 0 if the scene states none.
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 {
     tilt_lens::SamplingLimits limits;
+    limits.min = camera.Blur_Samples_Min;
     limits.max = camera.Blur_Samples;
     limits.variance = camera.Variance;
     limits.confidence = camera.Confidence;
     limits.denoise = camera.TiltLens.statement.denoise;
-    const std::uint32_t usual = EmittersAreSampled(camera) && limits.Denoises() ? tilt_lens::settings.firstSamples : limits.min;
-    limits.min = camera.Blur_Samples_Min > 0 ? camera.Blur_Samples_Min : std::min(limits.max, usual);
     return limits;
 }
 
@@ -80,42 +75,18 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
                          [](ObjectPtr object) { return object->interior != NULL; });
 }
 
-std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const SceneData& scene)
+tilt_lens::SampledCamera::Picture PictureOf(const Camera& camera, ViewData& view)
 {
-    return EmittersAreSampled(camera) ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
-}
-
-std::unique_ptr<const tilt_lens::GlassCamera> GlassOf(const Camera& camera, const tilt_lens::Aperture& aperture)
-{
-    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
-    if (!lens.glass)
-        return nullptr;
-    return std::make_unique<const tilt_lens::GlassCamera>(lens, aperture, camera.TiltLens.statement.character.naturalVignetting);
-}
-
-/// Of a thin lens; a lens of glass has its own.
-tilt_lens::Vignetting VignettingOf(const Camera& camera, const tilt_lens::Aperture& aperture)
-{
-    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
-    return lens.glass ? tilt_lens::Vignetting() : tilt_lens::Vignetting(lens, aperture, camera.TiltLens.statement.character);
+    return {view.GetWidth(), view.GetHeight(), camera.Tnormal != NULL, EmittersOf(*view.GetSceneData(), camera)};
 }
 
 } // namespace
 
-TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
-    lens(*camera.TiltLens.lens),
-    aperture(ApertureOf(camera, view.GetSceneData())),
-    footprint(lens, aperture, view.GetWidth(), view.GetHeight()),
-    glass(GlassOf(camera, aperture)),
-    limits(LimitsOf(camera)),
-    samplesSpread(limits.Denoises() && camera.Tnormal == NULL && !lens.glass && !lens.distorts && lens.fieldCurvature == 0.0 &&
-                  camera.TiltLens.statement.character.opticalVignetting == 0.0),
-    seed(camera.TiltLens.statement.sampleSeed),
-    blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
-    aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
-    objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
-    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData()),
-             VignettingOf(camera, aperture))
+TiltLensView::TiltLensView(const Camera& given, ViewData& view) :
+    camera(*given.TiltLens.lens, ApertureOf(given, view.GetSceneData()), given.TiltLens.statement, LimitsOf(given), PictureOf(given, view)),
+    blocks(new tilt_lens::BlockCache(camera.limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
+    aroundLens(ObjectsAroundLens(given, *given.TiltLens.lens, *view.GetSceneData())),
+    objectsWithInterior(ObjectsWithInterior(*view.GetSceneData()))
 {
 }
 
@@ -147,6 +118,24 @@ void TiltLensView::Add(const tilt_lens::SamplingStatistics& tile)
 {
     boost::mutex::scoped_lock lock(statisticsMutex);
     statistics.Add(tile);
+}
+
+tilt_lens::SamplingStatistics TiltLensView::Statistics() const
+{
+    boost::mutex::scoped_lock lock(statisticsMutex);
+    return statistics;
+}
+
+void TiltLensView::AddProgress(POVMS_Object& message) const
+{
+    // no work is done in a mosaic preview or in radiosity's first pass; the addition makes a rounded sum of 1 read 100
+    const std::optional<double> share = progress.Share();
+    if (share && *share > 0.0)
+    {
+        message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
+        // pixels of a continued render belong to the picture as well
+        message.SetInt(kPOVAttrib_PixelsCompleted, message.GetInt(kPOVAttrib_PixelsCompleted) + POVMSInt(pixelsBefore));
+    }
 }
 
 /// Prepares the threads' common data of a camera with `tilt_lens`, sends its report, and replaces anti-aliasing. Other cameras are only

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_view.h
-/// Data that all render threads of a `tilt_lens` picture share: lens, aperture, sampling limits, statistics.
+/// Data that all render threads of a `tilt_lens` picture share: camera, sampling limits, blocks, statistics.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_VIEW_H
 #define POVRAY_BACKEND_TILT_LENS_VIEW_H
 
-#include <cmath>
 #include <cstdint>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include <boost/thread.hpp>
@@ -21,13 +18,10 @@
 #include "backend/scene/tilt_lens_aids.h"
 #include "base/povmscpp.h"
 #include "base/povmsgid.h"
-#include "tilt_lens/camera/aperture.h"
-#include "tilt_lens/sampling/emitter_sampling.h"
-#include "tilt_lens/sampling/tile_sampler.h"
-#include "tilt_lens/camera/optics.h"
-#include "tilt_lens/glass/glass_camera.h"
-#include "tilt_lens/reconstruction/spread.h"
+#include "tilt_lens/sampling/block_cache.h"
 #include "tilt_lens/sampling/progress_estimator.h"
+#include "tilt_lens/sampling/sampled_camera.h"
+#include "tilt_lens/sampling/sampling_statistics.h"
 
 namespace pov
 {
@@ -40,15 +34,6 @@ inline tilt_lens::Area AreaOf(const POVRect& rect)
     return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
             (unsigned int)rect.GetHeight()};
 }
-
-/// Cost of a render, from POV-Ray's statistics.
-struct TiltLensCost
-{
-    double seconds, cpuSeconds;  ///< longest thread; sum of all threads
-    double threads;
-    double rays;         ///< all but shadow rays
-    double shadowTests;  ///< tests of an object against a shadow ray
-};
 
 class TiltLensView
 {
@@ -66,18 +51,7 @@ class TiltLensView
     /// @throws tilt_lens::OpticsError  the rim leaves at most 1 per cent of the light in the middle of the picture
     static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
 
-    const tilt_lens::Lens lens;
-    const tilt_lens::Aperture aperture;
-    const tilt_lens::LensFootprint footprint;
-    const std::unique_ptr<const tilt_lens::GlassCamera> glass;  ///< makes the rays of a lens of glass; else NULL
-    const tilt_lens::SamplingLimits limits;
-
-    /// True if samples also serve the pixels of their circles of confusion, in a denoised picture. The footprint describes these circles
-    /// only for a lens that images planes onto planes, to scale, and whose whole aperture is visible from everywhere.
-    const bool samplesSpread;
-
-    /// Of the sampling pattern.
-    const std::uint32_t seed;
+    const tilt_lens::SampledCamera camera;
 
     /// The blocks being sampled.
     const shared_ptr<tilt_lens::BlockCache> blocks;
@@ -88,8 +62,6 @@ class TiltLensView
     /// All objects with an interior, for the report.
     const std::size_t objectsWithInterior;
 
-    const tilt_lens::EmitterSampler emitters;
-
     tilt_lens::ProgressEstimator progress;
 
     /// Pixels that a continued render already has; set before the first tile.
@@ -98,27 +70,21 @@ class TiltLensView
     /// Drawn in place of the lens's picture; else NULL.
     shared_ptr<const TiltLensAids> aids;
 
-    /// Thread-safe.
+    /// @name Statistics of all tiles so far. Thread-safe.
+    /// @{
     void Add(const tilt_lens::SamplingStatistics& tile);
+    tilt_lens::SamplingStatistics Statistics() const;
+    /// @}
 
     /// Adds the finished share of the work, in per cent, to a progress message, if known.
     void AddProgress(POVMS_Object& message) const;
 
-    /// Samples and error, for the statistics after the render.
-    std::string Summary(const TiltLensCost& cost) const;
-
   private:
     TiltLensView(const Camera& camera, ViewData& view);
-
-    std::string Skipped() const;
 
     mutable boost::mutex statisticsMutex;
     tilt_lens::SamplingStatistics statistics;
 };
-
-/// The report of a lens before the render, for a picture `width` pixels wide, and of the aids, if any.
-/// @param camera  with a solved lens
-std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensAids* aids);
 
 } // namespace pov
 

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file glass_lens.h
+/// @file double_gauss.h
 /// A lens of glass: a double Gauss of six elements for 50 mm and f/2. Its rows are those of the lens
 /// file dgauss.50mm.dat of the renderer pbrt, all of them, but for the place of the stop; the file
 /// names US patent 2,673,491 (Tronnier) after Smith, Modern Lens Design, as its source. One
@@ -12,8 +12,8 @@
 /// side principal point H' is at -Separation(). A thin lens is this lens with the space between H
 /// and H' taken out, so the two are compared with the film moved back by that much along the axis.
 
-#ifndef PAPER_GLASS_LENS_H
-#define PAPER_GLASS_LENS_H
+#ifndef PAPER_DOUBLE_GAUSS_H
+#define PAPER_DOUBLE_GAUSS_H
 
 #include <optional>
 #include <vector>

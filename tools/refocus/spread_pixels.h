@@ -1,11 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file spread.h
+/// @file spread_pixels.h
 /// Blurs each pixel by a disc of its own.
 
-#ifndef REFOCUS_SPREAD_H
-#define REFOCUS_SPREAD_H
+#ifndef REFOCUS_SPREAD_PIXELS_H
+#define REFOCUS_SPREAD_PIXELS_H
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file spread.h
+/// @file error_spread.h
 /// Distribution of errors: counts by powers of ten, and the worst.
 
-#ifndef TILT_LENS_TESTS_SPREAD_H
-#define TILT_LENS_TESTS_SPREAD_H
+#ifndef TILT_LENS_TESTS_ERROR_SPREAD_H
+#define TILT_LENS_TESTS_ERROR_SPREAD_H
 
 #include <algorithm>
 #include <cmath>

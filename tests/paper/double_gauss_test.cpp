@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "glass_lens.h"
+#include "double_gauss.h"
 
 namespace
 {

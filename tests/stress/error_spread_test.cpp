@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file spread_test.cpp
+/// @file error_spread_test.cpp
 /// No error counts as zero, however large: the tables consist of these counts.
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "spread.h"
+#include "error_spread.h"
 
 namespace
 {

@@ -1,19 +1,19 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file glass_camera.h
+/// @file double_gauss_camera.h
 /// The camera of scenes/paper/box_camera.inc with a lens of glass, tilted as a whole, or with an
 /// ideal thin lens that has been given some of the glass's properties: each model has one more, so
 /// that the difference of two pictures is what that property does.
 
-#ifndef PAPER_GLASS_CAMERA_H
-#define PAPER_GLASS_CAMERA_H
+#ifndef PAPER_DOUBLE_GAUSS_CAMERA_H
+#define PAPER_DOUBLE_GAUSS_CAMERA_H
 
 #include <array>
 #include <optional>
 #include <vector>
 
-#include "glass_lens.h"
+#include "double_gauss.h"
 
 namespace paper
 {

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "glass_camera.h"
+#include "double_gauss_camera.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file picture_layers.cpp
-/// The renderer's part of `Output_Layers`: first hits along the rays through pixels' centres, effort of a finished tile, and the camera's
-/// numbers. See base/picture_layers.h.
-
-#include "base/picture_layers.h"
+#include "backend/render/send_layers.h"
 
 #include <cmath>
 #include <limits>
@@ -13,12 +9,11 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "backend/math/vector.h"
-#include "backend/render/tilt_lens_tracer.h"
+#include "backend/render/chief_camera_ray.h"
 #include "backend/render/tracepixel.h"
-#include "backend/render/tracetask.h"
 #include "backend/scene/layer_attributes.h"
 #include "backend/scene/view.h"
+#include "base/picture_layers.h"
 #include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
@@ -68,41 +63,44 @@ double BlurAt(const tilt_lens::Lens& lens, unsigned int x, unsigned int y, DBL w
     return BlurDiameter(lens, chief, depth / Dot(lens.direction, lens.axis), width);
 }
 
-} // namespace
-
-bool TiltLensTracer::FirstPoint(TracePixel& trace, unsigned int x, unsigned int y, DBL width, DBL height, Vec3& point,
-                                DBL& depth)
+/// First hit of the ray through a pixel's centre, transparent surfaces included.
+/// @param[out] point  world coordinates
+/// @param[out] depth  along the camera's axis if it has one, else the length of the ray
+bool FirstPoint(TracePixel& trace, const ViewData& view, unsigned int x, unsigned int y, Vec3& point, DBL& depth)
 {
-    // POV-Ray's own focal blur must not jitter the ray
-    const bool blurs = trace.useFocalBlur;
-    trace.useFocalBlur = false;
+    const Camera& camera = view.GetCamera();
     Ray ray;
-    const bool seen = ChiefCameraRay(trace, ray, x, y, width, height);
-    trace.useFocalBlur = blurs;
-    const DBL distance = seen ? FirstHit(trace, ray) : HUGE_VAL;
-    if (!(distance < HUGE_VAL))
+    depth = MakeChiefRay(trace, ray, x, y, view.GetWidth(), view.GetHeight()) ? FirstHit(trace, camera, ray) : HUGE_VAL;
+    if (!(depth < HUGE_VAL))
         return false;
-    point = FromPov(ray.Origin) + distance * FromPov(ray.Direction);
-    depth = distance;
-    if (HasDepthAxis(trace.camera))
-        depth = Dot(point - FromPov(trace.camera.Location), DepthAxis(trace.camera));
+    point = FromPov(ray.Origin) + depth * FromPov(ray.Direction);
+    if (HasDepthAxis(camera))
+        depth = Dot(point - FromPov(camera.Location), DepthAxis(camera));
     return true;
 }
 
-/// Called for each tile before its colours are sent, so that a tile whose colours are in the state file has its layers there, too.
-void TraceTask::SendLayers(const POVRect& rect)
+void Post(ViewData& view, POVMS_Message& message)
 {
-    const ViewData& view = *GetViewData();
-    if (!finalTrace || !view.OutputsLayers())
+    message.SetInt(kPOVAttrib_ViewId, view.GetViewId());
+    message.SetSourceAddress(view.GetSceneData()->backendAddress);
+    message.SetDestinationAddress(view.GetSceneData()->frontendAddress);
+    POVMS_SendMessage(message);
+}
+
+} // namespace
+
+void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const std::vector<TiltLensEffort>& effort)
+{
+    if (!view.outputLayers)
         return;
-    const TiltLensTracer* tracer = TiltLensTracer::Of(trace);
+    const TiltLensCamera& camera = view.GetCamera().TiltLens;
     const float infinity = std::numeric_limits<float>::infinity();
     const DBL width = view.GetWidth(), height = view.GetHeight();
     LayerBlock block(rect.GetArea());
     const size_t depthLayer = block.Add("depth.Z");
     const size_t positions[3] = {block.Add("position.X"), block.Add("position.Y"), block.Add("position.Z")};
-    const size_t blur = view.GetCamera().TiltLens.given ? block.Add("blur") : 0;
-    const bool sampled = tracer != NULL && !tracer->Effort().empty();
+    const size_t blur = camera.given ? block.Add("blur") : 0;
+    const bool sampled = !effort.empty();
     const size_t samples = sampled ? block.Add("samples") : 0, error = sampled ? block.Add("standardError") : 0;
 
     size_t pixel = 0;
@@ -111,17 +109,17 @@ void TraceTask::SendLayers(const POVRect& rect)
         {
             Vec3 point;
             DBL depth = HUGE_VAL;
-            const bool found = TiltLensTracer::FirstPoint(trace, x, y, width, height, point, depth);
+            const bool found = FirstPoint(trace, view, x, y, point, depth);
             block.At(depthLayer, pixel) = found ? float(depth) : infinity;
             block.At(positions[0], pixel) = point.x;
             block.At(positions[1], pixel) = point.y;
             block.At(positions[2], pixel) = point.z;
-            if (tracer != NULL)
-                block.At(blur, pixel) = BlurAt(view.GetTiltLens()->lens, x, y, width, height, found ? depth : double(infinity));
+            if (view.GetTiltLens())
+                block.At(blur, pixel) = BlurAt(*camera.lens, x, y, width, height, found ? depth : double(infinity));
             if (sampled)
             {
-                block.At(samples, pixel) = tracer->Effort()[pixel].samples;
-                block.At(error, pixel) = std::sqrt(tracer->Effort()[pixel].variance);
+                block.At(samples, pixel) = effort[pixel].samples;
+                block.At(error, pixel) = std::sqrt(effort[pixel].variance);
             }
         }
 
@@ -131,27 +129,18 @@ void TraceTask::SendLayers(const POVRect& rect)
     message.SetInt(kPOVAttrib_Right, rect.right);
     message.SetInt(kPOVAttrib_Bottom, rect.bottom);
     block.PutInto(message);
-    view.Post(message);
+    Post(view, message);
 }
 
-void ViewData::Post(POVMS_Message& message) const
+void StartLayers(ViewData& view, POVMS_Object& options)
 {
-    message.SetInt(kPOVAttrib_ViewId, viewId);
-    message.SetSourceAddress(sceneData->backendAddress);
-    message.SetDestinationAddress(sceneData->frontendAddress);
-    POVMS_SendMessage(message);
-}
-
-/// Sends the camera's numbers to the front end, if layers are asked for.
-void View::StartLayers(POVMS_Object& options)
-{
-    viewData.outputLayers = options.TryGetBool(pov_base::kPOVAttrib_OutputLayers, false);
-    if (!viewData.outputLayers)
+    view.outputLayers = options.TryGetBool(pov_base::kPOVAttrib_OutputLayers, false);
+    if (!view.outputLayers)
         return;
     std::vector<std::string> names;
     std::vector<POVMSInt> sizes;
     std::vector<POVMSFloat> values;
-    for (const LayerAttribute& attribute : LayerAttributesOf(viewData.camera, viewData.width))
+    for (const LayerAttribute& attribute : LayerAttributesOf(view.GetCamera(), view.GetWidth()))
     {
         names.push_back(attribute.name);
         sizes.push_back(attribute.values.size());
@@ -164,7 +153,7 @@ void View::StartLayers(POVMS_Object& options)
     message.SetString(pov_base::kPOVAttrib_LayerNames, pov_base::JoinedNames(names).c_str());
     message.SetIntVector(pov_base::kPOVAttrib_LayerSizes, sizes);
     message.Set(pov_base::kPOVAttrib_LayerValues, numbers);
-    viewData.Post(message);
+    Post(view, message);
 }
 
 } // namespace pov

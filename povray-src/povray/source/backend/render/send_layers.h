@@ -1,0 +1,38 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file send_layers.h
+/// The renderer's part of `Output_Layers`; see base/picture_layers.h.
+
+#ifndef POVRAY_BACKEND_SEND_LAYERS_H
+#define POVRAY_BACKEND_SEND_LAYERS_H
+
+#include <vector>
+
+#include "backend/frame.h"
+#include "base/povmscpp.h"
+
+namespace pov
+{
+
+class TracePixel;
+class ViewData;
+
+/// Cost and noise of a pixel.
+struct TiltLensEffort
+{
+    unsigned int samples;
+    double variance;  ///< see TileSampler::Variance()
+};
+
+/// Sends the camera's numbers to the front end, if layers are asked for.
+void StartLayers(ViewData& view, POVMS_Object& options);
+
+/// Sends a tile's layers, if they are asked for: first hits along the rays through the pixels' centres, and the pixels' effort. Called for
+/// each tile before its colours are sent, so that a tile whose colours are in the state file has its layers there, too.
+/// @param effort  row by row; empty for a tile that was not sampled
+void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const std::vector<TiltLensEffort>& effort = {});
+
+} // namespace pov
+
+#endif

@@ -1,0 +1,108 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file tilt_lens_tiles.cpp
+/// A thread's way through the tiles of a picture with `tilt_lens`.
+
+#include <algorithm>
+#include <vector>
+
+#include "backend/frame.h"
+#include "backend/colour/colour.h"
+#include "backend/render/send_layers.h"
+#include "backend/render/tilt_lens_tracer.h"
+#include "backend/render/trace_aids.h"
+#include "backend/render/tracetask.h"
+#include "backend/scene/view.h"
+#include "tilt_lens/sampling/tile_sampler.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+/// Traces test pixels before the first tile, shared among all threads, to weight the progress display.
+void EstimateWork(TiltLensTracer& tracer)
+{
+    static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
+    const tilt_lens::SamplingLimits& limits = tracer.view->camera.limits;
+    const unsigned int count = std::min(tilt_lens::settings.probeSamples, limits.max);
+    const RenderStatistics& stats = tracer.Stats();
+    const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
+    while (const auto probe = tracer.view->progress.NextProbe())
+    {
+        const auto before = raysTraced();
+        tilt_lens::SampleResult results[tilt_lens::settings.probeSamples];
+        tracer.samples.Trace({{probe->x, probe->y, 0}, count}, results);
+        std::vector<tilt_lens::Radiance> tried;
+        for (unsigned int i = 0; i < count; i++)
+            tried.push_back(results[i].radiance);
+        tracer.view->progress.SetWeight(probe->block, (raysTraced() - before) * ExpectedSamples(limits, tried));
+    }
+}
+
+/// @param alone   true if the tile may share no samples with others, because its pixels depend on the order of tracing
+/// @param pixels  row by row
+/// @param effort  of each
+void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect, bool alone, std::vector<Colour>& pixels,
+               std::vector<TiltLensEffort>& effort)
+{
+    const tilt_lens::Area tile = AreaOf(rect);
+    tilt_lens::BlockCache own(tracer.view->camera.limits, view.GetWidth(), view.GetHeight(), tile);
+    tilt_lens::TileSampler sampler(alone ? own : *tracer.view->blocks);
+    tracer.areaLights.sampled = tracer.areaLights.skipped = tracer.samples.refusedRays = 0;
+    sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); });
+    for (unsigned int y = tile.top; y < tile.Bottom(); y++)
+        for (unsigned int x = tile.left; x < tile.Right(); x++)
+        {
+            pixels.push_back(ToColour(sampler.Mean(x, y)));
+            effort.push_back({sampler.Samples(x, y), sampler.Variance(x, y)});
+        }
+    tilt_lens::SamplingStatistics statistics = sampler.Statistics();
+    statistics.lightPoints = tracer.areaLights.sampled;
+    statistics.lightPointsSkipped = tracer.areaLights.skipped;
+    statistics.refusedRays = tracer.samples.refusedRays;
+    tracer.view->Add(statistics);
+    tracer.Stats()[Number_Of_Pixels] += statistics.Pixels();
+    tracer.Stats()[Number_Of_Samples] += statistics.Samples();
+}
+
+} // namespace
+
+/// Final render of a `tilt_lens` picture; replaces all anti-aliasing methods.
+void TraceTask::TiltLensSampling()
+{
+    POVRect rect;
+    std::vector<Colour> pixels;
+    std::vector<TiltLensEffort> effort;
+    unsigned int serial;
+
+    TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
+    EstimateWork(tracer);
+    while (GetViewData()->GetNextRectangle(rect, serial) == true)
+    {
+        radiosity.BeforeTile(highReproducibility ? serial : 0);
+        pixels.clear();
+        effort.clear();
+        // reproducible radiosity starts each tile afresh
+        const bool alone = highReproducibility && GetSceneData()->radiositySettings.radiosityEnabled;
+        if (tracer.view->aids)
+            TraceAidTile(trace, *GetViewData(), rect, pixels);
+        else
+            TraceTile(tracer, *GetViewData(), rect, alone, pixels, effort);
+        radiosity.AfterTile();
+
+        tracer.view->progress.Finish(AreaOf(rect));
+        GetViewDataPtr()->AfterTile();
+        if (finalTrace)
+            SendLayers(trace, *GetViewData(), rect, effort);
+        GetViewData()->CompletedRectangle(rect, serial, pixels, 1, finalTrace);
+
+        Cooperate();
+    }
+}
+
+} // namespace pov

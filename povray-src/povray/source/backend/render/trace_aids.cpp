@@ -1,0 +1,49 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/render/trace_aids.h"
+
+#include <limits>
+
+#include "backend/render/chief_camera_ray.h"
+#include "backend/render/tilt_lens_tracer.h"
+#include "backend/render/tracepixel.h"
+#include "backend/scene/view.h"
+#include "tilt_lens/camera/ray.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+Colour AidPixel(TracePixel& trace, DBL x, DBL y, DBL width, DBL height)
+{
+    TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
+    const Camera& camera = tracer.GetCamera();
+    const TiltLensAids& aids = *tracer.view->aids;
+    Ray ray;
+    Colour colour;
+    if (!MakeChiefRay(trace, ray, x, y, width, height))
+        return colour;  // outside the image circle of a lens of glass
+    const DBL distance = aids.NeedsLight() ? tracer.TraceAlone(ray, (unsigned int)(int)x, (unsigned int)(int)y, colour)
+                                           : FirstHit(trace, camera, ray);
+
+    // a camera normal may have deflected the ray: blur depends on the depth along the axis
+    const tilt_lens::Lens& lens = tracer.view->camera.GetLens();
+    const tilt_lens::Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
+    const double before = lens.glass ? Dot(FromPov(ray.Origin) - FromPov(camera.Location), lens.axis) : 0.0;
+    const double depth = before + distance * Dot(FromPov(ray.Direction), lens.axis);
+    const double T = distance < HUGE_VAL && depth > 0.0 ? depth / Dot(lens.direction, lens.axis)
+                                                        : std::numeric_limits<double>::infinity();
+    return aids.Drawn(int(x), int(y), chief, T, colour);
+}
+
+void TraceAidTile(TracePixel& trace, const ViewData& view, const POVRect& rect, std::vector<Colour>& pixels)
+{
+    for (unsigned int y = rect.top; y <= rect.bottom; y++)
+        for (unsigned int x = rect.left; x <= rect.right; x++)
+            pixels.push_back(AidPixel(trace, x, y, view.GetWidth(), view.GetHeight()));
+    TiltLensTracer::Of(trace)->Stats()[Number_Of_Pixels] += rect.GetArea();
+}
+
+} // namespace pov

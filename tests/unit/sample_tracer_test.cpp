@@ -1,0 +1,203 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// The library owns its rays: a renderer returns radiance and distance, and the library makes samples of them.
+
+#include "tilt_lens/sampling/sample_tracer.h"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tile_results.h"
+
+namespace tilt_lens
+{
+namespace
+{
+
+constexpr std::uint32_t kWidth = 64, kHeight = 48;
+
+/// A wall across the camera's axis at some distance. Remembers the ranges that it was asked for.
+struct Wall : RayTracer
+{
+    double distance = 20.0;
+    std::vector<RayRange> asked;
+
+    void Trace(const CameraRays& rays, const RayRange& range, Hit* hits) override
+    {
+        asked.push_back(range);
+        for (std::uint32_t i = 0; i < range.count; i++)
+        {
+            EXPECT_NE(rays.samples.weight[range.place + i], 0.0) << "a blocked ray";
+            hits[i] = {{1.0, 2.0, 3.0, 0.5, 0.25}, distance / rays.direction[2][range.place + i]};
+        }
+    }
+};
+
+Statement StatementWith(const Character& character = {})
+{
+    Statement statement;
+    statement.focalPoint = {0.0, 0.0, 10.0};
+    statement.aperture = 2.0;
+    statement.character = character;
+    return statement;
+}
+
+SampledCamera CameraWith(const Statement& statement, bool denoise = true, bool deflects = false, const std::vector<Emitter>& lamps = {})
+{
+    const Lens lens = Solve({{}, {0.0, 0.0, 1.0}, {4.0 / 3.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
+    SamplingLimits limits = Limits(0, 64, 1e-3);
+    limits.denoise = denoise;
+    return SampledCamera(lens, Aperture::Disc(), statement, limits, {kWidth, kHeight, deflects, lamps});
+}
+
+/// Through a double Gauss.
+Statement StatementOfGlass()
+{
+    Statement statement;
+    statement.prescription = std::make_shared<const Prescription>(ReadPrescription(
+        "29.475 3.76 1.67 25.2\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23\n40.77 3.275 1.699 23\n12.75 5.705 1 18\n0 4.5 0 17.1\n"
+        "-14.495 1.18 1.603 17\n40.77 6.065 1.658 20\n-20.385 0.19 1 20\n437.065 3.22 1.717 20\n-39.73 0 1 20\n"));
+    statement.sceneUnit = 1.0;
+    statement.focalPoint = {0.0, 0.0, 3000.0};
+    return statement;
+}
+
+/// The results of a pixel's first group.
+std::vector<SampleResult> FirstGroup(const SampledCamera& camera, Wall& wall, std::uint32_t x, std::uint32_t y, bool aims = true)
+{
+    SampleTracer tracer(camera, wall, aims);
+    std::vector<SampleResult> results(settings.cameraRaysOfBatch);
+    tracer.Trace({{x, y, 0}, settings.cameraRaysOfBatch}, results.data());
+    return results;
+}
+
+TEST(SampleTracer, AsksOnceForARunOfPlainSamples)
+{
+    Wall wall;
+    const SampledCamera camera = CameraWith(StatementWith());
+    for (const SampleResult& result : FirstGroup(camera, wall, 20, 30))
+    {
+        EXPECT_EQ(result.radiance, (Radiance{1.0, 2.0, 3.0, 0.5, 0.25}));
+        EXPECT_EQ(result.expectedEmission, 0.0);
+    }
+    ASSERT_EQ(wall.asked.size(), 1u);
+    EXPECT_EQ(wall.asked[0].count, settings.cameraRaysOfBatch);
+    EXPECT_EQ(wall.asked[0].index, 0u);
+    EXPECT_TRUE(wall.asked[0].distances);
+}
+
+/// The lens is 1 wide and focused at 10: at the distance 1, where the frame is 4/3 wide, the circle of a point at 20 is 1/10 - 1/20 wide.
+TEST(SampleTracer, TurnsTheDistanceIntoACircle)
+{
+    Wall wall;
+    const SampledCamera camera = CameraWith(StatementWith());
+    const double radius = 0.5 * (1.0 / 10.0 - 1.0 / 20.0) * kWidth / (4.0 / 3.0);
+    for (const SampleResult& result : FirstGroup(camera, wall, 20, 30))
+    {
+        ASSERT_EQ(result.circle.lens, &camera.footprint);
+        EXPECT_NEAR(std::fabs(result.circle.xa), radius, 1e-4 * radius);
+        EXPECT_NEAR(std::fabs(result.circle.yb), radius, 1e-4 * radius);
+    }
+    wall.distance = 10.0;
+    for (const SampleResult& result : FirstGroup(camera, wall, 20, 30))
+        EXPECT_NEAR(result.circle.xa, 0.0, 1e-5) << "in focus";
+}
+
+TEST(SampleTracer, WeighsSamplesAimedAtEmitters)
+{
+    Wall wall;
+    const SampledCamera camera = CameraWith(StatementWith(), true, false, {{{0.0, 0.0, 40.0}, 0.03, 40.0}});
+    int aimed = 0;
+    double mean = 0.0;
+    for (const SampleResult& result : FirstGroup(camera, wall, 32, 24))
+    {
+        aimed += result.expectedEmission > 0.0;
+        mean += result.radiance[0] / settings.cameraRaysOfBatch;
+        EXPECT_EQ(result.radiance[2], 3.0 * result.radiance[0]);
+    }
+    EXPECT_EQ(aimed, int(settings.cameraRaysOfBatch / 2));
+    EXPECT_NE(mean, 1.0);
+    for (const SampleResult& result : FirstGroup(camera, wall, 32, 24, false))
+        EXPECT_EQ(result.radiance[0], 1.0) << "plain samples alone";
+}
+
+TEST(SampleTracer, DoesNotAskForBlockedRays)
+{
+    Statement statement = StatementOfGlass();
+    statement.shiftUp = 12.0;
+    const SampledCamera camera = CameraWith(statement);
+    Wall wall;
+    SampleTracer tracer(camera, wall);
+    int blocked = 0;
+    for (std::uint32_t y = 0; y < kHeight; y++)
+    {
+        SampleResult results[settings.cameraRaysOfBatch];
+        tracer.Trace({{0, y, 0}, settings.cameraRaysOfBatch}, results);
+        for (const SampleResult& result : results)
+            blocked += result.radiance == Radiance{};
+    }
+    std::uint32_t traced = 0;
+    for (const RayRange& range : wall.asked)
+        traced += range.count;
+    EXPECT_EQ(traced + blocked, kHeight * settings.cameraRaysOfBatch);
+    EXPECT_GT(blocked, 0);
+    EXPECT_GT(traced, 0u);
+    EXPECT_GT(tracer.refusedRays, 0u);
+}
+
+/// Each of the three rays is one of its sample, so that all draw the same random numbers, and gives its own channel.
+TEST(SampleTracer, MixesASampleOfThreeColours)
+{
+    Character fringes;
+    fringes.lateralColour = 0.1;
+    Wall wall;
+    const SampledCamera camera = CameraWith(StatementWith(fringes));
+    for (const SampleResult& result : FirstGroup(camera, wall, 20, 30))
+    {
+        for (std::size_t channel = 0; channel < result.radiance.size(); channel++)
+            EXPECT_NEAR(result.radiance[channel], (Radiance{1.0, 2.0, 3.0, 0.5, 0.25}[channel]), 1e-12);
+        EXPECT_EQ(result.circle.lens, nullptr);
+    }
+    ASSERT_EQ(wall.asked.size(), 3 * settings.cameraRaysOfBatch);
+    for (std::uint32_t i = 0; i < wall.asked.size(); i++)
+    {
+        EXPECT_EQ(wall.asked[i].count, 1u);
+        EXPECT_EQ(wall.asked[i].index, i / 3);
+    }
+}
+
+/// The footprint describes circles of confusion only for these cameras.
+TEST(SampledCamera, SpreadsSamplesOnlyWhereTheirCirclesAreKnown)
+{
+    EXPECT_TRUE(CameraWith(StatementWith()).spreads);
+    EXPECT_FALSE(CameraWith(StatementWith(), false).spreads) << "not denoised";
+    EXPECT_FALSE(CameraWith(StatementWith(), true, true).spreads) << "the renderer deflects rays";
+    Character distorts, curves, rims, lateral, axial, natural;
+    distorts.distortion1 = 0.1;
+    curves.fieldCurvature = 0.1;
+    rims.opticalVignetting = 0.5;
+    lateral.lateralColour = 0.1;
+    axial.axialColour = 0.1;
+    natural.naturalVignetting = 1.0;
+    for (const Character& character : {distorts, curves, rims, lateral, axial})
+        EXPECT_FALSE(CameraWith(StatementWith(character)).spreads);
+    EXPECT_TRUE(CameraWith(StatementWith(natural)).spreads);
+    EXPECT_FALSE(CameraWith(StatementOfGlass()).spreads);
+    EXPECT_FALSE(CameraWith(StatementOfGlass()).aims);
+}
+
+/// The usual minimum is less where samples may be aimed at emitters, in a picture that is denoised.
+TEST(SampledCamera, TakesMoreFirstSamplesWhereNoneCanBeAimed)
+{
+    EXPECT_EQ(CameraWith(StatementWith()).limits.min, settings.firstSamples);
+    EXPECT_EQ(CameraWith(StatementWith(), false).limits.min, settings.firstSamplesAlone);
+    EXPECT_EQ(CameraWith(StatementWith(), true, true).limits.min, settings.firstSamplesAlone);
+    EXPECT_TRUE(CameraWith(StatementWith(), true, true, {{{0.0, 0.0, 40.0}, 0.03, 40.0}}).emitters.Empty());
+}
+
+} // namespace
+} // namespace tilt_lens
