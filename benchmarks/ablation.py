@@ -15,6 +15,7 @@ import re
 import subprocess
 import tempfile
 
+from benchmarks.front import geometric_mean
 from benchmarks.lab import SCENES, TILT_LENS, Failed, digest
 from tools.repository import BUILD, ROOT
 
@@ -142,25 +143,40 @@ def kept(records):
     return max(record["mse"]/record["variance"] for record in records), max(record["beyond"] for record in records)
 
 
+def worst(found, name):
+    """The greatest figure of that name, and its scene."""
+    row = max((row for row in found if row[name] is not None), key=lambda row: row[name])
+    return row[name], row["scene"]
+
+
+def summary(rule, found):
+    """One row for a rule: means over its scenes, and the worst scenes."""
+    name, section, settings = rule
+    return {"rule": name, "section": section, "settings": settings,
+            "means": [geometric_mean(row["ratio"] for row in found if row["denoise"] == on) for on in (False, True)],
+            **{figure: worst(found, figure) for figure in ("ratio", "error", "beyond")}}
+
+
 def measure(lab):
-    """A row for each rule, scene, and denoise off and on."""
+    """A row for each rule."""
     build_tools(lab)
     (width, height), samples = size_and_samples(lab.quick)
-    rows = []
+    rules = (("", 0, ""), *RULES, *EMITTER_RULES)
+    rows = {rule: [] for rule in rules}
     for scene in OF_BENCHMARK + OF_GALLERY:
         found = replay(lab, recording(lab, scene), ["", *(settings for _, _, settings in RULES)])
         if scene in WITH_LAMPS:
             for _, _, settings in EMITTER_RULES:
                 for (_, on), records in replay(lab, recording(lab, scene, settings), [""]).items():
                     found[settings, on] = records
-        for name, section, settings in (("", 0, ""), *RULES, *EMITTER_RULES):
+        for rule in rules:
+            settings = rule[2]
             for on in (False, True):
                 if (settings, on) in found:
                     error, beyond = (None, None) if scene in TOO_FEW_SAMPLES else kept(found[settings, on])
-                    rows.append({"rule": name, "section": section, "settings": settings, "scene": scene, "denoise": int(on),
-                                 "ratio": ratio(found["", on], found[settings, on]), "error": error, "beyond": beyond,
-                                 "width": width, "height": height, "samples": samples})
-    return rows
+                    rows[rule].append({"scene": scene, "denoise": on, "ratio": ratio(found["", on], found[settings, on]),
+                                       "error": error, "beyond": beyond})
+    return {"size": [width, height], "samples": samples, "rules": [summary(rule, rows[rule]) for rule in rules]}
 
 
 def settings_of_header(text):

@@ -86,7 +86,7 @@ def compare(even, adaptive, sizes):
             continue
         evenly, ideally = error_after(uniform, rays), error_after(best, rays)
         if evenly and ideally:
-            rows.append({"variance": record["variance"], "samples": rays, "mse": mse, "over_uniform": mse/evenly,
+            rows.append({"samples": rays, "mse": mse, "over_uniform": mse/evenly,
                          "over_ideal": mse/ideally, "reference_mse": record["reference_mse"]})
     return rows
 
@@ -99,11 +99,10 @@ def of_scene(lab, scene, whole):
     reference = lab.reference(scene.shot(TILT_LENS, **kept), *REFERENCE)
     even = {n: squares(lab, scene.shot(TILT_LENS, declare=suite.limits(n, n, 1e-3), **kept), reference)["squares"]
             for n in (QUICK_SAMPLES if lab.quick else SAMPLES)}
-    adaptive = [{"variance": variance,
-                 **squares(lab, scene.shot(TILT_LENS, declare=suite.limits(4, MOST, variance), **kept), reference)}
+    adaptive = [squares(lab, scene.shot(TILT_LENS, declare=suite.limits(4, MOST, variance), **kept), reference)
                 for variance in (QUICK_VARIANCES if lab.quick else VARIANCES)]
     found = compare(even, adaptive, sizes_of_groups(*size))
-    return [{"scene": scene.name, "whole": list(whole), "size": list(size),
+    return [{"scene": scene.name, "whole": list(whole),
              **{name: float(f"{value:.4g}") for name, value in row.items()}} for row in found]
 
 

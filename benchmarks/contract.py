@@ -44,7 +44,7 @@ def measure(lab, scene, tilted, part=None):
     for variance, count in (QUICK if lab.quick else PICTURES).items():
         shot = scene.shot(TILT_LENS, tilted, declare=suite.limits(LEAST, MOST, variance), options=("+N",), **kept)
         found = claims(lab, shot, reference, batches + 1, count, variance)
-        rows.append({"scene": scene.name, "tilted": tilted, "variance": variance, "pictures": count, "mse": found["mse"],
+        rows.append({"scene": scene.name, "tilted": tilted, "variance": variance,
                      "share": found["mse"]/variance, "more": found["share_more"], "share_of_more": found["mse_more"]/variance,
                      "beyond": found["beyond"], "reference_mse": found["reference_mse"], "samples": found["samples"],
                      "estimated": found["estimated"], "true": found["true"]})

@@ -17,9 +17,23 @@ from benchmarks import report, tables
 from tools.repository import ROOT
 
 DOCS = ROOT / "docs"
+WIDTH = 360         # characters of a line of kept results: one row of a table
 PLACE = re.compile(r"(?P<begin><!-- benchmark: (?P<name>\w+) -->\n).*?(?P<end><!-- end of benchmark -->)", re.DOTALL)
 SUMMARIES = {"overview": (("stock", "tilted"), report.overview), "large": (("display",), report.overview_display),
              "goals": (tuple(report.GOALS), report.goals)}
+
+
+def compact(value, indent=""):
+    """JSON with as much on a line as fits."""
+    line = json.dumps(value)
+    if len(indent + line) <= WIDTH or not isinstance(value, (dict, list, tuple)):
+        return line
+    deeper = indent + " "
+    if isinstance(value, dict):
+        items, (begin, end) = [f"{json.dumps(key)}: {compact(item, deeper)}" for key, item in value.items()], "{}"
+    else:
+        items, (begin, end) = [compact(item, deeper) for item in value], "[]"
+    return f"{begin}\n{deeper}" + f",\n{deeper}".join(items) + f"\n{indent}{end}"
 
 
 def save(part, rows, program, docs=DOCS):
@@ -27,7 +41,7 @@ def save(part, rows, program, docs=DOCS):
     folder = docs / "benchmarks"
     folder.mkdir(parents=True, exist_ok=True)
     kept = {"program": program, "machine": tables.machine(), "rows": rows}
-    (folder / f"{part}.json").write_text(json.dumps(kept, indent=1) + "\n")
+    (folder / f"{part}.json").write_text(compact(kept) + "\n")
 
 
 def load(docs=DOCS):

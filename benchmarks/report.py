@@ -301,23 +301,17 @@ def section_crops(rows):
 
 # Rules of the sampler
 
-def section_ablation(rows):
-    found = {}
-    for row in rows:
-        found.setdefault((row["rule"], row["section"], row["settings"]), []).append(row)
+def section_ablation(found):
     cells = []
-    for (rule, section_number, settings), of_rule in found.items():
-        means = [geometric_mean(row["ratio"] for row in of_rule if row["denoise"] == on) for on in (0, 1)]
-        worst = max(of_rule, key=lambda row: row["ratio"])
-        judged = [row for row in of_rule if row["error"] is not None]
-        error, beyond = (max(judged, key=lambda row, name=name: row[name]) for name in ("error", "beyond"))
-        cells.append([rule or "*(nothing)*", f"{section_number or ''}", f"`{settings}`" if settings else "",
-                      *[f"{mean:.2f}" for mean in means], f"{worst['ratio']:.2f} {worst['scene']}" if settings else "",
-                      f"{error['error']:.1f} {error['scene']}", f"{100*beyond['beyond']:.0f} % {beyond['scene']}"])
-    first = rows[0]
+    for row in found["rules"]:
+        (ratio, scene), (error, scene_of_error), (beyond, scene_of_beyond) = row["ratio"], row["error"], row["beyond"]
+        cells.append([row["rule"] or "*(nothing)*", f"{row['section'] or ''}", f"`{row['settings']}`" if row["settings"] else "",
+                      *[f"{mean:.2f}" for mean in row["means"]], f"{ratio:.2f} {scene}" if row["settings"] else "",
+                      f"{error:.1f} {scene_of_error}", f"{100*beyond:.0f} % {scene_of_beyond}"])
+    width, height = found["size"]
     return [table(["without", "section", "settings", "work, `denoise off`", "work, `denoise on`", "worst scene",
                    "greatest MSE/V", "most pixels beyond 2 sqrt(V)"], cells),
-            f"Pictures of {first['width']} by {first['height']} with {first['samples']} recorded samples of each pixel."]
+            f"Pictures of {width} by {height} with {found['samples']} recorded samples of each pixel."]
 
 
 SECTIONS = {

@@ -19,6 +19,5 @@ def measure(lab):
     counts = [instructions.count(lab, lab.ours, dataclasses.replace(shot, size=instructions.SIZE), 3) for shot in shots] \
         if shutil.which("valgrind") and not lab.quick else None
     return [{"setting": setting, "untilted": runs[2*i]["cpu"], "tilted": runs[2*i + 1]["cpu"],
-             "samples_untilted": runs[2*i].get("samples"), "samples_tilted": runs[2*i + 1].get("samples"),
              "times": runs[2*i + 1]["cpu"]/runs[2*i]["cpu"],
              "instructions": counts and counts[2*i + 1]/counts[2*i]} for i, setting in enumerate(SETTINGS)]
