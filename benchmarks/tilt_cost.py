@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of a tilt: scenes/wall.pov has the same blur with and without. CPU times vary by more than the effect; instructions
-(of a smaller picture, if callgrind is installed) do not."""
+"""The cost of a tilt: scenes/wall.pov has the same blur with and without. CPU times vary by more than the effect;
+instructions (of a smaller picture) do not."""
 
 import dataclasses
 import shutil

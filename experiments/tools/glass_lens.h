@@ -58,8 +58,7 @@ class GlassLens
 
     double PrintedFocalLength() const { return mPrintedFocal; }  ///< of the rows as they are, mm
 
-    /// The way out into the scene of a ray from the film; nothing where the stop or, unless they
-    /// are left out, a rim ends it.
+    /// The ray's way out into the scene; nothing where the stop or a rim (unless left out) ends it.
     std::optional<Passage> Trace(const Ray& fromFilm, bool rims = true) const;
 
   private:
