@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parser, manual, manual page and editors have the same items of the block. Completion offers the right words, snippets render, and Vim
-colours the words (if Vim with its syntax files is installed)."""
+"""Parser, manual, manual page and editors have the same items. Completion offers the right words, snippets render,
+and Vim, if it is installed with its syntax files, colours the words."""
 
 import argparse
 import json
@@ -25,13 +25,11 @@ BATCH_KINDS = re.compile(r"(\w+(?:\|\w+)+)")
 
 
 def items():
-    """The words of the block, from the parser."""
     table = re.search(r"TiltLensItems::kAll\[.*?\] = \{(.*?)\};", WORDS.read_text(), re.DOTALL)[1]
     return sorted(re.findall(r'\{"(\w+)"', table))
 
 
 def grammar():
-    """The injected grammar of Visual Studio Code."""
     return json.loads((EDITORS / "vscode" / "syntaxes" / "tilt-lens.injection.json").read_text())
 
 
@@ -78,8 +76,6 @@ class SameWords(unittest.TestCase):
 
 
 class Code(unittest.TestCase):
-    """The package of Visual Studio Code."""
-
     def test_files(self):
         package = json.loads((EDITORS / "vscode" / "package.json").read_text())
         for entry in package["contributes"]["grammars"] + package["contributes"]["snippets"]:
@@ -95,7 +91,6 @@ class Code(unittest.TestCase):
         self.assertRegex("Tilt_Lens_Miniature(A, B, 1)", rules["macro"]["match"])
 
     def test_a_snippet_for_an_item_is_no_block(self):
-        """It is typed inside the block."""
         table = json.loads((EDITORS / "vscode" / "snippets" / "tilt-lens.json").read_text())
         for entry in table.values():
             if entry["prefix"] in items():
@@ -120,8 +115,6 @@ class Code(unittest.TestCase):
 
 
 class Completion(unittest.TestCase):
-    """The completions that Bash offers."""
-
     def offered(self, line, folder=ROOT):
         words = line if isinstance(line, list) else line.split(" ")
         script = (f". '{EDITORS / 'bash' / 'povray-tilt-lens.bash'}'\n"
@@ -193,8 +186,6 @@ class Completion(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("vim"), "Vim is not installed")
 class Vim(unittest.TestCase):
-    """The highlight groups that Vim gives to words of a scene."""
-
     # below each line its highlight groups: I item, B the block's word, M macro, E an error, . none of ours
     SCENE = """#declare tilt = 3;
          .

@@ -29,7 +29,6 @@ def run_libfuzzer(program, *arguments):
 
 
 def solver(settings):
-    """Some thousand inputs, derived from plain cameras."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         seeds.write(folder / "corpus")
@@ -38,7 +37,6 @@ def solver(settings):
 
 
 def prescription(settings):
-    """Some thousand files, derived from the lenses of the program."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         seeds.write_lenses(folder / "corpus")
@@ -48,13 +46,12 @@ def prescription(settings):
 
 
 def known_words():
-    """The words of the block, from the parser's own table."""
     table = (ROOT / "povray-src/povray/source/backend/parser/tilt_lens_words.cpp").read_text()
     return set(re.findall(r'^    \{"(\w+)", ', table, re.MULTILINE))
 
 
 def grammar_blocks(settings):
-    """Blocks of the grammar through the parser: each results in a lens or in one error, and both occur often."""
+    """Each block results in a lens or in one error, and both occur often."""
     missing = known_words() ^ set(grammar.WORDS)
     if missing:
         sys.exit(f"the grammar and the parser know different words: {sorted(missing)}")
@@ -68,7 +65,7 @@ def grammar_blocks(settings):
 
 
 def grammar_frames(settings):
-    """Renders some accepted blocks; bad ones among them are detected, and the others are rendered nevertheless."""
+    """Bad blocks among the accepted ones are detected, and the others are rendered nevertheless."""
     accepted = [o.text for o in blocks.run(settings.parser, 2, 3 * FRAMES) if o.answer == "lens"][:FRAMES]
     if len(accepted) < FRAMES:
         sys.exit(f"only {len(accepted)} of {3 * FRAMES} blocks accepted")
@@ -83,7 +80,6 @@ def grammar_frames(settings):
 
 
 def regressions(settings):
-    """Inputs that once failed, and the kept corpus."""
     cameras, texts = (kept.load("corpus", name) + kept.load("regressions", name) for name in ("solver", "parser"))
     if not cameras or not texts:
         sys.exit("no kept cameras or blocks")

@@ -42,8 +42,6 @@ class Expected:
 
 @dataclasses.dataclass
 class Case:
-    """A scene, and the messages that POV-Ray must print."""
-
     name: str
     files: dict  # name -> text; the scene is SCENE
     options: list
@@ -65,7 +63,6 @@ def place_of_mark(name, files):
 
 
 def parse_case(name, lines):
-    """One case from its lines."""
     files, options, expected, ok = {SCENE: []}, [], [], False
     target = SCENE
     for line in lines:
@@ -104,7 +101,6 @@ def parse_case(name, lines):
 
 
 def read_cases(path):
-    """All cases of a file."""
     blocks = []
     for line in path.read_text().split("\n"):
         if line.startswith("==="):
