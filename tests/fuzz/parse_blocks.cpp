@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_blocks.cpp
-/// Reads the texts of blocks from standard input, each ended by a zero byte, and parses each as a scene of its own. Prints one line per
-/// block at once, so that a crash can be attributed: `lens`, `none` (no tilt_lens in the end), `error WORDS` or `wrong WORDS`.
+/// Parses texts of blocks from standard input, each ended by a zero byte, as scenes of their own. Prints one line per
+/// block at once, so that a crash can be attributed: `lens`, `none` (no tilt_lens in the end), `error WORDS` or `wrong
+/// WORDS`.
 
 #include <iostream>
 #include <string>

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The oracle's optics against closed forms, which make it an independent reference.
+// The oracle's optics against closed forms.
 
 #include <cmath>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 """Runs POV-Ray on each case of a file, and compares its messages with the expected ones.
 
 An expected error must be the only one, name file and line, contain the expected parts in their order, end the
-program with a non-zero exit code, and leave no picture. Where no error is expected the picture must be there.
+program with a non-zero exit code, and leave no picture. Without an expected error the picture must be there.
 Warnings must be those expected."""
 
 import argparse

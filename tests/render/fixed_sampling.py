@@ -1,19 +1,19 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The default settings are no worse than fixed sampling: in random scenes, a picture has no more error than one that takes as many
-rays in each pixel. Lamps of random radiance, size and blur, which a finish or a texture_map tells or a mirror shows, are hidden in
-part by random edges.
+"""The default settings are no worse than fixed sampling: in random scenes, a picture has no more error than one that takes
+as many rays in each pixel. Lamps of random radiance, size and blur are told by a finish or a texture_map or shown by a
+mirror, and hidden in part by random edges.
 
     fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
 
-*What is compared.* With pictures d and f of one seed, which share their first samples, and an independent reference R without bias, the
-sum of (d - R)^2 - (f - R)^2 over the pixels is the difference of their errors: R's noise cancels but for its product with d - f, so that it may
-be much noisier than would do for either error. The excess is this over the sum of (d - R)^2 + (f - R)^2. It lies between -1 and 1, and is
-above zero where the default has more error. Fixed sampling takes the default's rays, rounded down.
+*The comparison.* Pictures d and f of one seed share their first samples; R is an independent reference without bias. The
+sum of (d - R)^2 - (f - R)^2 over the pixels is the difference of their errors. R's noise cancels but for its product with
+d - f, so R may be noisy. The excess is this sum over that of (d - R)^2 + (f - R)^2: between -1 and 1, and above zero where
+the default has more error. Fixed sampling takes the default's rays, rounded down.
 
-*The margin.* The excesses of the seeds differ by chance; from that, and from what R's noise adds, follows the standard error of their mean.
-A scene fails if its mean is above zero by more than Student's quantile times that, for a chance of one in a hundred that any scene fails where
-both errors are the same (Sidak)."""
+*The margin.* The standard error of the mean excess follows from the differences between seeds and from R's noise. A scene
+fails if its mean is above zero by more than Student's quantile times that. If both errors are the same, the chance that
+any scene fails is one in a hundred (Sidak)."""
 
 import argparse
 import concurrent.futures

@@ -3,7 +3,7 @@
 """A program that starts more slowly than its parser, and whose threads report finished tiles late. It must start and
 must not read the parser's list of lights meanwhile; its progress must neither fall nor miss a pixel.
 
-python3 -m tests.stress.slow_tasks PROGRAM"""
+    python3 -m tests.stress.slow_tasks PROGRAM"""
 
 import os
 import pathlib

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread_test.cpp
-/// No error counts as zero, however large: the tables consist of these counts.
+/// No error counts as zero, however large.
 
 #include <limits>
 

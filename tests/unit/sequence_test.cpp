@@ -239,8 +239,6 @@ TEST(PixelSampler, ScramblingIsOwens)
         }
 }
 
-// ---- independence of pixels and seeds ---------------------------------------------------------
-
 /// An integrand with its exact mean.
 struct Integrand
 {
@@ -383,8 +381,6 @@ TEST_P(SamplerIntegral, ErrorFallsFasterThanForRandomSamples)
     const bool smooth = GetParam().name == integrands[0].name;
     EXPECT_LT(slope, smooth ? -0.7 : -0.6) << "errors " << few << " and " << many;
 }
-
-// ---- the hash ---------------------------------------------------------------------------------
 
 TEST(PixelHash, IsTheSameFromTheSamplerAndTheFunction)
 {

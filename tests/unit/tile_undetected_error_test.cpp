@@ -56,8 +56,9 @@ TEST(TileSamplerUndetectedError, StaysAfterTheReconstruction)
     EXPECT_GT(undetected, 0.5 * all);
 }
 
-// A feature that deviates from the mean by 1/2 and covers a fraction p is missed by n samples with an expected square error of at most (2 /
-// n / e)^2 / 4. So n = 0.37 / sqrt(V) suffice: the round after that is the last, and the first is not.
+// A feature that deviates from the mean by 1/2 and covers a fraction p is missed by n samples. The expected square
+// error is at most (2 / n / e)^2 / 4, so n = 0.37 / sqrt(V) suffice: the round after that is the last, and the first
+// is not.
 TEST(TileSamplerUndetectedError, PixelsBesideNoiseStopOnceTheyWouldHaveHitIt)
 {
     for (const double variance : {1e-4, 1e-5, 1e-6})
