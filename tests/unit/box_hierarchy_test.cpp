@@ -145,7 +145,7 @@ std::vector<BoxItem> Boxes(unsigned int seed, int number, double world, double s
     return items;
 }
 
-TEST(BoxHierarchy, EmptyHierarchy)
+TEST(BoxHierarchy, FindsNothingWhenEmpty)
 {
     const Scene scene({});
     scene.ExpectNearestFound({{0, 0, 0}, {1, 0, 0}});
@@ -195,7 +195,7 @@ TEST(BoxHierarchy, MemoryIsAsDocumented)
 }
 
 /// Rays along one axis or two, from faces, edges and corners of the boxes, where rounding decides.
-TEST(BoxHierarchy, RaysAlongAxesAndOnFaces)
+TEST(BoxHierarchy, FindsBoxesByRaysAlongAxesAndOnFaces)
 {
     std::vector<BoxItem> items;
     for (int x = -2; x <= 2; x++)
@@ -213,7 +213,7 @@ TEST(BoxHierarchy, RaysAlongAxesAndOnFaces)
         }
 }
 
-TEST(BoxHierarchy, SizesFromTinyToHuge)
+TEST(BoxHierarchy, FindsBoxesFromTinyToHuge)
 {
     Dice dice(11);
     for (int round = 0; round < 200; round++)
@@ -245,7 +245,7 @@ TEST(BoxHierarchy, SizesFromTinyToHuge)
 }
 
 /// All boxes in one place but one, without thickness: no split separates them, and the stack suffices.
-TEST(BoxHierarchy, CoincidentBoxes)
+TEST(BoxHierarchy, FindsCoincidentBoxes)
 {
     std::vector<BoxItem> items(5000, BoxItem{{-1, -1, -1}, {1, 1, 1}, nullptr});
     for (int i = 0; i < 3000; i++)
@@ -266,7 +266,7 @@ TILT_LENS_FOR_AVX2 unsigned int EnterByAvx2(const EightBoxes& boxes, const RayOf
     return BoxRay<Float8>(ray.origin.data(), ray.direction.data()).Enter(boxes, limit, begin);
 }
 
-TEST(BoxRay, SameResultsOnEveryProcessor)
+TEST(BoxRay, IsTheSameOnEveryProcessor)
 {
     if (!HasAvx2())
         GTEST_SKIP() << "This processor has no AVX2.";
@@ -300,7 +300,7 @@ TILT_LENS_FOR_AVX2 std::vector<const void*> WalkByAvx2(const BoxHierarchy& hiera
 }
 
 /// The same objects in the same order.
-TEST(BoxHierarchy, SameWalkOnEveryProcessor)
+TEST(BoxHierarchy, IsWalkedAlikeOnEveryProcessor)
 {
     if (!HasAvx2())
         GTEST_SKIP() << "This processor has no AVX2.";

@@ -56,7 +56,7 @@ Vec3 Towards(const Vec3& from, const Vec3& to) { return Normalized(to - from); }
 /// Point of a ray at a depth.
 Vec3 At(const GlassRay& ray, double z) { return ray.origin + ((z - ray.origin.z) / ray.direction.z) * ray.direction; }
 
-TEST(CardinalPoints, ThickLens)
+TEST(CardinalPoints, MatchAThickLens)
 {
     // lensmaker's equation, and positions of the principal points
     const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
@@ -69,7 +69,7 @@ TEST(CardinalPoints, ThickLens)
     EXPECT_NEAR(points.backFocus, f + rear, 1e-12);
 }
 
-TEST(CardinalPoints, ThinLensAndBall)
+TEST(CardinalPoints, MatchAThinLensAndABall)
 {
     const CardinalPoints thin = GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5)).Cardinal();
     EXPECT_NEAR(thin.focalLength, 50.0, 1e-8);
@@ -81,7 +81,7 @@ TEST(CardinalPoints, ThinLensAndBall)
     EXPECT_NEAR(ball.frontVertex, 11.0, 1e-12);
 }
 
-TEST(CardinalPoints, Pupils)
+TEST(CardinalPoints, PupilsAreImagesOfTheStop)
 {
     // a stop before the glass is its own entrance pupil; its exit pupil is its image
     const GlassLens lens(Singlet(50.0, -50.0, 1e-9, 1.5, 20.0));

@@ -329,7 +329,7 @@ TEST(BadNumbers, YieldAnErrorOrAUsableLens)
         }
 }
 
-TEST(Warnings, TurnsPast15DegreesAndOnlyThose)
+TEST(Warnings, NameTurnsPast15DegreesOnly)
 {
     Random random(9);
     for (int i = 0; i < 300; i++)
@@ -356,7 +356,7 @@ TEST(Warnings, TurnsPast15DegreesAndOnlyThose)
     EXPECT_NE(warnings[0].find("16.7"), std::string::npos) << warnings[0];
 }
 
-TEST(Warnings, ATiltWithoutAnAperture)
+TEST(Warnings, NameATiltWithoutAnAperture)
 {
     Request request = PlainRequest();
     request.given.fStop.reset();
@@ -372,7 +372,7 @@ TEST(Warnings, ATiltWithoutAnAperture)
 }
 
 /// The rim reaches radius * sin(turn) behind the lens centre, for any direction of the turn.
-TEST(Warnings, ARimThatPassesThroughTheFilm)
+TEST(Warnings, NameARimThatPassesThroughTheFilm)
 {
     Random random(10);
     for (int i = 0; i < 300; i++)
