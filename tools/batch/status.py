@@ -17,7 +17,6 @@ from tools.batch.store import UsageError, Work, read_json
 
 
 def unit(work, description, state, number):
-    """The entry of one unit."""
     key = description["key"]
     bands = len(key["bands"])
     name = unit_name(number, bands)
@@ -35,7 +34,6 @@ def unit(work, description, state, number):
 
 
 def show(folder):
-    """Prints the JSON; the exit code is 0."""
     folder = os.path.abspath(folder)
     found = [name for name in (folder, folder + ".batch") if read_json(Work(name).description)]
     if not found:
