@@ -126,8 +126,8 @@ def read_rulers(lab, name, lens, through, rulers):
 
 
 def slanted(lens, x, top, bottom):
-    """A ruler between two rows of the picture across the plane of sharp focus, its ends 6 pixels out of focus, the
-    far one less where that would be nearly at infinity."""
+    """A ruler between two rows of the picture across the plane of sharp focus. Its ends are 6 pixels out of focus,
+    the far one less where that would be nearly at infinity."""
     view, ends = lens.view, []
     defocus = 6 / (lens.radius * lens.pixels_per_slope())
     for y, sign in ((top, -1), (bottom, 1)):

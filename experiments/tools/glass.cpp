@@ -87,7 +87,7 @@ double Between(const std::array<double, 2>& a, const std::array<double, 2>& b)
     return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// Mean distances in pixels along a line of the film, at the depth of the visible surface, between the rays of each
+/// Mean distances in pixels along a line of the film, at the depth of the visible surface. Between the rays of each
 /// model and the next, of the first and the last, and of an ideal lens with character and the last.
 json MeasureLine(const GlassCamera& camera, const paper::Character& character, double x0, double y0, double x1, double y1)
 {

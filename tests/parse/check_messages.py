@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs POV-Ray on each case of a file, and compares its messages with the expected ones.
 
-An expected error must be the only one, name file and line, contain the expected parts in their order, end the
-program with a non-zero exit code, and leave no picture. Without an expected error the picture must be there.
-Warnings must be those expected."""
+An expected error must be the only one, name file and line, and contain the expected parts in their order. The exit
+code must not be zero, and there must be no picture. Without an expected error the picture must be there. Warnings
+must be those expected."""
 
 import argparse
 import os

@@ -21,7 +21,7 @@ struct RayOfTest
     std::array<double, 3> origin, direction;
 };
 
-/// Ray parameter of the entry into a box, by the slab method in extended precision: 0 from inside, infinity for a miss. Touching counts.
+/// Slab method in extended precision: 0 from inside, infinity for a miss. Touching counts.
 long double EntryOf(const BoxItem& item, const RayOfTest& ray)
 {
     const long double never = std::numeric_limits<long double>::infinity();
@@ -50,7 +50,6 @@ class Scene
     std::vector<BoxItem> items;
     BoxHierarchy hierarchy;
 
-    /// Indices of the visited items.
     std::multiset<long> Visited(const RayOfTest& ray, double limit) const
     {
         std::multiset<long> visited;
@@ -58,7 +57,6 @@ class Scene
         return visited;
     }
 
-    /// Finds the nearest box as a caller does.
     double Nearest(const RayOfTest& ray) const
     {
         double nearest = std::numeric_limits<double>::infinity();
@@ -69,7 +67,6 @@ class Scene
         return nearest;
     }
 
-    /// Each box that the ray meets before the limit is visited exactly once.
     void ExpectAllVisited(const RayOfTest& ray, double limit) const
     {
         const std::multiset<long> visited = Visited(ray, limit);
@@ -168,7 +165,6 @@ TEST(BoxHierarchy, FindsAllAndTheNearest)
     }
 }
 
-/// Few boxes are visited in vain.
 TEST(BoxHierarchy, VisitsFewBoxesInVain)
 {
     const Scene scene(Boxes(5, 20000, 10.0, 0.2));
@@ -260,7 +256,7 @@ TEST(BoxHierarchy, FindsCoincidentBoxes)
     scene.ExpectAllVisited({{3, 4, 5}, {-0.5, -0.7, -0.9}}, std::numeric_limits<double>::infinity());
 }
 
-/// With AVX2 and without, to the last bit; skipped on processors without AVX2.
+/// Skipped on processors without AVX2.
 TILT_LENS_FOR_AVX2 unsigned int EnterByAvx2(const EightBoxes& boxes, const RayOfTest& ray, float limit, float* begin)
 {
     return BoxRay<Float8>(ray.origin.data(), ray.direction.data()).Enter(boxes, limit, begin);

@@ -53,7 +53,6 @@ Character Curved(double millimetres)
     return character;
 }
 
-/// Calls check(lens, picture point) for film points of lenses with distortion and field curvature.
 template <typename Check>
 void ForManyPoints(const Check& check)
 {

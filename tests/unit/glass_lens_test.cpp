@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// A lens of glass: cardinal points by closed forms, real rays by Snell's law, surfaces without aberration, the paraxial limit, reversal,
-// and the fates of rays.
+// Cardinal points by closed forms, real rays by Snell's law, surfaces without aberration, the paraxial limit,
+// reversal, and the fates of rays.
 
 #include "tilt_lens/glass/glass_lens.h"
 
@@ -53,7 +53,6 @@ Prescription Aspheric()
 
 Vec3 Towards(const Vec3& from, const Vec3& to) { return Normalized(to - from); }
 
-/// Point of a ray at a depth.
 Vec3 At(const GlassRay& ray, double z) { return ray.origin + ((z - ray.origin.z) / ray.direction.z) * ray.direction; }
 
 TEST(CardinalPoints, MatchAThickLens)
@@ -240,7 +239,7 @@ TEST(GlassLens, RaysAreReversible)
     }
 }
 
-/// Through, past and against rims and stop, so that some of the four are blocked.
+/// Through, past and against rims and stop: some of the four are blocked.
 TEST(GlassLens, TracesFourSideBySideAsOneByOne)
 {
     std::mt19937 random(2);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Statements that no lens fulfils, and warnings. Any input yields a usable lens or an error in words.
+// Any input yields a usable lens or an error in words.
 
 #include <functional>
 #include <limits>
@@ -282,7 +282,6 @@ Request RequestOf(FocusFamily family, bool focalLength)
     return request;
 }
 
-/// Either an error or a lens with finite numbers.
 void ExpectErrorOrLens(const Request& request, bool errorWanted)
 {
     SCOPED_TRACE(testing::Message() << request);

@@ -30,7 +30,6 @@ struct LensCoordinates
 const LensCoordinates kLensPoints[] = {
     {0, 0}, {1, 0}, {0, 1}, {-0.6, 0.8}, {0.3, -0.4}, {-0.7, -0.7}};
 
-/// Calls check(request, lens, random) for random cameras of every family, with and without focal length.
 template <typename Check>
 void ForManyCameras(int count, Check check)
 {

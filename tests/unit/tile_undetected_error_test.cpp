@@ -23,7 +23,6 @@ void NoisyColumns(const SampleId& id, SampleResult& light)
     light = Grey(id.x % 4 == 0 ? (Noise(id, 1) > 0.5 ? 1.0 : 0.0) : 0.5);
 }
 
-/// Samples of the pixels beside the noise.
 std::uint32_t SamplesBesideNoise(double variance)
 {
     std::uint32_t most = 0;

@@ -182,7 +182,7 @@ TEST_P(RequestedVariance, IsKeptWhereOneSampleInAHundredMatters)
     EXPECT_LE(s.Beyond(), 0.05);
 }
 
-/// Weak noise, with strong noise in every fourth column.
+/// Strong noise in every fourth column.
 void Columns(const SampleId& id, SampleResult& light)
 {
     light = Grey(0.5 + (id.x % 4 == 0 ? 0.8 : 0.08) * (Noise(id, 1) - 0.5));

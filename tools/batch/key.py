@@ -141,7 +141,7 @@ def first_difference(these, those):
 
 
 def changed_settings(old, new):
-    """Of the rest of the key, one line each, for the user."""
+    """Changes of the other settings, one line each, for the user."""
     for name, text in TEXTS.items():
         if old.get(name) != new.get(name):
             was, now = old.get(name), new.get(name)
