@@ -10,7 +10,7 @@
 ///
 /// Frame: z along the lens's axis toward the scene, origin in the front principal point H. The film
 /// side principal point H' is at -Separation(). A thin lens is this lens with the space between H
-/// and H' taken out, so the two are compared with the film moved back by that much along the axis.
+/// and H' taken out, so they are compared with the film moved back by that much along the axis.
 
 #ifndef PAPER_GLASS_LENS_H
 #define PAPER_GLASS_LENS_H

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files of cases: small scenes with what POV-Ray must say of them.
+"""Files of cases: small scenes with the expected messages.
 
     === name of the case
     camera { @view tilt_lens { tilt 90 } }      // <<
@@ -15,7 +15,7 @@
     --- says: PARTS         the message stream has these parts in this order
     --- ok                  no error, and no warning
 
-At least one of the last four must stand; what is not listed must not be said.
+At least one of the last four must stand; other messages are faults.
 
 Every scene begins with a line with #version 3.7 and an object, unless it has a #version of its own.
 "@view" stands for a location and look_at.

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampler.cpp
-/// The sampler at length: `stress_sampler LOG2_SAMPLES` writes figures of a few pixels as JSON. The quality of every
-/// 2-D projection up to 2^LOG2_SAMPLES samples, samples that come twice, the end of the index, the star discrepancy of
-/// the lens pair, and the correlation of neighbouring pixels.
+/// The sampler at length: `stress_sampler LOG2_SAMPLES` writes figures of a few pixels as JSON: the quality of every
+/// 2-D projection up to 2^LOG2_SAMPLES samples, repeated samples, the end of the index, the star discrepancy of the
+/// lens pair, the correlation of neighbours.
 ///
 /// Literature: H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), theorem 4.7:
 /// a (0, m, 2)-net in base 2 has N D* <= m/2 + 3/2. J. H. Halton, S. K. Zaremba, "The extreme and L2

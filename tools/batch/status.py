@@ -5,7 +5,7 @@
     {"kind": "film", "output": "/home/me/film", "complete": false, "done": 1, "running": 1, "failed": 0, "waiting": 46,
      "units": [{"picture": "film0001.png", "rows": [1, 360], "state": "done", "host": "n1", "seconds": 12.5, "log": ...}]}
 
-`state` is waiting, running, done or failed; `percent` (running) is what POV-Ray reported last, `reason` (failed) the message.
+`state` is waiting, running, done or failed; `percent` (running) is POV-Ray's last report, `reason` (failed) the message.
 """
 
 import json

@@ -4,7 +4,7 @@
 
 The work folder:
 
-    batch.json          what this batch is: its key (see key.py), its units and tasks
+    batch.json          the key (see key.py), units and tasks
     lock                held by the front end
     inputs/             links to the scene, its folder and other folders, under names that POV-Ray can take
     units/PPPPP.BBBB/   one folder for band B of picture P: POV-Ray runs in it
