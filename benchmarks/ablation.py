@@ -1,12 +1,13 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What each rule of the sampler is worth: the work for the same error without it.
+"""The worth of each rule of the sampler: the work for the same error without it.
 
-The first samples of every pixel are recorded once for a scene, and a sampler without the rule gets them from the recording:
-a sample depends on its pixel and its number alone. So a rule costs seconds to try, and the same samples decide about all.
-Rules of the emitter sampling change samples, and are recorded anew in scenes with lamps.
+The first samples of every pixel are recorded once for a scene; a sample depends on its pixel and its number alone, so
+a sampler without the rule gets the same ones. Rules of the emitter sampling change samples and are recorded anew in
+scenes with lamps.
 
-Work is samples a pixel; the error is that against the mean of all recorded samples, of which a pixel gets at most a quarter."""
+Work is samples a pixel. The error is that against the mean of all recorded samples, of which a pixel gets at most a
+quarter."""
 
 import json
 import math
@@ -15,6 +16,7 @@ import re
 import subprocess
 import tempfile
 
+from benchmarks.front import geometric_mean
 from benchmarks.lab import SCENES, TILT_LENS, Failed, digest
 from tools.repository import BUILD, ROOT
 
@@ -23,11 +25,11 @@ OF_BENCHMARK = ("checks", "foliage", "town", "glass", "lights", "shadows", "land
 OF_GALLERY = tuple(path.stem for path in sorted(GALLERY.glob("*.pov")))
 WITH_LAMPS = ("lights", "city_lights")
 VARIANCES = (4e-3, 1e-3, 2.5e-4)
-LEAST_KEPT = 1e-3           # variance that the recorded samples suffice for in every scene but the following
+LEAST_KEPT = 1e-3           # the recorded samples suffice for this variance, in every scene but the following
 TOO_FEW_SAMPLES = ("chess_at_night",)
 NEVER, ALWAYS = "1e30", "0"
 
-# Rule, the section of docs/sampling.md, and the settings that take it out.
+# Rule, section of docs/sampling.md, settings without the rule.
 RULES = (
     ("longer first rounds", 1, "farShare=2"),
     ("shrinkage of the sample variance", 3, f"shrinkageSamples={ALWAYS}"),
@@ -56,7 +58,7 @@ RULES = (
     ("forecast of the reconstruction", 9, f"forecastCost={NEVER}"),
     ("forecast only where it may save its time", 9, f"forecastCost={ALWAYS}"),
 )
-# The same, of the emitter sampling: samples change.
+# Rules that change samples.
 EMITTER_RULES = (
     ("choice of the film point", 7, f"lensPointBlur={ALWAYS}"),
     ("half of the samples at emitters, not a quarter", 7, "emitterShare=0.25"),
@@ -77,7 +79,6 @@ def build_tools(lab):
 
 
 def recording(lab, scene, settings=""):
-    """The file with a scene's samples."""
     (width, height), samples = size_and_samples(lab.quick)
     folder = SCENES if scene in OF_BENCHMARK else GALLERY
     program = lab.tools / "record_samples"
@@ -102,7 +103,6 @@ def recording(lab, scene, settings=""):
 
 
 def replay(lab, path, lines):
-    """Records of replay_samples for each line of settings."""
     (width, height), samples = size_and_samples(lab.quick)
     done = subprocess.run([str(lab.tools / "replay_samples"), path, str(width), str(height), str(samples), "--variances",
                            ",".join(map(str, VARIANCES)), "--denoise", "0,1"], input="".join(line + "\n" for line in lines),
@@ -116,8 +116,8 @@ def replay(lab, path, lines):
 
 
 def work_for(curve, mse):
-    """Samples a pixel for an error, on straight lines of logarithms through a curve, its ends lengthened with the slope -1 of
-    independent samples."""
+    """Samples a pixel for an error, on straight lines of logarithms through a curve. Its ends are lengthened with
+    the slope -1 of independent samples."""
     points = sorted((math.log(record["mse"]), math.log(record["samples"])) for record in curve if record["mse"] > 0)
     wanted = math.log(mse)
     if wanted <= points[0][0]:
@@ -131,40 +131,54 @@ def work_for(curve, mse):
 
 
 def ratio(base, other):
-    """Work without a rule over work with it for the same error: geometric mean over the errors reached without it."""
+    """Work without a rule over work with it: geometric mean over the errors reached without it."""
     logs = [math.log(record["samples"]/work_for(base, record["mse"])) for record in other if record["mse"] > 0]
     return math.exp(sum(logs)/len(logs)) if logs else 1.0
 
 
 def kept(records):
-    """What the contract's clauses of error limit: mean square error over V, and the share of pixels that are far off."""
+    """Figures that the contract limits: mean square error over V, and the share of pixels that are far off."""
     records = [record for record in records if record["variance"] >= LEAST_KEPT]
     return max(record["mse"]/record["variance"] for record in records), max(record["beyond"] for record in records)
 
 
+def worst(found, name):
+    """The greatest figure of that name, and its scene."""
+    row = max((row for row in found if row[name] is not None), key=lambda row: row[name])
+    return row[name], row["scene"]
+
+
+def summary(rule, found):
+    """One row for a rule: means over its scenes, and the worst scenes."""
+    name, section, settings = rule
+    return {"rule": name, "section": section, "settings": settings,
+            "means": [geometric_mean(row["ratio"] for row in found if row["denoise"] == on) for on in (False, True)],
+            **{figure: worst(found, figure) for figure in ("ratio", "error", "beyond")}}
+
+
 def measure(lab):
-    """A row for each rule, scene, and denoise off and on."""
     build_tools(lab)
     (width, height), samples = size_and_samples(lab.quick)
-    rows = []
+    rules = (("", 0, ""), *RULES, *EMITTER_RULES)
+    rows = {rule: [] for rule in rules}
     for scene in OF_BENCHMARK + OF_GALLERY:
         found = replay(lab, recording(lab, scene), ["", *(settings for _, _, settings in RULES)])
         if scene in WITH_LAMPS:
             for _, _, settings in EMITTER_RULES:
                 for (_, on), records in replay(lab, recording(lab, scene, settings), [""]).items():
                     found[settings, on] = records
-        for name, section, settings in (("", 0, ""), *RULES, *EMITTER_RULES):
+        for rule in rules:
+            settings = rule[2]
             for on in (False, True):
                 if (settings, on) in found:
                     error, beyond = (None, None) if scene in TOO_FEW_SAMPLES else kept(found[settings, on])
-                    rows.append({"rule": name, "section": section, "settings": settings, "scene": scene, "denoise": int(on),
-                                 "ratio": ratio(found["", on], found[settings, on]), "error": error, "beyond": beyond,
-                                 "width": width, "height": height, "samples": samples})
-    return rows
+                    rows[rule].append({"scene": scene, "denoise": on, "ratio": ratio(found["", on], found[settings, on]),
+                                       "error": error, "beyond": beyond})
+    return {"size": [width, height], "samples": samples, "rules": [summary(rule, rows[rule]) for rule in rules]}
 
 
 def settings_of_header(text):
-    """Names of the numbers that settings.h declares."""
+    """Names of the numbers in settings.h."""
     body = text[text.index("struct Settings"):]
     lines = re.findall(r"^ +(?:double|float|std::uint32_t) (.*);$", body, re.MULTILINE)
     return [part.split(" = ")[0] for line in lines for part in line.split(", ")]

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The accumulation buffer: the mean of many pinhole pictures of the unpatched program, each from another
-point of the lens. The unpatched program has no other way to tilt the plane of sharp focus."""
+"""The accumulation buffer: the mean of many pinhole pictures of the unpatched program, which has no other way to
+tilt the plane of sharp focus."""
 
 import concurrent.futures
 import dataclasses
@@ -16,8 +16,8 @@ PROCESSES = os.cpu_count() or 1     # more would take the caches from each other
 
 # Frames are OpenEXR: a PNG would clip lights before they are averaged.
 def frames(lab, shot, first, last, count, folder):
-    """Renders the frames from first to last of an animation of `count` frames. Returns the CPU seconds of the rays alone,
-    as the program reports them after each frame, and those of the whole process."""
+    """Renders the frames from first to last of an animation of `count` frames. Returns CPU seconds of the rays and
+    of the whole process."""
     command = [lab.stock, *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/f.exr", "+FE",
                "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"]
     messages, cpu, _ = run_measured(command, folder)
@@ -28,7 +28,6 @@ def frames(lab, shot, first, last, count, folder):
 
 
 def cpu_of_frames(lab, shot, count, folder):
-    """All frames, in several processes at the same time."""
     step = math.ceil(count/PROCESSES)
     with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
         parts = [pool.submit(frames, lab, shot, first, min(count, first + step - 1), count, folder)
@@ -37,7 +36,7 @@ def cpu_of_frames(lab, shot, count, folder):
 
 
 def frames_of(lab, scene, tilted):
-    """How many frames there are at the most; fewer where the accumulation buffer is only drawn, untilted."""
+    """Greatest number of frames; fewer where the accumulation buffer is only drawn, untilted."""
     return min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames//4
 
 

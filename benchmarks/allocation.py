@@ -1,18 +1,18 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The error of the adaptive sampler over that of as many rays spread evenly, and over that of perfect knowledge.
+"""The error of the adaptive sampler over that of uniform sampling with as many rays, and over that of perfect
+knowledge.
 
-Evenly spread are the same number of samples in each pixel, all of them first samples, reconstructed as always. From the errors of such pictures
-with 2, 4, 8, ... samples follows what perfect knowledge would do: each group of 8 by 8 pixels takes the number n that makes its
-squared error plus lambda n least. The numbers are chosen by one half of the pictures and judged by the other, so that none is chosen
-because its picture had luck."""
+Uniform: the same number of samples in each pixel, all first samples. Perfect knowledge follows from such pictures
+with 2, 4, 8, ... samples: each group of 8 by 8 pixels takes the number n that makes its squared error plus lambda n
+least. One half of the pictures chooses the numbers and the other judges them, so that luck does not count."""
 
 from benchmarks import gallery, suite
 from benchmarks.front import error_after
 from benchmarks.lab import TILT_LENS, Part, digest, samples_spent
 
 LARGE, SMALL = (1000, 750), (200, 150)
-STRIP, QUICK_PART = (64, 376), (48, 48)     # pixels of a picture that are rendered; a strip has all distances in it
+STRIP, QUICK_PART = (64, 376), (48, 48)     # rendered pixels; a strip has all distances in it
 SAMPLES = (2, 4, 8, 16, 32, 64, 128)
 VARIANCES = (3e-3, 1e-3, 3e-4, 1e-4, 3e-5)
 QUICK_SAMPLES, QUICK_VARIANCES = SAMPLES[:5], VARIANCES[1:3]
@@ -21,17 +21,16 @@ PICTURES = 4                # of each setting, half of them to choose by
 GROUP = 8
 MOST = 1024                 # samples of a pixel of the adaptive sampler
 REFERENCE = (2, 2048)       # pictures, samples a pixel of each
-LAMBDAS = [10**(-exponent/6) for exponent in range(12, 61)]     # squared error that a sample more of a pixel must save
+LAMBDAS = [10**(-exponent/6) for exponent in range(12, 61)]     # squared error saved by a sample
 
 
 def middle(whole, size):
-    """The part of a picture in its middle."""
     size = tuple(map(min, size, whole))
     return size, Part((whole[0] - size[0])//2, (whole[1] - size[1])//2, *whole)
 
 
 def squares(lab, shot, reference):
-    """Independent pictures: the squared errors of their groups, their mean number of samples, and the reference's own error."""
+    """Squared errors of the groups of independent pictures, mean number of samples, and the reference's own error."""
     key = digest("squared errors of groups", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES, GROUP)
     record = lab.runs.get((key, 0))
     if record is None:
@@ -52,7 +51,7 @@ def mean_by_group(lists):
 
 
 def ideal(even, sizes):
-    """(rays of a pixel, MSE) of perfect knowledge, for each lambda. `even` has for each number of samples the squared errors of the
+    """(rays of a pixel, MSE) for each lambda. `even` has for each number of samples the squared errors of the
     groups in each picture, `sizes` the values of each group."""
     points = []
     counts, half = sorted(even), PICTURES//2
@@ -70,12 +69,13 @@ def ideal(even, sizes):
 
 
 def sizes_of_groups(width, height):
-    """The values, three a pixel, of each group from the upper left corner on."""
+    """Values of each group, three a pixel, row by row."""
     return [3*min(GROUP, width - x)*min(GROUP, height - y) for y in range(0, height, GROUP) for x in range(0, width, GROUP)]
 
 
 def compare(even, adaptive, sizes):
-    """For each adaptive record within the range of both curves: its error over that of uniform sampling, and over the ideal's."""
+    """Error over that of uniform sampling and over the ideal's, for each adaptive record within the range of both
+    curves."""
     values = sum(sizes)
     uniform = [(n, sum(mean_by_group(lists))/values) for n, lists in even.items()]
     best = [point for point in ideal(even, sizes) if point[1] > 0]
@@ -86,24 +86,22 @@ def compare(even, adaptive, sizes):
             continue
         evenly, ideally = error_after(uniform, rays), error_after(best, rays)
         if evenly and ideally:
-            rows.append({"variance": record["variance"], "samples": rays, "mse": mse, "over_uniform": mse/evenly,
+            rows.append({"samples": rays, "mse": mse, "over_uniform": mse/evenly,
                          "over_ideal": mse/ideally, "reference_mse": record["reference_mse"]})
     return rows
 
 
 def of_scene(lab, scene, whole):
-    """The rows of a scene at one size."""
     size, part = middle(whole, QUICK_PART if lab.quick else STRIP if whole == LARGE else whole)
     kept = {"size": size, "part": None if size == whole else part}
     lab.say(f"{scene.name}, {whole[0]} by {whole[1]}: where rays go")
     reference = lab.reference(scene.shot(TILT_LENS, **kept), *REFERENCE)
     even = {n: squares(lab, scene.shot(TILT_LENS, declare=suite.limits(n, n, 1e-3), **kept), reference)["squares"]
             for n in (QUICK_SAMPLES if lab.quick else SAMPLES)}
-    adaptive = [{"variance": variance,
-                 **squares(lab, scene.shot(TILT_LENS, declare=suite.limits(4, MOST, variance), **kept), reference)}
+    adaptive = [squares(lab, scene.shot(TILT_LENS, declare=suite.limits(4, MOST, variance), **kept), reference)
                 for variance in (QUICK_VARIANCES if lab.quick else VARIANCES)]
     found = compare(even, adaptive, sizes_of_groups(*size))
-    return [{"scene": scene.name, "whole": list(whole), "size": list(size),
+    return [{"scene": scene.name, "whole": list(whole),
              **{name: float(f"{value:.4g}") for name, value in row.items()}} for row in found]
 
 

@@ -33,8 +33,8 @@ NODES = 1000
 
 
 def measured(command, folder, env=None, code=0):
-    """Runs a command with its child processes: elapsed seconds, CPU seconds, and the largest memory of one process
-    in MB."""
+    """Elapsed seconds, CPU seconds, and the largest memory of one process in MB, of a command with its child
+    processes."""
     before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     done = subprocess.run(
         [str(word) for word in command],
@@ -52,19 +52,15 @@ def measured(command, folder, env=None, code=0):
 
 
 def median(runs, column):
-    """Median of one column of the runs."""
     return statistics.median(run[column] for run in runs)
 
 
 class Measurements:
-    """All measurements, in a scratch folder."""
-
     def __init__(self, repeat, folder):
         self.repeat, self.folder = repeat, pathlib.Path(folder)
         self.count = 0
 
     def batch(self, *words, env=None):
-        """One call of ./batch with an output of its own."""
         self.count += 1
         output = self.folder / f"out{self.count}{'.png' if words[0] == 'still' else ''}"
         return measured(
@@ -74,12 +70,12 @@ class Measurements:
         )
 
     def start(self):
-        """POV-Ray alone on a tiny picture: what each start costs."""
+        """Cost of a start: POV-Ray alone on a tiny picture."""
         command = [POVRAY, f"+I{SCENE}", f"+L{SCENE.parent}", "+Otiny.png", "-D", "+WT1", *TINY]
         return [measured(command, self.folder) for _ in range(self.repeat)]
 
     def unit(self, *more, env=None):
-        """What a unit costs: a film of tiny frames, less a film of one."""
+        """Cost of a unit: a film of tiny frames, less a film of one."""
         runs = []
         for _ in range(self.repeat):
             many = self.batch(
@@ -152,7 +148,6 @@ class Measurements:
 
 
 def largest_memory(command, folder):
-    """The largest memory in MB of one program alone."""
     process = subprocess.Popen(
         [str(word) for word in command],
         cwd=folder,
@@ -180,8 +175,8 @@ def dispatch_rate(repeat):
 
 
 def on_paper(hours, bands, costs):
-    """A film on NODES one-core workers: waves of units, elapsed hours, speed-up over one core. The controller starts
-    one worker after the other; the worker that finishes the last band of a frame joins the frame."""
+    """A film on NODES one-core workers: waves of units, elapsed hours, speed-up over one core. Workers start one
+    after the other; the worker that finishes the last band of a frame joins the frame."""
     units = FILM * bands
     edges = 2 * (bands - 1) * costs["margin"] / EIGHT_K[1]
     unit = hours * 3600 * (1 + edges) / bands + costs["unit"] + costs["check"]
@@ -192,13 +187,11 @@ def on_paper(hours, bands, costs):
 
 
 def table(head, rows):
-    """A table in Markdown."""
     lines = [f"| {' | '.join(head)} |", f"| {' | '.join('---' for _ in head)} |"]
     return lines + [f"| {' | '.join(row)} |" for row in rows]
 
 
 def cost_rows(start, unit, large, rate):
-    """Time of each action."""
     return [
         ("a start of POV-Ray, tiny picture", f"{median(start, 0):.2f}", f"{median(start, 1):.2f}"),
         (
@@ -213,7 +206,6 @@ def cost_rows(start, unit, large, rate):
 
 
 def speed_rows(runs):
-    """Speed-up against one POV-Ray of one thread."""
     first = median(runs["povray +WT1"], 0)
     return [
         (name, f"{median(found, 0):.1f}", f"{median(found, 1):.1f}", f"{first / median(found, 0):.2f}")
@@ -222,8 +214,8 @@ def speed_rows(runs):
 
 
 def margin(runs, unit):
-    """Rows beyond each edge of a band that the sampler must sample, too: from the time of eight bands beyond that of the
-    whole picture and of the units."""
+    """Rows beyond each edge of a band that are sampled, too: from the time of eight bands beyond that of the whole
+    picture and of the units."""
     whole, bands, rows = (
         median(runs["povray +WT1"], 1),
         median(runs["batch, 1 worker"], 1),
@@ -235,7 +227,6 @@ def margin(runs, unit):
 
 
 def paper_rows(costs, here):
-    """The calculated film, for frames of several costs."""
     rows = []
     for hours in (0.1, 1.0, 10.0, here):
         for bands in (1, 4, 16):
@@ -283,7 +274,6 @@ def text(repeat):
 
 
 def main():
-    """Measures, prints, writes."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

@@ -44,7 +44,7 @@ PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "reading", 
          "loops", "growth", "contract", "crops", "builds", "ablation", "found_lamps", "allocation",
          "threads")
 NAMES = [*[scene.name for scene in suite.SCENES], *found_lamps.NAMES, *suite.DISPLAY]
-# Parts whose short form is shown in the pages, too: the page then says so by the size of its pictures.
+# Parts whose short form is shown in the pages, too, with the size of its pictures.
 SHORT = {"stock", "tilted", "contract", "display", "lamps", "cycles", "preview", "crops", "ablation", "found_lamps", "allocation", "threads"}
 
 
@@ -99,7 +99,6 @@ def arguments():
 
 
 def measure_scenes(lab, args, results, runs):
-    """Parts stock and tilted, scene by scene; comparisons into results, records into runs."""
     for scene in (scene for scene in suite.SCENES if scene.name in args.scenes):
         untilted = versus_stock.measure(lab, scene)
         lines = versus_stock.compare(scene, untilted)
@@ -118,7 +117,7 @@ def measure_scenes(lab, args, results, runs):
 def measure(lab, args):
     done = subprocess.run([lab.ours, "--version"], capture_output=True, text=True, check=False)
     version = next((line.strip() for line in (done.stdout + done.stderr).splitlines() if "patch series" in line), "?")
-    version += f", program {lab.hashes[lab.ours][:12]}"    # the same patches may be built with other sources of ours
+    version += f", program {lab.hashes[lab.ours][:12]}"    # the same patches may be built with other sources
     results, runs = {}, []
     if {"stock", "tilted"} & set(args.parts):
         measure_scenes(lab, args, results, runs)
@@ -175,7 +174,6 @@ def measure(lab, args):
 
 
 def draw(folder, results, runs):
-    """Plots, and the records of all runs."""
     for name in sorted({record["scene"] for record in runs} & set(NAMES)):
         for tilt, title in ((0, tables.TITLES[name]), (1, tables.TITLES[name] + ", tilted")):
             records = [record for record in runs if record["scene"] == name and record.get("tilted", 0) == tilt]
@@ -189,7 +187,7 @@ def draw(folder, results, runs):
 
 
 def update_docs(folder, program, results):
-    """Keeps the parts that were measured, with their plots; other parts stay as they are."""
+    """Keeps the measured parts with their plots; other parts stay as they are."""
     for part, rows in results.items():
         pages.save(part, rows, program)
     for path in folder.glob("*.svg"):

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The effect of link-time and profile-guided optimisation: the program of cmake/build-fast against the usual one, with the
-same rays. The profile is made with scenes of gallery, tutorial and paper, not with those of the benchmark."""
+"""Link-time and profile-guided optimisation: the program of cmake/build-fast against the usual one, with the same
+rays. Its profile is made with scenes of gallery, tutorial and paper."""
 
 from benchmarks import suite
 from benchmarks.lab import TILT_LENS
@@ -10,7 +10,6 @@ EVEN = suite.limits(64, 64, 0)
 
 
 def measure(lab, scenes, fast):
-    """CPU seconds of both programs, medians of interleaved runs."""
     lab.hashes[fast] = lab.hash_of(fast)
     rows = []
     for scene in scenes:

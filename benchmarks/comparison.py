@@ -1,13 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Both comparisons of some scenes: untilted with stock focal blur, tilted with the accumulation buffer. The part `display`
-compares in the gallery's scenes at the size that people look at, the part `lamps` in the scenes with small lamps."""
+"""Both comparisons of some scenes: untilted with stock focal blur, tilted with the accumulation buffer. Parts
+`display` and `lamps`."""
 
 from benchmarks import accumulation, gallery, suite, tables, tilted, versus_stock
 
 
 def compare(lab, scenes):
-    """The lines of both comparisons by scene, and the records of all runs."""
     found, runs = {"untilted": {}, "tilted": {}}, []
     for scene in scenes:
         untilted = versus_stock.measure(lab, scene)
@@ -23,7 +22,6 @@ def compare(lab, scenes):
 
 
 def display(lab, names):
-    """Parts of the gallery's scenes, as many pixels as there is time for."""
     scenes = [suite.of_gallery(name, gallery.copy(lab, name)) for name in names]
     found, runs = compare(lab, scenes)
     return {"part": [*scenes[0].size, scenes[0].part.columns, scenes[0].part.rows], **found}, runs

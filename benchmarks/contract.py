@@ -1,15 +1,14 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Whether `variance V` is kept: the picture's mean square error should be at most 1.2 V, and at most 5 % of the pixels
-should be off by more than 2 sqrt(V) in any channel. Over the pixels that took more than the least number of samples, the
-mean square error should be at least V/4; otherwise rays were wasted. The standard error that the program estimates should be
-0.8 to 1.2 times the true one."""
+"""The error of pictures with `variance V`: mean square error at most 1.2 V, at most 5 % of the pixels off by more
+than 2 sqrt(V) in any channel. Pixels that took more than the least samples should have at least V/4; otherwise rays
+were wasted. The estimated standard error should be 0.8 to 1.2 times the true one."""
 
 from benchmarks import suite
 from benchmarks.lab import TILT_LENS, Part, digest, samples_spent
 
 SIZE = (64, 48)
-# Small pictures have more edges in a pixel than large ones: part `crops` takes as many pixels out of the middle of a large one.
+# Part `crops`: as many pixels in the middle of a large picture, which have fewer edges.
 CROP = Part(608, 336, 1280, 720)
 # variance: independent pictures, since one has too few pixels that take more samples
 PICTURES = {1e-2: 16, 1e-3: 16, 1e-4: 16, 1e-5: 4, 1e-6: 2}
@@ -18,7 +17,7 @@ LEAST, MOST = 4, 262144         # samples; no pixel should need the largest numb
 
 
 def claims(lab, shot, reference, first, count, variance):
-    """What independent pictures of a shot promise and keep; none shares samples with the reference."""
+    """Measured errors of independent pictures, which share no samples with the reference."""
     key = digest("claims", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, first, count)
     record = lab.runs.get((key, 0))
     if record is None:
@@ -38,13 +37,13 @@ def measure(lab, scene, tilted, part=None):
     lab.say(f"{scene.name}{' tilted' if tilted else ''}{', cropped' if part else ''}: is the requested variance kept")
     batches, samples = scene.reference
     kept = {"size": SIZE, "part": part}
-    times = max(4, scene.contract//4) if lab.quick else scene.contract     # the smallest V of QUICK is a hundred times that of PICTURES
+    times = max(4, scene.contract//4) if lab.quick else scene.contract     # for the smallest V of PICTURES, a hundredth of that of QUICK
     reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, times*samples)
     rows = []
     for variance, count in (QUICK if lab.quick else PICTURES).items():
         shot = scene.shot(TILT_LENS, tilted, declare=suite.limits(LEAST, MOST, variance), options=("+N",), **kept)
         found = claims(lab, shot, reference, batches + 1, count, variance)
-        rows.append({"scene": scene.name, "tilted": tilted, "variance": variance, "pictures": count, "mse": found["mse"],
+        rows.append({"scene": scene.name, "tilted": tilted, "variance": variance,
                      "share": found["mse"]/variance, "more": found["share_more"], "share_of_more": found["mse_more"]/variance,
                      "beyond": found["beyond"], "reference_mse": found["reference_mse"], "samples": found["samples"],
                      "estimated": found["estimated"], "true": found["true"]})

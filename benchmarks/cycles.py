@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tilt_lens against Cycles, the ray tracer of Blender, on the emissive checks: the one scene that both can draw, since nothing but
-camera and visibility counts in it. CPU, one thread, adaptive sampling. The lens is not tilted, because that of Cycles cannot be."""
+"""tilt_lens against Cycles on the emissive checks, the one scene that both can draw: only camera and visibility
+count in it. Untilted, because the lens of Cycles cannot be tilted."""
 
 import json
 import math
@@ -16,18 +16,17 @@ from benchmarks.lab import PINHOLE, TILT_LENS, Failed, digest
 from tools.repository import ROOT
 
 SCENE = next(scene for scene in suite.SCENES if scene.name == "checks")
-# Samples of each pixel whose errors are compared at; then most samples, threshold and least samples of adaptive sampling.
+# Samples whose errors are compared at; most samples, threshold and least samples of adaptive sampling.
 TARGETS = (16, 64, 256, 1024)
 ADAPTIVE = ((256, 0.1, 16), (256, 0.05, 32), (1024, 0.05, 64), (1024, 0.02, 64), (4096, 0.02, 64), (4096, 0.01, 128), (4096, 0.005, 128))
 
 
 def installed():
-    """Blender's program, or None."""
     return shutil.which("blender")
 
 
 def scene_told(lab):
-    """Camera and spheres as the scene itself tells them."""
+    """Camera and spheres as the scene itself reports them."""
     shot = SCENE.shot(PINHOLE, declare=(("Tell", 1),))
     messages, _, _ = lab.render(lab.ours, lab.one_pixel(shot), lab.work / "cycles" / "told.png")
     def lines(word):
@@ -38,13 +37,14 @@ def scene_told(lab):
 
 
 def settings(quick):
-    """(name, samples, threshold, least samples); a threshold of 0 is no adaptive sampling."""
+    """(name, samples, threshold, least samples); a threshold of 0 turns adaptive sampling off."""
     return [(str(samples), samples, 0, 0) for samples in (TARGETS[:3] if quick else TARGETS)] + [
         (f"{least},{most} {threshold:g}", most, threshold, least) for most, threshold, least in (ADAPTIVE[:4] if quick else ADAPTIVE)]
 
 
 def render_all(lab, folder, repetitions):
-    """CPU seconds of each setting for each repetition, without the start of Blender; pictures of the first one stay."""
+    """CPU seconds of each setting for each repetition, without the start of Blender; the pictures of the first one
+    stay."""
     (folder / "scene.json").write_text(json.dumps({**scene_told(lab), "settings": settings(lab.quick), "repetitions": repetitions}))
     done = subprocess.run([installed(), "--background", "--factory-startup", "--python-exit-code", "1", "--python",
                            str(ROOT / "benchmarks" / "cycles_scene.py"), "--", str(folder / "scene.json")], cwd=folder,
@@ -56,7 +56,7 @@ def render_all(lab, folder, repetitions):
 
 
 def measure(lab):
-    """The comparison, or None where Blender is not installed."""
+    """None where Blender is not installed."""
     if not installed():
         lab.say("Part cycles is skipped, because Blender is not installed (sudo apt-get install blender).")
         return None
@@ -83,7 +83,6 @@ def measure(lab):
 
 
 def compare(cycles, ours):
-    """A line for each number of samples whose error is compared at."""
     fronts = [[(run["cpu"], run["rmse"]) for run in runs] for runs in (cycles, ours)]
     lines = []
     for run in cycles:

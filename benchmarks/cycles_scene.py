@@ -14,7 +14,7 @@ import sys
 try:
     import bpy
     import mathutils
-except ImportError:     # not within Blender, where it can only be looked at
+except ImportError:     # outside of Blender it can only be read
     bpy = mathutils = None
 
 # Edges of this sphere are within 2e-4 of its radius.
@@ -26,7 +26,7 @@ def exchanged(vector):
 
 
 def emitting(name, colour):
-    """A material that shines with what `colour` connects to it."""
+    """A material that emits the colour connected by `colour`."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links

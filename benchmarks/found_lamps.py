@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps far out of focus that the sampler does not know beforehand: no finish announces them, or a mirror, glass or a highlight shows
-them. The default settings are compared with fixed sampling, which takes as many rays in each pixel and is reconstructed alike. A disc that
-stays dark hardly changes the error, so two figures are of the lamps alone: the share of their light that a picture keeps, and the share of
-the pixels of their discs that stay dark."""
+"""Lamps far out of focus that the sampler cannot know beforehand: no finish announces them, or a mirror, glass or a
+highlight shows them. The default settings against fixed sampling with as many rays, reconstructed alike. Dark discs
+hardly change the error, so two figures are of the lamps alone: the share of their light that a picture keeps, and
+the share of dark pixels of their discs."""
 
 import dataclasses
 import math
@@ -14,7 +14,7 @@ from benchmarks.lab import TILT_LENS, Shot, digest, samples_spent
 FOLDER = SCENE_FOLDER / "found_lamps"
 SIZE, QUICK_SIZE = (320, 240), (160, 120)
 SEEDS = (1, 2, 3)
-FIRST_SEED = 101            # of the references, whose samples no picture shares
+FIRST_SEED = 101            # of the references; no picture shares them
 BATCHES = 4                 # pictures of a reference
 LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024      # of each of their pixels
 GREATEST_NOISE = 0.1        # of a reference, in the MSE that is measured with it
@@ -26,7 +26,7 @@ class Scene:
     name: str
     title: str
     radii: tuple = (None,)      # of the lamps, where the scene knows them
-    quick: tuple = ()           # radii of the short form, where that leaves some out: the smaller, the finer the reference
+    quick: tuple = ()           # radii of the short form, if not all: the smaller, the finer the reference
 
     def shots(self, quick):
         return [(radius, Shot(self.name, TILT_LENS, size=QUICK_SIZE if quick else SIZE, folder=FOLDER, threads=2,
@@ -55,13 +55,10 @@ def declared(shot, **values):
 
 
 class Reference:
-    """The mean of independent pictures with fixed samples."""
-
     def __init__(self, lab, shot):
         self.lab, self.shot = lab, declared(shot, Known=1)
 
     def of(self, samples):
-        """With so many samples of a pixel in each picture."""
         folder = self.lab.work / "references"
         stem = f"{self.shot.scene}-{digest(self.shot.settings(), self.shot.sources(), BATCHES, samples)}"
         path = folder / f"{stem}.exr"
@@ -79,7 +76,8 @@ class Reference:
         return path
 
     def fine_enough(self, *sets):
-        """The reference that is finer by far than the mean square errors of some sets of pictures, and these errors."""
+        """A reference whose own error is far below the mean square errors of some sets of pictures, and these
+        errors."""
         samples, most = LEAST_SAMPLES, QUICK_MOST if self.lab.quick else MOST_SAMPLES
         while True:
             path = self.of(samples)
@@ -93,13 +91,12 @@ class Reference:
 
 
 def mean(records):
-    """The mean of each number of some records."""
     return {name: sum(record[name] for record in records)/len(records)
             for name, value in records[0].items() if isinstance(value, (int, float))}
 
 
 def pictures(lab, shot, folder, **values):
-    """A picture for each seed, and the rays of a pixel in their mean."""
+    """A picture for each seed, and their mean number of rays a pixel."""
     made = [folder / f"{values.get('Samples', 'default')}-{seed}.exr" for seed in SEEDS]
     messages = [lab.render(lab.ours, dataclasses.replace(declared(shot, **values, Seed=seed), options=("+N",)), picture)[0]
                 for seed, picture in zip(SEEDS, made)]
@@ -107,7 +104,6 @@ def pictures(lab, shot, folder, **values):
 
 
 def compared(lab, shot):
-    """The default settings beside fixed sampling."""
     folder = lab.work / "found_lamps" / shot.scene
     default, samples = pictures(lab, shot, folder)
     fixed = max(1, round(samples))
@@ -131,7 +127,6 @@ def work(row):
 
 
 def measure(lab, names=NAMES):
-    """A row for each scene and radius."""
     rows = []
     for scene in (scene for scene in SCENES if scene.name in names):
         for radius, shot in scene.shots(lab.quick):

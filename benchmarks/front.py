@@ -1,12 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The front of a program: the least CPU time for each error, over all of its settings."""
+"""Fronts: the least CPU time of a program for each error, over all of its settings."""
 
 import math
 
 
 def pareto(points):
-    """The (seconds, error) pairs for which no other pair is better in both (Pareto front), the fastest first."""
+    """(seconds, error) pairs that no other pair beats in both (Pareto front), the fastest first."""
     front = []
     for seconds, error in sorted(points):
         if not front or error < front[-1][1]:
@@ -15,8 +15,8 @@ def pareto(points):
 
 
 def seconds_for(points, error):
-    """CPU seconds for an error, interpolated between settings on straight lines of logarithms. If the fastest setting is
-    already better than the error: its time. If no setting is as good: None."""
+    """CPU seconds for an error, on straight lines of logarithms between settings. The fastest setting's time if it
+    is already better; None if no setting is as good."""
     front = pareto(points)
     if not front or front[-1][1] > error:
         return None
@@ -30,8 +30,8 @@ def seconds_for(points, error):
 
 
 def error_after(points, seconds):
-    """The error after some CPU time, interpolated as in seconds_for. If the fastest setting takes longer: None. If the
-    slowest setting takes less: its error, which is an upper bound."""
+    """The error after some CPU time, interpolated alike. None if the fastest setting takes longer; the slowest
+    setting's error, an upper bound, if it takes less."""
     front = pareto(points)
     if not front or front[0][0] > seconds:
         return None

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The gallery's scenes with the cameras that compete.
 
-A scene of the gallery has a camera with `tilt_lens`, which the unpatched program cannot read. A copy of the scene is made
-with `camera.inc` instead, and with the numbers that the program itself reports of the camera. The untilted variant has the
-same lens and focus but neither tilt nor shift; it is aimed at the middle of the picture. The diaphragm is round in all."""
+The unpatched program cannot read their `tilt_lens`. Copies of the scenes use `camera.inc` with the numbers that the
+program reports. The untilted variant has the same lens and focus and is aimed at the middle of the picture. The
+diaphragm is round in all."""
 
 import json
 import math
@@ -29,7 +29,6 @@ def cross(a, b):
 
 
 def total(*terms):
-    """The sum of vectors, each with its factor."""
     return [sum(factor*vector[i] for factor, vector in terms) for i in range(3)]
 
 
@@ -38,11 +37,11 @@ def normalized(vector):
 
 
 def told(lab, name, folder):
-    """What the program tells of the scene's camera: its record, and its messages."""
+    """The program's record of the scene's camera, and its messages."""
     record = folder / "camera.json"
     command = [lab.ours, f"+I{GALLERY / name}.pov", f"+L{INCLUDE}", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "-D", "-P", "-C", "-A",
                "+WT1", "+SC2", "+EC2", "+SR2", "+ER2", f"+O{folder / 'pixel.png'}"]
-    # the record is that of a preview without aperture, whose messages do not tell the aperture
+    # the record is that of a preview without aperture, whose messages do not name the aperture
     runs = [subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True, errors="replace", check=False,
                            env={**os.environ, **preview}) for preview in ({"TILT_LENS_PREVIEW": str(record)}, {})]
     for run in runs:
@@ -52,7 +51,6 @@ def told(lab, name, folder):
 
 
 def numbers(messages, words):
-    """The numbers of a line of the program's report."""
     found = re.search(rf"^ +{words}\.+(.*)$", messages, re.MULTILINE)
     if not found:
         raise Failed(f"the program does not report: {words}")
@@ -60,7 +58,7 @@ def numbers(messages, words):
 
 
 def lens(view, messages):
-    """The camera of the picture, tilted, in the terms of camera.inc."""
+    """The camera of the picture in the terms of camera.inc."""
     axis, right, up = (normalized(view[name]) for name in ("direction", "right", "up"))
     film, _, *shift = numbers(messages, "Film")
     _, diameter, units = numbers(messages, "Aperture")
@@ -71,7 +69,7 @@ def lens(view, messages):
 
 
 def untilted(tilted):
-    """The same lens without tilt and shift, aimed at the middle of the picture and focused on what is sharp there."""
+    """The same lens without tilt and shift, aimed at the middle of the picture and focused there."""
     eye, normal, (shift_right, shift_up) = tilted["Eye"], tilted["Normal_"], tilted["Shift_"]
     film_distance = tilted["Film_"]/2/math.tan(math.radians(tilted["Angle"]/2))
     middle = total((film_distance, tilted["Axis_"]), (shift_right, tilted["Right_"]), (shift_up, tilted["Up_"]))
@@ -94,7 +92,7 @@ def declared(camera):
 
 
 def copy(lab, name):
-    """The folder that holds the copy of a scene. It is made anew when the scene has changed."""
+    """Folder of the scene's copy, made anew when the scene has changed."""
     original = (GALLERY / f"{name}.pov").read_text()
     path = lab.work / "scenes" / digest(original, (SCENES / "camera.inc").read_text()) / f"{name}.pov"
     if path.is_file():

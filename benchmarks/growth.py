@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""How cost grows: with the picture, the blur, the scene, the threads. The requested variance is constant."""
+"""Growth of cost with the picture, the blur, the scene and the threads, at constant variance."""
 
 import os
 
@@ -12,7 +12,6 @@ STOCK_ASKED = suite.limits(64, 1600, 1e-3)
 
 
 def series(lab, name, unit, points):
-    """One curve: (x, program, shot) measured in turn."""
     lab.say(f"growth with {name}")
     programs = {"tilt_lens": lab.ours, "stock": lab.stock}
     runs = lab.interleaved([(programs[program], shot) for _, program, shot in points], 1 if lab.quick else 3)

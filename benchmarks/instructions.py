@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of the patches in scenes without tilt_lens: instructions counted by callgrind, against the same source built
+"""The cost of the patches in scenes without tilt_lens: callgrind's instructions, against the same source built
 without the patches. Also the times of the inner loops, by Google Benchmark."""
 
 import json
@@ -20,8 +20,8 @@ CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
 
 
 def count(lab, binary, shot, times=1, within=None):
-    """Instructions of a whole run, or of a function with all its callees. The count varies slightly where threads wait for
-    each other; the result is the least of several runs."""
+    """Instructions of a whole run, or of a function with all its callees: the least of several runs, since threads
+    that wait for each other vary it slightly."""
     key = digest("callgrind", binary.read_bytes(), shot.settings(), shot.sources(), *filter(None, [within]))
     record = lab.runs.get((key, 0))
     if record is None:

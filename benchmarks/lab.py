@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Programs and folders of the benchmark, measured runs that are kept, and reference pictures."""
+"""Programs, folders, kept runs and reference pictures of the benchmark."""
 
 import dataclasses
 import hashlib
@@ -17,7 +17,7 @@ from tools.repository import ROOT
 
 SCENES = ROOT / "benchmarks" / "scenes"
 INCLUDE = ROOT / "scenes" / "include"
-PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # Form of scenes/camera.inc
+PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # form of scenes/camera.inc
 
 
 class Failed(Exception):
@@ -33,7 +33,7 @@ def digest(*parts):
 
 
 def run_measured(command, cwd, low_priority=False):
-    """Runs a program to its end: its messages, CPU seconds (user and system), elapsed seconds."""
+    """Messages, CPU seconds (user and system) and elapsed seconds of a program."""
     with tempfile.TemporaryFile() as messages:
         started = time.monotonic()
         process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
@@ -51,7 +51,7 @@ def run_measured(command, cwd, low_priority=False):
 
 @dataclasses.dataclass(frozen=True)
 class Part:
-    """A part of a larger picture: where it begins, and the size of the whole."""
+    """Left upper corner of a part of a larger picture, and the size of the whole."""
 
     left: int
     top: int
@@ -61,24 +61,22 @@ class Part:
 
 @dataclasses.dataclass(frozen=True)
 class Shot:
-    """One render: the values of its command line."""
-
     scene: str
     form: int
     tilted: int = 0
     size: tuple = (200, 150)
     declare: tuple = ()         # (name, value) pairs
-    options: tuple = ()         # further options of the program
+    options: tuple = ()         # further options
     threads: int = 1
-    part: Part = None           # what larger picture this is a part of
+    part: Part = None           # the larger picture that this is a part of
     folder: pathlib.Path = SCENES
 
     def arguments(self):
         return [f"+I{self.folder / self.scene}.pov", f"+L{SCENES}", f"+L{INCLUDE}", *self.settings()]
 
     def settings(self):
-        """The arguments that name no file. A part is a picture of its own with a camera that sees nothing else; but stock
-        turns its lens with `direction`, so that it renders some rows and columns of the whole picture."""
+        """Arguments that name no file. A part is a picture of its own with a camera that sees nothing else; but
+        stock, whose lens turns with `direction`, renders some rows and columns of the whole picture."""
         (width, height), part = self.size, self.part
         settings, options = (("Form", self.form), ("Tilted", self.tilted), *self.declare), self.options
         if part and self.form == STOCK:
@@ -90,12 +88,11 @@ class Shot:
                 *[f"Declare={name}={value}" for name, value in settings], *options]
 
     def place(self):
-        """Options of the tool `noise`: where the picture is in what the program writes."""
+        """Place of the picture in the program's output, as options of the tool `noise`."""
         return ["--at", f"{self.part.left},{self.part.top}"] if self.part and self.form == STOCK else []
 
     def independent(self, number):
-        """The same picture with samples that are independent of those of other numbers (1 and more): the inner part of a
-        larger picture."""
+        """The same picture with independent samples for each number from 1 on: the inner part of a larger picture."""
         border, (width, height) = 8*number, self.size
         return dataclasses.replace(
             self, size=(width + 2*border, height + 2*border), declare=(*self.declare, ("Batch", border)),
@@ -103,7 +100,7 @@ class Shot:
                      f"+ER{border + height}"))
 
     def sources(self):
-        """The texts of the scene and of the files of this project that it includes."""
+        """Texts of the scene and of the project's files that it includes."""
         found, wanted = {}, [f"{self.scene}.pov"]
         while wanted:
             name = wanted.pop()
@@ -116,11 +113,9 @@ class Shot:
 
 @dataclasses.dataclass
 class Lab:
-    """Programs and folders of one run of the benchmark."""
-
     ours: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path         # folder with the benchmark's own tools
+    tools: pathlib.Path         # the benchmark's tools
     work: pathlib.Path
     quick: bool = False
 
@@ -150,7 +145,8 @@ class Lab:
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def render(self, program, shot, picture, low_priority=False):
-        """Renders a linear 16-bit PNG, or OpenEXR for a name ending in .exr; returns messages, CPU seconds, elapsed seconds."""
+        """Renders a linear 16-bit PNG, or OpenEXR for a name ending in .exr; returns messages, CPU seconds, elapsed
+        seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
         command = [program, *shot.arguments(), *self.gathered_light(shot), f"+O{picture}",
@@ -175,9 +171,9 @@ class Lab:
         return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]
 
     def reference(self, shot, batches, samples):
-        """The reference picture of a camera: the mean of independent pictures of tilt_lens with the same number of samples
-        in each pixel. Made once for a scene and its settings."""
-        if shot.form == PINHOLE:     # a lens of almost no diameter: as sharp as a pinhole, with many samples
+        """The reference picture of a camera, made once for a scene and its settings: mean of independent pictures
+        of tilt_lens with the same number of samples in each pixel."""
+        if shot.form == PINHOLE:     # a lens of almost no diameter: sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples//2 if self.quick else samples
         name = digest(shot.settings(), shot.sources(), batches, samples)
@@ -201,7 +197,7 @@ class Lab:
         return path
 
     def run(self, binary, shot, reference=None, repetition=0, **about):
-        """A measured render, taken from the journal if it was made before. `about` goes into the record."""
+        """A measured render, from the journal if it is there. `about` goes into the record."""
         if binary not in self.hashes:
             self.hashes[binary] = self.hash_of(binary)
         key = digest(self.hashes[binary], shot.settings(), shot.sources(), str(reference.name if reference else ""))
@@ -231,7 +227,7 @@ class Lab:
             journal.write(json.dumps(record) + "\n")
 
     def start_up(self, program, shot):
-        """CPU seconds of a run that renders one pixel: start, parsing, end."""
+        """CPU seconds of a run that renders one pixel."""
         return statistics.median(self.run(program, self.one_pixel(shot), repetition=i)["cpu"] for i in range(3))
 
     @staticmethod
@@ -247,6 +243,6 @@ def cpu_of_rays(messages):
 
 
 def samples_spent(messages):
-    """The samples per pixel from the summary of a tilt_lens render."""
+    """Samples per pixel, from the summary of a tilt_lens render."""
     found = re.search(r"Samples per pixel\D+([\d.]+)\D+99\s?%\D*([\d.]+)\D+([\d.]+)", messages)
     return {} if not found else dict(zip(("samples", "samples_99", "samples_most"), map(float, found.groups())))

@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Keeps the results of the benchmark in docs/benchmarks, and shows them in the pages.
 
-A page shows a part, such as the part `stock`, between the lines `<!-- benchmark: stock -->` and
-`<!-- end of benchmark -->`. Any page of docs/ may have such places, each part has exactly one. Each part is kept with the
-program and the machine that measured it, so that parts may be measured on different days.
+A part, such as `stock`, is shown between the lines `<!-- benchmark: stock -->` and `<!-- end of benchmark -->` of
+exactly one page in docs/, with the program and the machine that measured it.
 
-A place whose part was not measured yet says so. To add a part, add a measuring module, its call in benchmark.py, a section in
-report.py, and a place in a page.
-"""
+To add a part, add a measuring module, its call in benchmark.py, a section in report.py, and a place in a page. A
+place without results says so."""
 
 import json
 import re
@@ -17,32 +15,43 @@ from benchmarks import report, tables
 from tools.repository import ROOT
 
 DOCS = ROOT / "docs"
+WIDTH = 360         # characters of a line of kept results: one row of a table
 PLACE = re.compile(r"(?P<begin><!-- benchmark: (?P<name>\w+) -->\n).*?(?P<end><!-- end of benchmark -->)", re.DOTALL)
 SUMMARIES = {"overview": (("stock", "tilted"), report.overview), "large": (("display",), report.overview_display),
              "goals": (tuple(report.GOALS), report.goals)}
 
 
+def compact(value, indent=""):
+    """JSON with as much on a line as fits."""
+    line = json.dumps(value)
+    if len(indent + line) <= WIDTH or not isinstance(value, (dict, list, tuple)):
+        return line
+    deeper = indent + " "
+    if isinstance(value, dict):
+        items, (begin, end) = [f"{json.dumps(key)}: {compact(item, deeper)}" for key, item in value.items()], "{}"
+    else:
+        items, (begin, end) = [compact(item, deeper) for item in value], "[]"
+    return f"{begin}\n{deeper}" + f",\n{deeper}".join(items) + f"\n{indent}{end}"
+
+
 def save(part, rows, program, docs=DOCS):
-    """Keeps the rows of a part."""
     folder = docs / "benchmarks"
     folder.mkdir(parents=True, exist_ok=True)
     kept = {"program": program, "machine": tables.machine(), "rows": rows}
-    (folder / f"{part}.json").write_text(json.dumps(kept, indent=1) + "\n")
+    (folder / f"{part}.json").write_text(compact(kept) + "\n")
 
 
 def load(docs=DOCS):
-    """All parts that are kept, by name."""
     return {path.stem: json.loads(path.read_text()) for path in sorted((docs / "benchmarks").glob("*.json"))}
 
 
 def origin(parts):
-    """Which program and machine measured these parts."""
+    """The programs and machines that measured these parts."""
     made = dict.fromkeys(f"{part['program']}, on {part['machine']}" for part in parts)
     return f"Measured with {'; and with '.join(made)}."
 
 
 def block(name, kept):
-    """The text for one place."""
     parts, write = SUMMARIES.get(name, ((name,), lambda rows: report.section(name, rows[name])))
     found = {part: kept[part] for part in parts if part in kept}
     if not found:
@@ -61,12 +70,10 @@ def faults(docs=DOCS):
 
 
 def written(page, kept):
-    """The page's text with all places filled."""
     return PLACE.sub(lambda match: match["begin"] + block(match["name"], kept) + match["end"], page.read_text())
 
 
 def update(docs=DOCS):
-    """Fills all places of all pages."""
     wrong = faults(docs)
     if wrong:
         raise ValueError("\n".join(wrong))

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of a picture without blur: a narrow lens against the unpatched program's anti-aliasing (+A) of a pinhole, at
-equal error."""
+"""The cost of a picture without blur: a narrow lens against anti-aliasing (+A) of a pinhole, at equal error."""
 
 import math
 
@@ -11,7 +10,7 @@ from benchmarks.lab import PINHOLE, TILT_LENS
 
 SCENES = ("checks", "foliage", "town")
 SHARP = (("Blur", 1e-3),)
-# The errors compared at are those of these settings; the first one is the default of +A.
+# Settings whose errors are compared at; the first one is the default of +A.
 TARGETS = (("+A0.3", "+AM1", "+R3"), ("+A0.1", "+AM2", "+R3"), ("+A0.0", "+AM1", "+R3"), ("+A0.0", "+AM1", "+R6"))
 OTHERS = (("+A0.1", "+AM1", "+R3"), ("+A0.03", "+AM1", "+R4"), ("+A0.01", "+AM2", "+R4"), ("+A0.0", "+AM1", "+R2"),
           ("+A0.0", "+AM1", "+R4"), ("+A0.0", "+AM1", "+R9"), ("+A0.0", "+AM2", "+R3"), ("+A0.0", "+AM2", "+R4"))
@@ -40,7 +39,7 @@ def measure(lab, scene):
 
 
 def compare(records):
-    """One line for each target: the CPU time of tilt_lens for the error, over the least CPU time of stock."""
+    """CPU time of tilt_lens for each target's error, over the least CPU time of stock."""
     fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
               for program in ("+A", "tilt_lens")}
     lines = []

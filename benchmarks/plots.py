@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Curves by gnuplot: error against CPU time for each scene, and how cost grows."""
+"""Curves by gnuplot."""
 
 import subprocess
 

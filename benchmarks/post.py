@@ -8,19 +8,18 @@ import re
 from benchmarks.lab import PINHOLE, TILT_LENS, digest, run_measured
 
 FOG = 12.0
-# With any threshold the program's anti-aliasing misses many fine edges.
+# with any threshold, anti-aliasing misses many fine edges
 EDGES = {"rough": ("+A0.0", "+AM1", "+R2"), "fine": ("+A0.0", "+AM1", "+R5")}
 
 
 def lens_options(messages):
-    """The lens of scenes/camera.inc as options of the tool."""
     numbers = re.search(r"^Lens: (.+)$", messages, re.MULTILINE).group(1).split()
     names = ("--width", "--distance", "--lens", "--focus", "--focus-slope")
     return [option for pair in zip(names, numbers) for option in pair]
 
 
 def one(lab, scene, tilted, setting, reference):
-    """Renders, blurs, measures; CPU seconds of the picture, of one of the two depth pictures, of the blur."""
+    """CPU seconds of the picture, of one of the two depth pictures, of the blur."""
     key = digest("post of OpenEXR", EDGES[setting], lab.hashes[lab.stock], scene.shot(PINHOLE, tilted).sources(), scene.size,
                  (lab.tools / "post_blur").read_bytes(), tilted, setting, reference.name)
     record = lab.runs.get((key, 0))

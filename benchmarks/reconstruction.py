@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The errors with and without reconstruction (`denoise`) after the same work, and the bias of the reconstruction. Work is
-the number of instructions (callgrind), which does not vary, and an error is that of several independent pictures, so
-that differences of 1 % show."""
+"""Errors with and without reconstruction (`denoise`) after the same work, and the bias of the reconstruction.
+Callgrind's instructions and several independent pictures make differences of 1 % visible."""
 
 import math
 
@@ -20,8 +19,8 @@ def setting(scene, variance, denoise):
 
 
 def error_and_bias(lab, scene, shot):
-    """RMSE of one picture, and the bias that all independent pictures share. With a squared bias b and a variance v of each
-    picture, the mean square error of the mean of k pictures is b + v/k, and that of one picture b + v."""
+    """RMSE of one picture, and the bias that all independent pictures share. With a squared bias b and a variance v
+    of each picture, the mean of k pictures has the mean square error b + v/k."""
     reference = lab.reference(scene.shot(TILT_LENS, size=SIZE), *scene.reference)
     key = digest("bias beside the reference", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES)
     record = lab.runs.get((key, 0))
@@ -39,10 +38,9 @@ def error_and_bias(lab, scene, shot):
 
 
 def measure(lab, scene, count=instructions.count):
-    """A row for each variance, without and with reconstruction. The work does not include start and parsing, because the
-    pictures are small."""
+    """A row for each variance, without and with reconstruction; work without start and parsing."""
     lab.say(f"{scene.name}: with and without reconstruction")
-    # of a pinhole: with a lens, one pixel needs the samples of its neighbours, too, and more of them with `denoise on`
+    # of a pinhole: with a lens, one pixel needs the samples of its neighbours, and more of them with `denoise on`
     start = count(lab, lab.ours, lab.one_pixel(scene.shot(PINHOLE, size=SIZE)))
     rows = []
     for variance in VARIANCES[:3] if lab.quick else VARIANCES:
@@ -56,8 +54,8 @@ def measure(lab, scene, count=instructions.count):
 
 
 def compare(rows):
-    """For each variance: RMSE without over RMSE with reconstruction, after the work that is needed without, limited to the
-    range of work that both settings cover; if there is none, what one reaches at most and the other at the least."""
+    """RMSE without over RMSE with reconstruction for each variance, after the work without it, limited to the range
+    of work that both settings cover. If there is none: most work of one, least work of the other."""
     off, on = ([(row["instructions"], row["rmse"]) for row in rows if row["denoise"] == denoise] for denoise in (0, 1))
     least = max(pareto(points)[0][0] for points in (off, on))
     most = min(pareto(points)[-1][0] for points in (off, on))

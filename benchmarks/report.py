@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The results as tables in Markdown, each with the goals that it is held to.
+"""The results as tables in Markdown, with the goals that they are held to.
 
-A section is a function of the rows that a part of the benchmark measured; it returns paragraphs. SECTIONS names them
-all. `benchmarks/pages.py` puts them into the pages.
-"""
+A section is a function of the rows of a part; it returns paragraphs. `benchmarks/pages.py` puts them into the
+pages."""
 
 from benchmarks import suite
 from benchmarks.front import geometric_mean
@@ -12,7 +11,6 @@ from benchmarks.reconstruction import PICTURES, compare
 from benchmarks.sampler_report import section_allocation, section_found_lamps, section_threads
 from benchmarks.tables import TITLES, Goal, both_sections, plots_of, ratio_goals, ratio_section, table
 
-# CPU time at equal error
 
 
 def goals_stock(comparisons):
@@ -44,7 +42,6 @@ def section_display(found):
 
 
 def overview_display(results):
-    """The scenes of the gallery, as in overview."""
     return overview({"stock": results["display"]["untilted"], "tilted": results["display"]["tilted"]})
 
 
@@ -84,10 +81,9 @@ def section_reading(rows):
             f"The geometric mean of the ratios is {mean:.1f}."]
 
 
-# The reconstruction
 
 def denoise_ratios(rows):
-    """Scene: variance: RMSE without over RMSE with reconstruction, after the same work."""
+    """RMSE without over RMSE with reconstruction after the same work, by scene and variance."""
     scenes = dict.fromkeys(row["scene"] for row in rows)
     return {scene: compare([row for row in rows if row["scene"] == scene]) for scene in scenes}
 
@@ -121,7 +117,6 @@ def section_denoise(rows):
                    for off, on in pairs])]
 
 
-# Sharp pictures and tilts
 
 def goals_pan(lines):
     worst = max((line["times"] or float("inf") for line in lines), default=0)
@@ -150,7 +145,6 @@ def section_tilt(rows):
             *[goal.sentence() for goal in goals_tilt(rows)]]
 
 
-# Cost
 
 def goals_instructions(rows):
     worst = max(row["more"] for row in rows)
@@ -240,11 +234,10 @@ def section_growth(rows):
             "\n".join(f"![cost against {name}](pictures/benchmarks/growth_{name.replace(' ', '_')}.svg)" for name in names)]
 
 
-# The error that was asked for
 
 def verdict(row):
-    """Whether the variance asked for was got. The reference's own error is subtracted from a mean, but a pixel that is
-    off may be off by the reference: where that is not small against V, the number of such pixels says nothing."""
+    """Does the picture keep its variance? Where the reference's own error is not small against V, the number of
+    pixels that are off says nothing."""
     if row["share"] <= 1.2 and row["beyond"] <= 0.05:
         return "yes"
     if row["share"] <= 1.2 and row["reference_mse"] > 0.25*row["variance"]:
@@ -253,7 +246,6 @@ def verdict(row):
 
 
 def held(rows, where=""):
-    """The goals of pictures of some size."""
     good = sum(verdict(row) == "yes" for row in rows)
     went_on = [row for row in rows if row["more"]]
     thrifty = sum(row["share_of_more"] >= 0.25 for row in went_on)
@@ -265,7 +257,6 @@ def held(rows, where=""):
 
 
 def told(rows, where):
-    """The goal of the standard error that the program estimates."""
     ratios_of = [row["estimated"]/row["true"] for row in rows if row.get("true")]
     good = sum(0.8 <= ratio <= 1.2 for ratio in ratios_of)
     return [Goal(f"Pictures whose estimated standard error is 0.8 to 1.2 times the true one{where}", f"all {len(ratios_of)}",
@@ -299,25 +290,18 @@ def section_crops(rows):
     return contract_table(rows, goals_crops(rows))
 
 
-# Rules of the sampler
 
-def section_ablation(rows):
-    found = {}
-    for row in rows:
-        found.setdefault((row["rule"], row["section"], row["settings"]), []).append(row)
+def section_ablation(found):
     cells = []
-    for (rule, section_number, settings), of_rule in found.items():
-        means = [geometric_mean(row["ratio"] for row in of_rule if row["denoise"] == on) for on in (0, 1)]
-        worst = max(of_rule, key=lambda row: row["ratio"])
-        judged = [row for row in of_rule if row["error"] is not None]
-        error, beyond = (max(judged, key=lambda row, name=name: row[name]) for name in ("error", "beyond"))
-        cells.append([rule or "*(nothing)*", f"{section_number or ''}", f"`{settings}`" if settings else "",
-                      *[f"{mean:.2f}" for mean in means], f"{worst['ratio']:.2f} {worst['scene']}" if settings else "",
-                      f"{error['error']:.1f} {error['scene']}", f"{100*beyond['beyond']:.0f} % {beyond['scene']}"])
-    first = rows[0]
+    for row in found["rules"]:
+        (ratio, scene), (error, scene_of_error), (beyond, scene_of_beyond) = row["ratio"], row["error"], row["beyond"]
+        cells.append([row["rule"] or "*(nothing)*", f"{row['section'] or ''}", f"`{row['settings']}`" if row["settings"] else "",
+                      *[f"{mean:.2f}" for mean in row["means"]], f"{ratio:.2f} {scene}" if row["settings"] else "",
+                      f"{error:.1f} {scene_of_error}", f"{100*beyond:.0f} % {scene_of_beyond}"])
+    width, height = found["size"]
     return [table(["without", "section", "settings", "work, `denoise off`", "work, `denoise on`", "worst scene",
                    "greatest MSE/V", "most pixels beyond 2 sqrt(V)"], cells),
-            f"Pictures of {first['width']} by {first['height']} with {first['samples']} recorded samples of each pixel."]
+            f"Pictures of {width} by {height} with {found['samples']} recorded samples of each pixel."]
 
 
 SECTIONS = {
@@ -351,26 +335,23 @@ GOALS = {"contract": goals_contract, "crops": goals_crops, "display": goals_disp
 
 
 def section(part, rows):
-    """The text of one part, without its title."""
     return "\n\n".join(SECTIONS[part][1](rows))
 
 
 def text(results):
-    """All parts that were measured, with their titles."""
+    """All measured parts, with their titles."""
     return "\n\n".join(f"### {title}\n\n{section(part, results[part])}" for part, (title, _) in SECTIONS.items()
                        if results.get(part))
 
 
-# For users
 
 def range_of(lines):
-    """Geometric mean and range of some ratios."""
     found = [line["ratio"] for line in lines if line["ratio"]]
     return f"{geometric_mean(found):.1f} ({min(found):.1f} to {max(found):.1f})" if found else "-"
 
 
 def overview(results):
-    """How many times less CPU time each scene takes; means over the errors compared at."""
+    """Ratios of CPU time of each scene; means over the errors compared at."""
     untilted, tilted = results["stock"], results["tilted"]
     rows = [[TITLES[scene], range_of(untilted[scene]), range_of(tilted[scene])] for scene in untilted if scene in tilted]
     together = [[line for lines in comparisons.values() for line in lines] for comparisons in (untilted, tilted)]
@@ -379,7 +360,6 @@ def overview(results):
 
 
 def goals(results):
-    """All goals in one table."""
     found = [goal for part, function in GOALS.items() if results.get(part) for goal in function(results[part])]
     return table(["figure", "goal", "measured", "verdict"],
                  [[goal.figure, goal.wanted, goal.measured, goal.verdict if goal.reached else f"**{goal.verdict}**"]

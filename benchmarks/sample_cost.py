@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What a sample of the lens costs with all rays that follow from it: callgrind's instructions within the sampling of tiles, and
-of these, what the search for intersections takes: hierarchies and objects. With a program to compare with, also the CPU seconds
-of the rays of both, at sixteen times the pixels."""
+"""The cost of a sample of the lens with all rays that follow from it: callgrind's instructions within the sampling
+of tiles, and the part of the search for intersections. With a program to compare with, also the CPU seconds of the
+rays of both, at sixteen times the pixels."""
 
 import dataclasses
 import statistics
@@ -22,14 +22,14 @@ ALL, INTERSECTIONS = "tilt_lens::TileSampler::Run(*", "pov::SceneHierarchy::Inte
 
 
 def seconds_over_before(lab, shot, before):
-    """CPU seconds of the rays over those of the program of before: the median of pairs that follow each other."""
+    """Ratio of CPU seconds of the rays: the median of pairs that follow each other."""
     larger = dataclasses.replace(shot, size=TIMED_SIZE)
     pairs = [[lab.run(program, larger, repetition=i)["rays"] for program in (lab.ours, before)] for i in range(REPETITIONS)]
     return statistics.median(ours/theirs for ours, theirs in pairs)
 
 
 def measure(lab, before=None, count=instructions.count, seconds=seconds_over_before):
-    """A row for each scene: instructions a sample, those of the search, and what the program of before takes, if there is one."""
+    """Instructions a sample, those of the search, and those of the program of before, if there is one."""
     lab.say("instructions of a sample with all its rays")
     rows = []
     for shot in SHOTS:

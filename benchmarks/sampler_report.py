@@ -11,7 +11,6 @@ def percent(share, digits=1):
     return f"{100*share:.{digits}f} %"
 
 
-# Found lamps
 
 def lamps_told(rows):
     """Reported over true standard error, where there is an error."""
@@ -48,7 +47,6 @@ def section_found_lamps(rows):
             *[goal.sentence() for goal in goals_found_lamps(rows)]]
 
 
-# Allocation of rays
 
 def goals_allocation(rows):
     large = [row for row in rows if tuple(row["whole"]) == allocation.LARGE]
@@ -79,7 +77,6 @@ def section_allocation(rows):
             *[goal.sentence() for goal in goals_allocation(rows)]]
 
 
-# Threads
 
 def goals_threads(rows):
     goals = []

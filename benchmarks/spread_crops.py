@@ -19,7 +19,7 @@ GALLERY = ROOT / "scenes" / "gallery"
 PICTURES = ROOT / "docs" / "pictures" / "sampling"
 PICTURE = (1280, 720)
 SIZE = (144, 80)            # of a crop, whole blocks
-RECORDED = 256              # samples of each pixel; their mean is the last column
+RECORDED = 256              # of each pixel; their mean is the last column
 CROPS = {"miniature_town": (160, 560), "chess_by_swing": (896, 416)}  # upper left corners, whole blocks
 RAYS = (2, 4)               # a pixel, of the rows
 COLUMNS = ("spreadWeight=0,leastRowVariance=0", "leastRowVariance=0")  # without and with
@@ -27,7 +27,6 @@ SCALE = 3
 
 
 def record(tools, scene, corner, path):
-    """Writes the samples of a crop."""
     (left, top), (width, height) = corner, SIZE
     command = [tools / "record_samples", f"+I{GALLERY / scene}.pov", f"+L{GALLERY}", f"+L{ROOT / 'scenes' / 'include'}",
                f"+W{PICTURE[0]}", f"+H{PICTURE[1]}", f"+SC{left + 1}", f"+EC{left + width}", f"+SR{top + 1}",
@@ -46,7 +45,7 @@ def replay(tools, samples, rays, prefix):
 
 
 def make(tools, scene, corner, folder):
-    """A picture with a row for each number of rays: without, with, and the mean of all recorded samples."""
+    """A row for each number of rays: without, with, and the mean of all recorded samples."""
     samples = folder / f"{scene}.samples"
     record(tools, scene, corner, samples)
     shown = []
@@ -60,7 +59,6 @@ def make(tools, scene, corner, folder):
 
 
 def main():
-    """The command."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tools", type=pathlib.Path, default=BUILD / "tests" / "benchmarks" / "tools")
     tools = parser.parse_args().tools

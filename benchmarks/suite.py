@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The scenes and the settings that are tried."""
+"""Scenes and settings."""
 
 import dataclasses
 import pathlib
@@ -9,7 +9,7 @@ from benchmarks.lab import SCENES as SCENE_FOLDER
 from benchmarks.lab import STOCK, TILT_LENS, Part, Shot
 
 
-# The errors compared at are those of stock with these numbers of samples in each pixel.
+# Errors are compared at those of stock with these numbers of samples.
 TARGETS = (37, 100, 400, 1600)
 
 
@@ -20,18 +20,18 @@ class Scene:
     reference: tuple        # independent pictures, samples a pixel of each
     frames: int = 1024      # of the accumulation buffer
     size: tuple = (200, 150)
-    contract: int = 4       # times as many samples for the references of part contract, whose error must be small against 1e-6
+    contract: int = 4       # factor of samples for the references of part contract, whose error must be small against 1e-6
     quick_frames: int = 256
     targets: tuple = TARGETS
-    part: Part = None       # what larger picture is meant; the picture that is rendered stands for it
+    part: Part = None       # the larger picture; the rendered one stands for it
     folder: pathlib.Path = SCENE_FOLDER
 
     def shot(self, form, tilted=0, **more):
         return Shot(self.name, form, tilted, **{"size": self.size, "part": self.part, "folder": self.folder, **more})
 
     def seconds(self, record):
-        """CPU seconds that are compared. A part is compared by its rays, beside which start and parsing count for little in
-        the whole picture."""
+        """CPU seconds to compare: for a part those of its rays, since start and parsing count for little in the
+        whole picture."""
         return record["rays"] if self.part else record["cpu"]
 
 
@@ -48,7 +48,7 @@ SCENES = [
 ]
 LAMPS = ("lights", "dim")
 
-# The gallery's scenes at the size that people look at. A strip from the upper to the lower edge has all distances in it.
+# The gallery's scenes. A strip from the upper to the lower edge has all distances in it.
 DISPLAY = {"miniature_town": "town", "miniature_harbour": "harbour", "miniature_railway": "railway", "miniature_stadium": "stadium",
            "facade_by_shift": "facade", "chess_by_swing": "chess", "watch_on_table": "watch", "city_lights": "city lights",
            "forest_reverse_tilt": "forest"}
@@ -80,7 +80,7 @@ def limits(least, most, variance, confidence=0.9):
 
 
 def stock_shots(scene, quick):
-    """(name, shot) of stock focal blur; first those that define the errors compared at."""
+    """(name, shot) of stock focal blur, first those whose errors are compared at."""
     settings = [(samples, samples, 0, 0.9) for samples in (scene.targets[:3] if quick else scene.targets)]
     adaptive = STOCK_SPARING + STOCK_ADAPTIVE if scene.part else STOCK_ADAPTIVE
     most = 32 if quick and scene.part else 64 if quick or scene.part else 128     # minimum for the least error compared at

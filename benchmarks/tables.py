@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What the sections of report.py are made of: tables, goals, and the comparison of CPU seconds at equal error."""
+"""Building blocks of the sections of report.py: tables, goals, and ratios of CPU seconds at equal error."""
 
 import csv
 import dataclasses
@@ -17,7 +17,7 @@ TITLES = {scene.name: scene.title for scene in suite.SCENES} | suite.DISPLAY | {
 
 @dataclasses.dataclass(frozen=True)
 class Goal:
-    """One figure that the project aims at, and what was measured."""
+    """A figure that the project aims at."""
 
     figure: str
     wanted: str
@@ -26,16 +26,13 @@ class Goal:
 
     @property
     def verdict(self):
-        """In one word."""
         return "reached" if self.reached else "missed"
 
     def sentence(self):
-        """For below a table."""
         return f"Goal: {self.figure}: {self.wanted}. Measured: {self.measured} ({self.verdict})."
 
 
 def write_csv(path, rows):
-    """The records of all runs, for other programs."""
     with path.open("w", newline="") as out:
         writer = csv.DictWriter(out, COLUMNS, extrasaction="ignore", lineterminator="\n")
         writer.writeheader()
@@ -45,7 +42,6 @@ def write_csv(path, rows):
 
 
 def machine():
-    """The processor's name."""
     found = re.search(r"^model name\s*:\s*(.+)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M)
     return found.group(1) if found else "an unnamed processor"
 
@@ -56,10 +52,9 @@ def table(header, rows):
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
-# CPU time at equal error
 
 def ratio_cell(line):
-    """How many times less CPU time ours takes, and the error compared at."""
+    """Ratio of CPU times, and the error compared at."""
     if line["ratio"] is None:
         return f"not reached ({line['rmse']:.4f})"
     least = "at least " if line.get("at_least") else ""
@@ -84,7 +79,6 @@ def found_ratios(comparisons):
 
 
 def ratio_goals(comparisons, other, wanted, least=None, where=""):
-    """The geometric mean over all scenes and errors, and the least ratio."""
     found = [ratio for ratio, _, _ in found_ratios(comparisons)]
     if not found:
         return []
@@ -99,7 +93,7 @@ def ratio_goals(comparisons, other, wanted, least=None, where=""):
 
 
 def ratio_section(comparisons, goals):
-    """Table, goal, the least ratio, and what was not reached."""
+    """Table, goals, least ratio, and the number of errors that were not reached."""
     found = found_ratios(comparisons)
     missing = sum(line["ratio"] is None for lines in comparisons.values() for line in lines)
     paragraphs = [ratios(comparisons), *[goal.sentence() for goal in goals]]
@@ -110,7 +104,6 @@ def ratio_section(comparisons, goals):
 
 
 def plots_of(comparisons, tilted):
-    """The plots of all scenes."""
     return "\n".join(f"![{TITLES[scene]}{', tilted' if tilted else ''}: error against CPU time]"
                      f"(pictures/benchmarks/{scene}{'_tilted' if tilted else ''}.svg)" for scene in comparisons)
 

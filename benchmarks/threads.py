@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Wall time of tracing the gallery's pictures with one thread and with more, and the share of it that threads wait, without start,
-parsing and output. A thread that has no processor waits, too: the machine must be quiet."""
+"""Wall time of tracing the gallery's pictures with one thread and with more, and the share of it that threads wait.
+A thread that has no processor waits, too: the machine must be quiet."""
 
 import os
 import re
@@ -20,7 +20,7 @@ def numbers_of_threads(processors=None):
 
 
 def traced(messages):
-    """Wall seconds and CPU seconds of tracing, as the program reports them."""
+    """Wall seconds and CPU seconds of tracing, from the program's report."""
     found = re.search(r"^  Trace Time:[^(]*\(([0-9.]+) seconds\)\s+using \d+ thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     if not found:
         raise Failed(f"the program does not report how long it traced:\n{messages[-1000:]}")
@@ -40,7 +40,7 @@ def run(lab, shot, repetition):
 
 
 def of_scene(lab, name):
-    """A row for each number of threads. All are tried in turn, so that a busy minute of the machine hits all alike."""
+    """All numbers of threads are tried in turn, so that a busy minute of the machine hits all alike."""
     shots = {threads: Shot(name, TILT_LENS, 1, QUICK_SIZE if lab.quick else SIZE, threads=threads, folder=gallery.GALLERY)
              for threads in numbers_of_threads()}
     lab.say(f"{name} with {', '.join(map(str, shots))} threads")
@@ -58,12 +58,11 @@ def of_scene(lab, name):
 
 
 def efficiency(rows, row):
-    """The speed of many threads over as many times the speed of one."""
+    """Speed of many threads over as many times the speed of one."""
     one = next(other for other in rows if other["scene"] == row["scene"] and other["threads"] == 1)
     return one["wall"]/(row["threads"]*row["wall"])
 
 
 def measure(lab, names):
-    """The rows of the gallery's scenes."""
     wanted = [name for name in suite.DISPLAY if name in names and (not lab.quick or name in suite.QUICK_DISPLAY)]
     return [row for name in wanted for row in of_scene(lab, name)]

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of a tilt: scenes/wall.pov has the same blur with and without. CPU times vary by more than the effect; instructions
-(of a smaller picture, if callgrind is installed) do not."""
+"""The cost of a tilt: scenes/wall.pov has the same blur with and without. CPU times vary by more than the effect;
+instructions (of a smaller picture) do not."""
 
 import dataclasses
 import shutil
@@ -19,6 +19,5 @@ def measure(lab):
     counts = [instructions.count(lab, lab.ours, dataclasses.replace(shot, size=instructions.SIZE), 3) for shot in shots] \
         if shutil.which("valgrind") and not lab.quick else None
     return [{"setting": setting, "untilted": runs[2*i]["cpu"], "tilted": runs[2*i + 1]["cpu"],
-             "samples_untilted": runs[2*i].get("samples"), "samples_tilted": runs[2*i + 1].get("samples"),
              "times": runs[2*i + 1]["cpu"]/runs[2*i]["cpu"],
              "instructions": counts and counts[2*i + 1]/counts[2*i]} for i, setting in enumerate(SETTINGS)]

@@ -33,8 +33,8 @@ def measure(lab, scene, errors):
 
 
 def compare(records, errors):
-    """One line for each error: seconds of both programs. Where the accumulation buffer does not reach the error with all
-    frames, their time is a lower bound."""
+    """Seconds of both programs for each error; a lower bound where the accumulation buffer does not reach it with
+    all frames."""
     fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
               for program in ("accumulation", "tilt_lens")}
     lines = []

@@ -15,18 +15,17 @@ SECONDS_OF_SETTING, MOST_REPETITIONS = 4.0, 7
 
 
 def repetitions(first):
-    """Runs of one setting: as many as take some seconds with their starts and parsing. On shared machines, single short runs differ by up
-    to a half."""
+    """As many runs of a setting as take some seconds: single short runs differ by up to a half on shared machines."""
     return min(MOST_REPETITIONS, max(1, int(SECONDS_OF_SETTING/first["cpu"])))
 
 
 def start_up(lab, program, scene, shot):
-    """CPU seconds of start and parsing, where they are part of what is compared."""
+    """CPU seconds of start and parsing, 0 where they are not compared."""
     return 0.0 if scene.part else lab.start_up(program, shot)
 
 
 def first_runs(lab, scene, reference):
-    """Each setting once, alternately of the two programs. Ours continues until it is better than all errors compared at."""
+    """Each setting once, alternately of the two programs, ours until it is better than all errors compared at."""
     stock = collections.deque(suite.stock_shots(scene, lab.quick))
     chains = [collections.deque(chain) for chain in suite.ours_chains(scene, 0, lab.quick)]
     done, errors = [], {}
@@ -51,7 +50,7 @@ def first_runs(lab, scene, reference):
 
 
 def measure(lab, scene):
-    """Records of one scene; CPU seconds are medians over the repetitions, which are interleaved."""
+    """Records of one scene; CPU seconds are medians over interleaved repetitions."""
     lab.say(f"{scene.name}: stock focal blur and tilt_lens")
     reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
     done = first_runs(lab, scene, reference)
@@ -68,7 +67,7 @@ def measure(lab, scene):
 
 
 def compare(scene, records):
-    """One line for each target: samples of stock, its error, and the seconds of both programs for this error."""
+    """For each target: samples of stock, its error, and the seconds of both programs for this error."""
     fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
               for program in ("stock", "tilt_lens")}
     lines = []

@@ -20,7 +20,6 @@ HINGE_LIMIT = 0.01      # of J: a line through two points 20 cm apart, followed 
 
 
 def cropped(view, width, height):
-    """The middle of a picture, at the same scale."""
     return dataclasses.replace(view, width=width, height=height,
                                film_width=view.film_width * width / view.width)
 
@@ -40,7 +39,6 @@ def spot_grid(lens):
 
 
 def error_of(measured, wanted):
-    """The largest difference of second moments, relative."""
     scale = (wanted[0], math.sqrt(wanted[0] * wanted[2]), wanted[2])
     return max(abs(a - b) / s for a, b, s in zip(measured, wanted, scale))
 
@@ -66,7 +64,7 @@ def spots(lab):
 
 
 def parabola(xs, ys):
-    """Least squares a + b x + c x^2, by the normal equations."""
+    """Least squares a + b x + c x^2."""
     sums = [sum(x ** n for x in xs) for n in range(5)]
     m = [[sums[i + j] for j in range(3)] + [sum(y * x ** i for x, y in zip(xs, ys))]
          for i in range(3)]
@@ -80,8 +78,6 @@ def parabola(xs, ys):
 
 @dataclasses.dataclass
 class Ruler:
-    """A straight ruler with marks at u from -1 to 1, and the blur of its marks in a picture."""
-
     middle: tuple
     half: tuple                     # from the middle to the end
     count: int = 7
@@ -91,15 +87,15 @@ class Ruler:
         return add(self.middle, times(u, self.half))
 
     def places(self, lens):
-        """The places of the marks: evenly spaced in the picture, so that their spots do not overlap."""
+        """Evenly spaced in the picture, so that the spots of the marks do not overlap."""
         near, far = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         steps = [i / (self.count - 1) for i in range(self.count)]
         return [2 * t * near / (far * (1 - t) + near * t) - 1 for t in steps]
 
     def read(self, lens, moments):
-        """The width of a mark's blur across the tilt is in proportion to |1 - k.X| / X.z, and the
-        depth X.z of a mark is known; so the square of width times depth is a parabola along the
-        ruler that touches zero in the plane of sharp focus."""
+        """The width of a mark's blur across the tilt is in proportion to |1 - k.X| / X.z, and the depth X.z is
+        known: the square of width times depth is a parabola along the ruler that touches zero in the plane of sharp
+        focus."""
         values = []
         for u, (xx, _, _) in zip(self.places(lens), moments):
             own = lens.disc_moments(self.at(u), marks.radius_of(lens, self.at(u)))[0]
@@ -107,11 +103,10 @@ class Ruler:
         self.fit = parabola(self.places(lens), values)
 
     def sharp(self):
-        """The sharpest point."""
         return self.at(-self.fit[1] / (2 * self.fit[2]))
 
     def limits(self, lens, diameter):
-        """Where the blur is `diameter` pixels wide (four standard deviations), near and far."""
+        """Places, near and far, where the blur is `diameter` pixels wide (four standard deviations)."""
         start, end = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         middle, slope = (start + end) / 2, (end - start) / 2
         centre, width = -self.fit[1] / (2 * self.fit[2]), math.sqrt(self.fit[2])
@@ -122,7 +117,6 @@ class Ruler:
 
 
 def read_rulers(lab, name, lens, through, rulers):
-    """Renders and reads rulers; the widest blur is in the window."""
     points = [r.at(u) for r in rulers for u in r.places(lens)]
     picture = marks.render(lab, name, lens, through, points)
     reaches = [max(map(abs, sum(lens.blur_axes(p), ()))) * 1.1 + 4 for p in points]
@@ -132,8 +126,8 @@ def read_rulers(lab, name, lens, through, rulers):
 
 
 def slanted(lens, x, top, bottom):
-    """A ruler between two rows of the picture that crosses the plane of sharp focus: its ends are 6
-    pixels out of focus, the far one less where that would be nearly at infinity."""
+    """A ruler between two rows of the picture across the plane of sharp focus. Its ends are 6 pixels out of focus,
+    the far one less where that would be nearly at infinity."""
     view, ends = lens.view, []
     defocus = 6 / (lens.radius * lens.pixels_per_slope())
     for y, sign in ((top, -1), (bottom, 1)):
@@ -143,7 +137,6 @@ def slanted(lens, x, top, bottom):
 
 
 def plane(lab):
-    """The plane of sharp focus from pictures of slanted rulers."""
     rows = []
     for tilt in (10.5,) if lab.quick else (0.0, 10.5, -6.0):
         lens = Lens.tilted(PLAIN, tilt, THROUGH)
@@ -194,7 +187,6 @@ def hinge_lines(lab, depth):
 
 
 def hinge(lab):
-    """The hinge line by refocusing, and the wedge of the depth of field about it."""
     depths = (40.0, 70.0) if lab.quick else (40.0, 52.0, 70.0)
     found = [hinge_lines(lab, depth) for depth in depths]
     distance = found[0][0].hinge_distance()

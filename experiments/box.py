@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Figs. 5 to 8 and Table 1 of the paper by Nakane et al.: a box on a checker board, three states of focus,
-brightness along a line on its top, its side and the floor. The paper compares with photographs that
-are not published; here the second curve is the unpatched program's accumulation buffer."""
+brightness along a line on its top, its side and the floor. The paper's photographs are not published; the second
+curve is the unpatched program's accumulation buffer."""
 
 import dataclasses
 import math
@@ -21,9 +21,8 @@ def turned(point):
 
 
 EDGE_TOP = turned((6, 8, -6))
-# World lines: across the top from near to far (not through the corners of its squares), along the
-# left-hand side face from the near edge (half-way up, rising a little), and over the floor from the
-# near to the far left.
+# World lines across the top (not through the corners of its squares), along the left-hand side face, and over the
+# floor from the near to the far left.
 LINES = {
     "red": ("top", "#cc0000", turned((5.6, 8, -5.0)), turned((-4.2, 8, 5.6))),
     "green": ("side", "#008800", turned((5.8, 3.2, -6)), turned((-5.6, 5.4, -6))),
@@ -36,14 +35,13 @@ LIMITS = {0: 0.5, 1: 0.15}          # by Quality of box_camera.inc
 
 
 def state(letter, view=VIEW):
-    """The lens of one of the three states."""
     if letter == "a":
         return Lens.tilted(view, 0.0, EDGE_TOP)
     return Lens.on_plane(view, (0, 1, 0) if letter == "b" else (0, 0, 1), EDGE_TOP)
 
 
 def oracle_case(letter, lens):
-    """The state for the oracle, which takes the tilt of the lens instead of the plane."""
+    """The state for the oracle, by the tilt of the lens instead of the plane."""
     view = lens.view
     return {"picture": [view.width, view.height],
             "camera": {"location": view.location, "look_at": view.look_at,
@@ -53,7 +51,7 @@ def oracle_case(letter, lens):
 
 
 def compare_lines(lab, letter, lens, pictures, names, stem, title):
-    """Profiles of the pictures (the first: the reference) along the lines; the differences."""
+    """Profiles along the lines, of the pictures (the first: the reference); the differences."""
     found = {}
     for colour, (where, shade, start, end) in LINES.items():
         a, b = lens.pixel(start), lens.pixel(end)
@@ -70,7 +68,6 @@ def compare_lines(lab, letter, lens, pictures, names, stem, title):
 
 
 def draw_lines(lab, lens, picture):
-    """The picture, twice as large, with the lines on it."""
     drawing = ["--resize", f"{2 * lens.view.width}x{2 * lens.view.height}"]
     for _, shade, start, end in LINES.values():
         colour = ",".join(f"{int(shade[i:i + 2], 16) / 255:.3f}" for i in (1, 3, 5))
@@ -80,7 +77,6 @@ def draw_lines(lab, lens, picture):
 
 
 def table_1(lab):
-    """Figs. 7, 8 and Table 1; yields claims."""
     view = dataclasses.replace(VIEW, width=120, height=80) if lab.quick else VIEW
     size = (view.width, view.height)
     batches, samples = (4, 256) if lab.quick else (8, 2048)

@@ -1,11 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Writes docs/paper.md and docs/pictures/paper: pictures, curves and tables are copied from a run, and the tables
-within the text are written from the copies, so that no number is typed by hand:
+"""Writes docs/paper.md and docs/pictures/paper from a run. Tables within the text are written from its files, so that no
+number is typed by hand:
 
-    <!-- table: spots/claims.csv -->
-    ...the program replaces this text...
-    <!-- end of table -->
+<!-- table: spots/claims.csv -->
+...the program replaces this text...
+<!-- end of table -->
 """
 
 import csv
@@ -21,7 +21,6 @@ LINK = re.compile(r"\]\((pictures/paper/[^)]+)\)")
 
 
 def cell(text):
-    """Four digits are enough to read."""
     try:
         number = float(text)
     except ValueError:
@@ -30,7 +29,6 @@ def cell(text):
 
 
 def table(path):
-    """A CSV file in Markdown."""
     with path.open(newline="") as lines:
         rows = [[cell(text) for text in row] for row in csv.reader(lines)]
     rows.insert(1, ["---"] * len(rows[0]))
@@ -38,19 +36,17 @@ def table(path):
 
 
 def written():
-    """The page's text with the tables of the stored results."""
     return TABLE.sub(lambda found: found[1] + table(PICTURES / found[2]) + found[3],
                      TEXT.read_text())
 
 
 def update(folders):
-    """Stores the results of experiments, one folder for each."""
     for folder in folders:
         target = PICTURES / folder.name
         shutil.rmtree(target, ignore_errors=True)
         target.mkdir(parents=True)
         for path in folder.iterdir():
-            # curves' own tables are as long as pictures are wide; the document shows the plots
+            # curves' own tables are as long as pictures are wide
             if not re.match(r"profile_._.*\.csv", path.name):
                 shutil.copyfile(path, target / path.name)
     TEXT.write_text(written())

@@ -4,7 +4,7 @@
 
 from experiments.laboratory import Claim
 
-LIMIT = 8.0     # of 2^-52: a dozen roundings, at angles up to 85 degrees
+LIMIT = 8.0     # of 2^-52: a dozen roundings
 
 
 def table(lab):

@@ -36,7 +36,7 @@ def read_ply(text):
 
 
 def write_mesh(out, vertices, faces):
-    """The mesh in the place of our own dragon: about 3 units long, on y = 0, head toward -x."""
+    """In the place of our own dragon: about 3 units long, on y = 0, head toward -x."""
     low = [min(v[i] for v in vertices) for i in range(3)]
     high = [max(v[i] for v in vertices) for i in range(3)]
     size = 2.9 / (high[0] - low[0])

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The paper's Figs. 4, 5, 6 and 9: the pictures, and the blur of objects in them, measured against a pinhole picture of
-the same scene."""
+"""The paper's Figs. 4, 5, 6 and 9: the blur of objects, measured against a pinhole picture of the same scene."""
 
 import dataclasses
 
@@ -14,8 +13,8 @@ PINHOLE = 0.0001        # factor of the aperture
 
 
 def pictures(lab, names, size, pinhole, finer=1, declare=()):
-    """Renders scenes with declarations and, with those of `pinhole` and as many times finer, the pinhole's
-    picture of the first; linear pictures by name."""
+    """Linear pictures by name; `pinhole` has declarations for the pinhole's picture of the first, as many times
+    finer."""
     found = {}
     for name in names:
         found[name] = lab.render(SCENES / f"{name}.pov", f"{name}.exr", size, declare)
@@ -25,20 +24,18 @@ def pictures(lab, names, size, pinhole, finer=1, declare=()):
     return found
 
 
-# ---- Fig. 4 ----
 
 ROW_START, ROW_STEP = (-0.85, 0, -0.6), (1.45, 0, 4.0)
 
 
 def around(number, low, high, name):
-    """A box about the middle of one of the four dragons."""
     middle = add(ROW_START, times(number, ROW_STEP))
     return Region(name, add(middle, low), add(middle, high))
 
 
 def dragons(lab):
-    """Fig. 4: with the normal lens the second dragon is sharp, with the tilted lens all four. The closed form is tested
-    on the floor to their right, where no object of another depth covers it."""
+    """Fig. 4: with the normal lens the second dragon is sharp, with the tilted lens all four. The floor to their
+    right is tested, where no object of another depth covers it."""
     view = View((0.2, 2.7, -9.5), (0.55, 0.9, 2.2), *((256, 144) if lab.quick else (640, 360)),
                 0, 0, 1000)
     floor = [around(i, (1.5, 0, -0.6), (2.9, 0, 0.6), f"floor beside dragon {i + 1}")
@@ -65,34 +62,31 @@ def dragons(lab):
               [[i + 1, *pair] for i, pair in enumerate(zip(normal, tilted))])
 
 
-# ---- Figs. 5 and 6 ----
 
-# Of the distance from the camera: the grid's part in a blur of 4 pixels is 1/6 pixel, which is 0.2 to
-# 0.5 cm by the blur's growth here, at 60 cm.
+# Relative to the distance from the camera: the grid's part in a blur of 4 pixels is 1/6 pixel, which is 0.2 to 0.5 cm
+# at 60 cm.
 SHARP_LIMIT = 0.01
 WIDE = 3.0              # pixels
 
 
 def floor_line(count):
-    """Over the floor beside the box, from near to far."""
     return [add((-12.5, 0, -11), times(i / (count - 1), (-5.5, 0, 23))) for i in range(count)]
 
 
 def side_line(count):
-    """Up a side face of the box, not to its upper edge."""
     return [box_scene.turned((-1.0, 0.9 + 4.6 * i / (count - 1), -6)) for i in range(count)]
 
 
 def sharp_place(lab, sharp, blurred, lens, points, half):
-    """The place where the line through some points meets the plane of sharp focus, as measured in the picture; the points
-    lie on one side of the plane or near it. Blur times depth is proportional to the distance from the plane, so that
-    a straight line through the measured values is zero there. Also returns the measured diameters."""
+    """The measured place where the line through some points meets the plane of sharp focus, and the measured
+    diameters. Blur times depth is proportional to the distance from the plane, so a straight line through the
+    measured values is zero there. The points lie on one side of the plane or near it."""
     windows = []
     for point in points:
         x, y = (round(c) for c in lens.pixel(point))
         windows.append([x - half, y - half, 2 * half, 2 * half])
     found = measure(lab, sharp, blurred, windows, 40)
-    # A large blur hardly depends on the pixel grid.
+    # a large blur hardly depends on the pixel grid
     pairs = [(i / (len(points) - 1), d * lens.view.local(p)[2])
              for i, (p, d) in enumerate(zip(points, found)) if d > WIDE]
     n, mean_x, mean_y = len(pairs), *(sum(column) / len(pairs) for column in zip(*pairs))
@@ -103,14 +97,14 @@ def sharp_place(lab, sharp, blurred, lens, points, half):
 
 
 def box(lab):
-    """Figs. 5 and 6: the sharp places of the three states. There is no quick form: in a smaller picture, the board's
-    squares are too small for a measurement of blur."""
+    """Figs. 5 and 6: the sharp places of the three states. No quick form: in a smaller picture the board's squares
+    are too small."""
     view = dataclasses.replace(box_scene.VIEW, width=360, height=240)
     size = (view.width, view.height)
     rows = []
     for letter, line, half in (("a", floor_line(33), 22), ("b", side_line(12), 11),
                                ("c", floor_line(33), 22)):
-        # each state has another film distance, and therefore needs another pinhole picture
+        # each state has another film distance, and therefore another pinhole picture
         shown = pictures(lab, [f"box_{letter}"], size,
                          [("Stop", 1e6), ("Variance", 1e-4)], finer=3)
         lens = box_scene.state(letter, view)
@@ -124,7 +118,6 @@ def box(lab):
     lab.table("box.csv", ["state", "x", "y", "z", "closed form, pixels", "measured, pixels"], rows)
 
 
-# ---- Fig. 9 ----
 
 GREEN = (4, 0, -2)
 LANDSCAPE = [

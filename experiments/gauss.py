@@ -14,13 +14,13 @@ FIRST_ELEMENT = 2       # surfaces
 
 
 def moved_rows(moved):
-    """The rows with the first element so many mm farther forward."""
     return [(radius, thickness + moved * (number + 1 == FIRST_ELEMENT), index, diameter)
             for number, (radius, thickness, index, diameter) in enumerate(ROWS)]
 
 
 def matrix(rows):
-    """height' = a height + b slope', slope' (times the index) = c height + d slope', from the first surface through the last thickness."""
+    """height' = a height + b slope', slope' (times the index) = c height + d slope', from the first surface through
+    the last thickness."""
     index, a, b, c, d = 1.0, 1.0, 0.0, 0.0, 1.0
     for radius, thickness, behind, _ in rows:
         c, d = c - (behind - index) / radius * a, d - (behind - index) / radius * b
@@ -30,8 +30,8 @@ def matrix(rows):
 
 
 def stop_place(moved=0.0):
-    """Behind the fifth surface, mm, of the stop that the scene sees in the front principal point. There that program puts it, so that the
-    entrance pupil lies where that of a thin lens does."""
+    """Distance behind the fifth surface, mm, of the stop whose image is in the front principal point, as
+    glass_lens.cpp places it."""
     rows = moved_rows(moved)
     _, _, c, d = matrix(rows)
     principal = (d - 1) / c                         # behind the first surface
@@ -45,21 +45,19 @@ def focal_length(moved=0.0):
 
 
 def with_stop(before):
-    """The rows and their numbers in the file, the stop so far behind the fifth surface."""
     radius, thickness, index, diameter = ROWS[BEFORE_STOP - 1]
     return [*ROWS[:BEFORE_STOP - 1], (radius, before, index, diameter), (0, thickness - before, 0, STOP_DIAMETER), *ROWS[BEFORE_STOP:]]
 
 
 def write(folder):
-    """Makes gauss.dat in a folder."""
     path = folder / "gauss.dat"
     path.write_text("".join(" ".join(map(str, row)) + "\n" for row in with_stop(stop_place())))
     return path
 
 
 def write_moving(folder, moved, film_distance):
-    """Makes moving.json in a folder: of focal length 50 with the first element moved, half-way to its near limit, when the film stands at
-    this distance from the rear principal point. Returns the focal length at infinity that makes it so."""
+    """Makes moving.json: focal length 50 with the first element moved half-way to its near limit, when the film
+    stands at this distance from the rear principal point. Returns its focal length at infinity."""
     scale = 50 / focal_length(moved)
     a, _, c, _ = matrix(ROWS)
     at_infinity = -a / c                            # the film behind the last surface

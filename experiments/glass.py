@@ -1,12 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The picture of the box scene through a glass lens, and the reasons of its difference from the thin lens: the thin
-lens gets the properties of the glass lens one after the other, and the remaining difference is measured after each. The
-limit of each difference is computed: rays that are displaced by some pixels change a line's brightness by at most that
-number times the picture's steepness.
+"""The box scene through a glass lens, and the reasons of its difference from the thin lens, which gets the properties
+of the glass lens one after the other. Limits are computed: rays displaced by some pixels change a line's brightness by
+at most that number times the picture's steepness.
 
-The same picture by `tilt_lens`, with the distortion and field curvature that come nearest to the glass, and through the glass
-itself."""
+Also by `tilt_lens` with distortion and field curvature fitted to the glass, and through the glass itself."""
 
 import dataclasses
 
@@ -20,22 +18,21 @@ PRESCRIPTION = 0.3      # levels: through the same surfaces
 CHARACTER = 1.0         # levels: the ideal lens with the numbers that are fitted to the glass
 MODELS = ("thin", "distortion", "field", "pupil", "glass")
 STEPS = ("distortion", "field", "pupil", "rest")
-REAL_VARIANCE = 6e-7    # of the pictures that these are told from; their noise is 0.2 level
+REAL_VARIANCE = 6e-7    # of the fitted pictures; their noise is 0.2 level
 REACH = 3.0             # pixels beside a line whose steepness counts
 PINHOLE = 1e6           # f-number of the sharp picture
 
 
 @dataclasses.dataclass
 class Tracer:
-    """The separate ray tracer, for one state of the box scene."""
-
     lab: object
     letter: str
     lens: object
     lines: list
 
     def picture(self, model, f_stop=F_STOP, measure=False, whole=False):
-        """Renders the surroundings of the lines, or the whole picture; also returns what the tracer tells of its rays."""
+        """Renders the surroundings of the lines, or the whole picture; also returns the tracer's figures of its
+        rays."""
         view, kind = self.lens.view, "whole" if whole else "sharp" if f_stop > F_STOP else "lines"
         made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
         made.parent.mkdir(parents=True, exist_ok=True)
@@ -50,7 +47,7 @@ class Tracer:
 
 
 def real_lenses(lab, letter, size, fitted):
-    """The state by `tilt_lens` with the character of the glass, and through the glass."""
+    """By `tilt_lens`: with the character of the glass, and through the glass."""
     k1, k2, near = fitted["distortion"]
     lenses = {"character": [("Glass", 0), ("K1", k1), ("K2", k2), ("Near", near),
                             ("Bent", fitted["field_curvature"])],
@@ -115,7 +112,7 @@ def compare(lab):
 
 
 def claims(text, same, whole, left, rays, steep):
-    """The same scene; and what is left after each property within what its rays explain."""
+    """The remainder after each property is within the limit of its rays."""
     yield Claim(f"{text}: the same scene, ideal lens", same, SAME_SCENE, "levels")
     yield Claim(f"{text}: glass against tilt_lens, rays {rays['all']:.2g} pixels aside", whole,
                 SAME_SCENE + steep * rays["all"], "levels")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Programs and folders of the experiments, rendering, and claims that are checked."""
+"""Programs, folders, rendering and checked claims of the experiments."""
 
 import csv
 import dataclasses
@@ -23,8 +23,7 @@ class Failed(Exception):
 
 @dataclasses.dataclass
 class Claim:
-    """One measured number and its tolerance: the absolute value is at most `limit`, or, with `low`, the value is between
-    `low` and `limit`."""
+    """A measured number: its absolute value is at most `limit`, or, with `low`, it lies between `low` and `limit`."""
 
     text: str
     value: float
@@ -39,7 +38,6 @@ class Claim:
         return abs(self.value) <= self.limit
 
     def allowed(self):
-        """In words."""
         return f"{self.limit:.3g}" if self.low is None else f"{self.low:.3g} to {self.limit:.3g}"
 
     def line(self):
@@ -49,23 +47,19 @@ class Claim:
 
 @dataclasses.dataclass
 class Laboratory:
-    """Programs and folders of one run."""
-
     povray: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path             # build folder, with tests/
-    work: pathlib.Path              # pictures and logs
-    results: pathlib.Path           # curves and tables to keep
+    tools: pathlib.Path             # build folder
+    work: pathlib.Path
+    results: pathlib.Path
     quick: bool = False
     threads: int = 2
-    program: str = ""           # its hash, once it was needed
+    program: str = ""
 
     def tool(self, name):
-        """A measuring program of experiments/tools."""
         return str(self.tools / "tests" / "paper" / "tools" / name)
 
     def run(self, command, stdin=None, accept=(0,), cwd=None):
-        """Runs a program; its standard output."""
         done = subprocess.run([str(part) for part in command], input=stdin, text=True,
                               capture_output=True, check=False, cwd=cwd)
         if done.returncode not in accept:
@@ -85,14 +79,14 @@ class Laboratory:
                    f"+H{size[1]}", f"+L{scene.parent}", f"+L{SCENES}", "-D", "-V", "-GA", "-P",
                    "-A", f"+WT{self.threads}",
                    *[f"Declare={name}={value}" for name, value in declare], *options]
-        # A picture of the same program, scene and options is kept, so that an interrupted run continues.
+        # Pictures are kept by program, scene and options, so that an interrupted run continues.
         key = self.key(command, scene, [scene.parent, SCENES, picture.parent])
         note = picture.with_name(picture.name + ".key")
         if picture.is_file() and note.is_file() and note.read_text() == key:
             return picture
         for old in (note, picture, picture.with_name(picture.name + ".pov-state")):
             old.unlink(missing_ok=True)
-        # The program reads includes from its current folder, and writes files there.
+        # includes are read from the current folder, and files are written there
         self.run(command, cwd=picture.parent)
         if not picture.is_file():
             raise Failed(f"{scene}: the program ended well but wrote no {picture}")
@@ -100,7 +94,7 @@ class Laboratory:
         return picture
 
     def key(self, command, scene, folders):
-        """A hash of the program, the command, the scene, and the files that it includes from the folders."""
+        """Hash of the program, the command, the scene, and its includes."""
         if not self.program:
             self.program = hashlib.sha256(self.povray.read_bytes()).hexdigest()
         found = hashlib.sha256((self.program + json.dumps([str(x) for x in command])).encode())
@@ -117,7 +111,7 @@ class Laboratory:
         return found.hexdigest()
 
     def png(self, picture, *drawing):
-        """The same picture among the results, for display: 8-bit sRGB, with the drawing that oiiotool's options make."""
+        """The same picture among the results: 8-bit sRGB, with a drawing by oiiotool's options."""
         made = self.results / picture.with_suffix(".png").name
         made.parent.mkdir(parents=True, exist_ok=True)
         self.run(["oiiotool", picture, "--ch", "R,G,B", "--colorconvert", "linear", "sRGB",
@@ -149,7 +143,6 @@ class Laboratory:
         return picture
 
     def table(self, name, header, rows):
-        """Writes a table of results."""
         self.results.mkdir(parents=True, exist_ok=True)
         with (self.results / name).open("w", newline="") as out:
             writer = csv.writer(out, lineterminator="\n")

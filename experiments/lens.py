@@ -1,12 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A tilted thin lens in closed form, as the experiments expect pictures of it to be.
+"""A tilted thin lens in closed form.
 
-Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the
-unit lens normal and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s
-(Scheimpflug's rule and the thin lens equation). Lengths in scene units, angles in degrees, image in
-pixels from the upper left corner.
-"""
+Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the unit lens normal
+and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's rule and the thin lens
+equation). Lengths in scene units, angles in degrees, image in pixels from the upper left corner."""
 
 import dataclasses
 import math
@@ -42,7 +40,7 @@ def unit(a):
 
 @dataclasses.dataclass
 class View:
-    """Where the camera stands and what picture it makes; the lens in the units of the language."""
+    """Place of the camera, size of the picture, and lens, in the units of the language."""
 
     location: tuple
     look_at: tuple
@@ -60,18 +58,16 @@ class View:
         return right, cross(axis, right), axis
 
     def local(self, point):
-        """A world point in the camera frame."""
+        """World point to camera frame."""
         offset = sub(point, self.location)
         return tuple(dot(offset, axis) for axis in self.axes())
 
     def turned(self, vector):
-        """A world direction in the camera frame."""
+        """World direction to camera frame."""
         return tuple(dot(vector, axis) for axis in self.axes())
 
 
 class Lens:
-    """A view with its lens turned and focused."""
-
     def __init__(self, view, normal, film_distance):
         self.view, self.normal, self.film_distance = view, normal, film_distance
         self.focal_length = view.focal_length / view.scene_unit
@@ -96,8 +92,7 @@ class Lens:
 
     @classmethod
     def of_angle(cls, view, angle, diameter, normal, point):
-        """The lens of this diameter whose view is `angle` degrees wide, focused on a plane; its
-        focal length and f-number take the place of the view's."""
+        """The lens of this diameter whose view is `angle` degrees wide, focused on a plane."""
         s = view.film_width / view.scene_unit / 2 / math.tan(math.radians(angle / 2))
         n = view.turned(unit(normal))
         q = add(times(1 / dot(n, view.local(point)), n), (0, 0, 1 / s))
@@ -117,14 +112,14 @@ class Lens:
         return self.film_distance * self.view.scene_unit / self.view.film_width * self.view.width
 
     def pixel(self, point):
-        """Where the chief ray of a world point meets the picture."""
+        """Pixel of the chief ray of a world point."""
         v, p, scale = self.view, self.view.local(point), self.pixels_per_slope()
         millimetre = v.width / v.film_width
         return (v.width / 2 + scale * p[0] / p[2] - v.shift[0] * millimetre,
                 v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
 
     def lens_axes(self):
-        """Two directions of the lens plane, unit, camera frame; right and up without swing."""
+        """Two unit directions of the lens plane, camera frame; right and up without swing."""
         right = unit(cross((0, 1, 0), self.normal))
         return right, cross(self.normal, right)
 
@@ -134,9 +129,8 @@ class Lens:
         return (dot(self.focus, p) - 1) / p[2]
 
     def blur_axes(self, point):
-        """The blur ellipse of a point on the film, in pixels (x right, y down): the images of the
-        lens's right and upper rim. To first order a lens point l moves it by
-        (w - 1/T) (l - D l.z)."""
+        """The blur ellipse of a film point, in pixels (x right, y down): images of the lens's right and upper rim.
+        To first order a lens point l moves it by (w - 1/T) (l - D l.z)."""
         p = self.view.local(point)
         direction = times(1 / p[2], p)
         scale = self.vergence(point) * self.radius * self.pixels_per_slope()
@@ -144,20 +138,19 @@ class Lens:
                 for e in self.lens_axes()]
 
     def blur_moments(self, point):
-        """Second moments (xx, xy, yy) of that ellipse, evenly filled: squared axes by four."""
+        """Second moments (xx, xy, yy) of the blur ellipse, evenly filled: squared axes by four."""
         axes = self.blur_axes(point)
         return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
 
     def blur_diameter(self, point):
-        """Of the disc with the mean of that ellipse's moments, pixels."""
+        """Diameter of the disc with the mean of the ellipse's moments, pixels."""
         xx, _, yy = self.blur_moments(point)
         return 4 * math.sqrt((xx + yy) / 2)
 
     def blur_centre(self, point):
-        """Where the centroid of a small disc's blur lies, in pixels; the disc is parallel to the film.
-        Through a lens point the disc is seen as far aside as its ray meets the plane of sharp focus,
-        and as large as from there: a tilted lens is nearer to the disc at one rim than at the other,
-        which moves the middle of the blur and gives the near rim more weight."""
+        """Centroid, in pixels, of the blur of a small disc parallel to the film. Through a lens point the disc is
+        seen displaced to that ray's point on the plane of sharp focus, and as large as from there: one rim of a
+        tilted lens is nearer to the disc and has more weight."""
         p, (right, up) = self.view.local(point), self.lens_axes()
         sums, rings, spokes = [0.0, 0.0, 0.0], 8, 16
         for i in range(rings):
@@ -174,19 +167,19 @@ class Lens:
                 y - scale * (sums[2] / sums[0] - p[1] / p[2]))
 
     def seen_from(self, rim, p):
-        """The film point, as slopes, that sees a point (camera frame) through a point of the lens."""
+        """Film point, as slopes, that sees a point (camera frame) through a lens point."""
         k_rim, k_p = dot(self.focus, rim), dot(self.focus, p)
         met = add(times(k_p - k_rim, rim), times(1 - k_rim, sub(p, rim)))
         return met[0] / met[2], met[1] / met[2]
 
     def seen_size(self, rim, p):
-        """The area on the film of a small piece parallel to it, by differences."""
+        """Area on the film of a small piece parallel to it, by differences."""
         step = 1e-4 * p[2]
         (ax, ay), (bx, by) = (self.seen_from(rim, (p[0] + d, p[1], p[2])) for d in (-step, step))
         (cx, cy), (dx, dy) = (self.seen_from(rim, (p[0], p[1] + d, p[2])) for d in (-step, step))
         return abs((bx - ax) * (dy - cy) - (by - ay) * (dx - cx))
 
     def disc_moments(self, point, radius):
-        """Those of a disc about the point, parallel to the film, as a pinhole sees it."""
+        """Moments of a disc about the point, parallel to the film, as a pinhole sees it."""
         half = radius * self.pixels_per_slope() / self.view.local(point)[2]
         return (half * half / 4, 0.0, half * half / 4)

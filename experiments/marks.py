@@ -15,7 +15,7 @@ def vector(v):
 
 
 def world(view, point):
-    """A point of the camera frame in the world."""
+    """Camera frame to world."""
     moved = view.location
     for amount, axis in zip(point, view.axes()):
         moved = add(moved, times(amount, axis))
@@ -23,7 +23,7 @@ def world(view, point):
 
 
 def at_pixel(lens, x, y, depth):
-    """The world point at an axial depth that a pinhole in the lens centre would show at a pixel."""
+    """World point at an axial depth that a pinhole in the lens centre shows at a pixel."""
     view, scale = lens.view, lens.pixels_per_slope()
     millimetre = view.width / view.film_width
     slope_x = (x - view.width / 2 + view.shift[0] * millimetre) / scale
@@ -32,12 +32,11 @@ def at_pixel(lens, x, y, depth):
 
 
 def radius_of(lens, point):
-    """The radius of a disc about a point that a pinhole shows SIZE pixels wide from its middle."""
+    """Radius of a disc about a point that a pinhole shows SIZE pixels wide from its middle."""
     return SIZE * lens.view.local(point)[2] / lens.pixels_per_slope()
 
 
 def render(lab, name, lens, through, points, samples=1024):
-    """Renders discs about the points, each of the same size in a pinhole's picture."""
     view, folder = lens.view, lab.work / name
     folder.mkdir(parents=True, exist_ok=True)
     marks = ",\n".join(f"  {{ {vector(p)}, {radius_of(lens, p):.12g}*x }}" for p in points)
@@ -54,22 +53,20 @@ def render(lab, name, lens, through, points, samples=1024):
 
 
 def window(lens, point, reach):
-    """The pixels about a mark: left, top, width, height."""
+    """Pixels about a mark: left, top, width, height."""
     x, y = lens.pixel(point)
     left, top = math.floor(x - reach), math.floor(y - reach)
     return [left, top, math.ceil(x + reach) - left, math.ceil(y + reach) - top]
 
 
 def measure(lab, picture, lens, points, reaches):
-    """Second moments (xx, xy, yy) of each mark."""
     found = lab.moments(picture, [window(lens, p, r) for p, r in zip(points, reaches)])
     return [(m["xx"], m["xy"], m["yy"]) for m in found]
 
 
 def sharp_moments(x, y):
-    """Second moments of a sharp disc of radius SIZE as pixels show it. Its hard edge falls on the
-    grid by chance, so that the sum of the disc's and a pixel's own moments would be off by some per
-    cent."""
+    """Second moments of a sharp disc of radius SIZE on the grid. Its hard edge falls on the grid by chance: the sum
+    of the disc's and a pixel's own moments would be off by some per cent."""
     fine, reach = 32, math.ceil(SIZE) + 1
     sums = [0] * 6
     for row in range(math.floor(y) - reach, math.floor(y) + reach + 1):
@@ -84,7 +81,7 @@ def sharp_moments(x, y):
 
 
 def expected(lens, point):
-    """The moments in closed form: the sum of those of the lens's ellipse, of the disc, and of the pixel's square."""
+    """In closed form: the sum of the moments of the lens's ellipse, of the disc, and of the pixel's square."""
     blur = lens.blur_moments(point)
     if blur[0] + blur[2] < 0.1:
         return sharp_moments(*lens.pixel(point))

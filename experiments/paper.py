@@ -11,7 +11,7 @@ from experiments import blur, box, document, equation, figures, glass, real_lens
 from experiments.laboratory import Laboratory
 from tools.repository import BUILD
 
-# Name and function, in the order of docs/paper.md.
+# In the order of docs/paper.md.
 EXPERIMENTS = [
     ("equation", equation.table),
     ("dragons", figures.dragons),
@@ -29,7 +29,7 @@ EXPERIMENTS = [
 
 
 def run(lab, name, function):
-    """One experiment; its failures in words."""
+    """Failures of an experiment, in words."""
     started, failures, claims = time.monotonic(), [], []
     print(f"== {name}", flush=True)
     try:
@@ -38,7 +38,7 @@ def run(lab, name, function):
             claims.append([claim.text, float(claim.value), claim.unit, claim.allowed()])
             if not claim.holds:
                 failures.append(f"{name}: {claim.line()}")
-    except Exception as trouble:  # the other experiments are run in any case
+    except Exception as trouble:  # the others run in any case
         print(f"   FAIL {type(trouble).__name__}: {trouble}", flush=True)
         failures.append(f"{name}: {type(trouble).__name__}: {str(trouble).splitlines()[0]}")
     if not claims and not failures:

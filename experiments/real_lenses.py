@@ -22,11 +22,10 @@ LENSES = [
     (150, 5.6, 3.0, (1.5, 6.0, 100.0)),
     (300, 2.8, 10.0, (6.0, 20.0, 200.0)),
 ]
-BLUR_PIXELS = 16        # the largest blur of a lens in its picture: the film is cropped accordingly
+BLUR_PIXELS = 16        # largest blur; the film is cropped to it
 
 
 def blur_diameter(f, n, focus, subject):
-    """mm on the film; distances in mm."""
     return f * f / n * abs(1 / subject - 1 / focus) / (1 - f / focus)
 
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The blur of regions of a picture, measured against a pinhole picture of the same scene, and compared with the closed
-form."""
+"""The blur of regions of a picture, against a pinhole picture of the same scene and the closed form."""
 
 import dataclasses
 import itertools
@@ -10,19 +9,19 @@ import math
 
 from experiments.laboratory import Claim
 
-# Depending on the place of an edge on the pixel grid, the pixel's own variance, 1/12, is included or not. The variance of
-# a disc is d^2/16, so that a measured d^2 has an uncertainty of 16/12 square pixels.
+# By chance of an edge's place on the grid, the pixel's own variance, 1/12, is included or not. A disc's variance is
+# d^2/16, so a measured d^2 is uncertain by 16/12 square pixels.
 GRID = 16 / 12
 
 
 def beyond_grid(diameter):
-    """A measured diameter without the contribution of the pixel grid; 0 for a sharp place."""
+    """A measured diameter without the pixel grid's part; 0 for a sharp place."""
     return math.sqrt(max(0.0, diameter * diameter - GRID))
 
 
 @dataclasses.dataclass
 class Region:
-    """A part of the scene: a box with edges along the world's axes."""
+    """A box of the scene with edges along the world's axes."""
 
     name: str
     low: tuple
@@ -32,7 +31,7 @@ class Region:
         return list(itertools.product(*zip(self.low, self.high)))
 
     def window(self, lens):
-        """Its place in the picture: left, top, width, height."""
+        """Left, top, width, height in the picture."""
         pixels = [lens.pixel(p) for p in self.corners()]
         left, right = (f(p[0] for p in pixels) for f in (min, max))
         top, bottom = (f(p[1] for p in pixels) for f in (min, max))
@@ -41,7 +40,7 @@ class Region:
                 min(lens.view.height, math.ceil(bottom)) - top]
 
     def diameters(self, lens):
-        """The least and the largest blur of its points, pixels."""
+        """Least and greatest blur of its points, pixels."""
         found = [(lens.blur_diameter(p), lens.vergence(p)) for p in self.corners()]
         sizes = [size for size, _ in found]
         crosses = min(v for _, v in found) <= 0 <= max(v for _, v in found)
@@ -49,14 +48,13 @@ class Region:
 
 
 def measure(lab, sharp, blurred, windows, widest):
-    """The diameters that turn the sharp picture into the blurred one, window by window."""
+    """Diameters that turn the sharp picture into the blurred one, by window."""
     found = lab.json([lab.tool("profile"), "blur", sharp, blurred, "--widest", widest],
                      stdin=json.dumps(windows))
     return [entry["diameter"] for entry in found]
 
 
 def regions(lab, sharp, blurred, lens, places):
-    """Measured diameters of regions by name, and claims that the closed form agrees."""
     spans = [place.diameters(lens) for place in places]
     widest = 1.5 * max(high for _, high in spans) + 4
     found = measure(lab, sharp, blurred, [place.window(lens) for place in places], widest)

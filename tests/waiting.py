@@ -5,19 +5,15 @@
 import time
 import unittest
 
-# Seconds until an expected event counts as missing: far more than any takes, because the time depends on the machine's load.
+# Seconds until an expected event counts as missing: far more than any takes on a busy machine.
 PATIENCE = 600
 
 
 class WaitingTest(unittest.TestCase):
-    """A test that waits for conditions."""
-
     def evidence(self):
-        """Text that helps to diagnose a missing event."""
         return ""
 
     def until(self, what, condition, seconds=PATIENCE):
-        """Waits for a condition; returns its value."""
         end = time.monotonic() + seconds
         while True:
             value = condition()

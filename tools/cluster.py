@@ -72,7 +72,6 @@ def started_at(pid):
 
 
 def environment_of(pid):
-    """A process's environment as it was at its start."""
     try:
         return pathlib.Path(f"/proc/{pid}/environ").read_bytes().split(b"\0")
     except OSError:
@@ -105,8 +104,6 @@ def free_ports(count):
 
 
 class Cluster:
-    """A context manager: the cluster runs inside the context."""
-
     def __init__(self, folder, nodes=3):
         self.folder = pathlib.Path(folder)
         self.nodes = [f"n{i + 1}" for i in range(nodes)]
@@ -153,7 +150,7 @@ class Cluster:
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
-        """Starts a daemon in the foreground of its own session. It ends with this process, even if this process is killed."""
+        """It ends with this process, even if this process is killed."""
         env = dict(
             self.env,
             LD_PRELOAD="libnss_wrapper.so",
@@ -197,12 +194,10 @@ class Cluster:
         )
 
     def start_node(self, node):
-        """Starts a node's daemon."""
         (self.folder / "spool" / node).mkdir(parents=True, exist_ok=True)
         self.daemon(node, "slurmd", "-D", "-N", node)
 
     def run(self, *command):
-        """One of Slurm's commands."""
         return subprocess.run(
             command,
             env=self.env,
@@ -214,7 +209,6 @@ class Cluster:
         )
 
     def until(self, what, condition, seconds=300):
-        """Waits until a condition holds."""
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_loops.cpp
-/// What camera and sampler cost for each ray: nanoseconds a call.
+/// Cost of camera and sampler for each ray: nanoseconds a call.
 
 #include <cmath>
 #include <cstdint>
@@ -98,7 +98,7 @@ BENCHMARK_CAPTURE(Map, disc, Aperture::Disc());
 BENCHMARK_CAPTURE(Map, polygon, Aperture::Polygon(7, 0.2));
 BENCHMARK_CAPTURE(Map, picture, Aperture::Picture([](double u, double v) { return u + v * v; }));
 
-/// Bookkeeping and decisions of a tile, with pixels of plain noise; the time is that of one sample.
+/// Bookkeeping and decisions of a tile with pixels of plain noise, per sample.
 void TilePerSample(benchmark::State& state)
 {
     SamplingLimits limits;

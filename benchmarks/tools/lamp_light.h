@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lamp_light.h
-/// How much of the light of a scene's lamps a picture keeps.
+/// The share of the light of a scene's lamps that a picture keeps.
 
 #ifndef LAMP_LIGHT_H
 #define LAMP_LIGHT_H
@@ -15,7 +15,7 @@
 
 #include "picture.h"
 
-/// The light of lamps: references of the scene with them and without. Lights are sums of the three channels.
+/// References of the scene with lamps and without. Lights are sums of the three channels.
 class LampLight
 {
 public:
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// `leastLight` is several times the error that the default settings ask for.
+    /// `leastLight` is several times the error of the default settings.
     static constexpr double leastLight = 0.06, leastShare = 0.7;
     static constexpr int reach = 8;
 

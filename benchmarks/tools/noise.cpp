@@ -41,7 +41,7 @@ using nlohmann::json;
 using witness::Picture;
 using witness::Reference;
 
-/// Clips a picture to [0, 1], as a 16-bit PNG does with every competitor's.
+/// To [0, 1], as a 16-bit PNG does with every competitor's.
 Picture Clipped(Picture picture)
 {
     for (double& value : picture.values)
@@ -53,7 +53,7 @@ Picture Clipped(Picture picture)
     return picture;
 }
 
-/// A reference that was not clipped before it was averaged: what is above white is known to be white.
+/// A reference averaged without clipping: values above white are known to be white.
 Reference Clipped(Reference reference)
 {
     for (std::size_t i = 0; i < reference.mean.Size(); ++i)
@@ -62,7 +62,7 @@ Reference Clipped(Reference reference)
     return reference;
 }
 
-/// The part of a picture that begins at `at` (left, top); without it, what is within a border.
+/// The part of a picture that begins at `at` (left, top); without it, the part within a border.
 Picture Inner(const Picture& picture, int width, int height, const std::vector<int>& at = {})
 {
     const int border = (picture.width - width) / 2;
@@ -152,15 +152,15 @@ public:
     }
 
 private:
-    /// The standard error of what is above white is relative to its brightness, and errors there are clipped.
+    /// Errors above white are clipped, and the standard error there is relative to the brightness.
     bool IsBelowWhite(std::size_t pixel) const
     {
         const auto first = m_reference.mean.values.begin() + std::ptrdiff_t(pixel);
         return *std::max_element(first, first + 3) < 0.9;
     }
 
-    /// The standard error is that of a pixel's worst channel. Which one that is, is taken from the other half of the pictures:
-    /// the worst of three measured errors would be more than the error of the worst channel.
+    /// The standard error is that of a pixel's worst channel, chosen by the other half of the pictures: the worst of
+    /// three measured errors would be more than the error of the worst channel.
     double TrueSquares() const
     {
         double sum = 0.0;
@@ -247,7 +247,7 @@ void PrintLamps(const Arguments& arguments)
     }
 }
 
-/// Groups from the upper left corner on, row by row; those at the right and lower edge may be smaller.
+/// From the upper left corner, row by row; those at the right and lower edge may be smaller.
 void PrintGroups(const Arguments& arguments)
 {
     const Reference reference = Clipped(witness::ReadReference(arguments.reference));

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file post_blur.cpp
-/// Blurs a pinhole picture by its depth, after the fact: every pixel is spread evenly over its circle of
-/// confusion, and what arrives at a pixel is divided by the weight that arrives. M. Potmesil and I.
-/// Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981; here with
-/// a circle that knows of a tilted plane of focus. What it cannot know is what the pinhole did not see.
+/// Blurs a pinhole picture by its depth, after the fact: every pixel is spread evenly over its circle of confusion,
+/// and the sum at a pixel is divided by its weights.
+///
+/// M. Potmesil and I. Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981;
+/// here for a tilted plane of focus. Surfaces hidden from the pinhole stay unknown.
 ///
 /// Depth comes from two pictures in fog, white and black: their difference is 1 - exp(-distance/fog).
 

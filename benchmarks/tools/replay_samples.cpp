@@ -87,7 +87,7 @@ struct Recording
     }
 };
 
-/// Writes a portable float map: rows from below.
+/// A portable float map: rows from below.
 void Write(const std::string& path, std::uint32_t width, std::uint32_t height,
            const std::function<std::array<double, 3>(std::uint32_t, std::uint32_t)>& pixel)
 {

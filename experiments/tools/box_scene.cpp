@@ -57,7 +57,6 @@ Vector BoxScene::Seen(const Ray& ray) const
                Odd({at.x, 0.0, at.z}) ? Vector{0.05, 0.05, 0.06} : Vector{0.85, 0.83, 0.78});
 }
 
-/// From the world into the box's own axes, where it is not rotated.
 Vector BoxScene::Local(const Vector& v) const
 {
     return {mCosine * v.x - mSine * v.z, v.y, mSine * v.x + mCosine * v.z};

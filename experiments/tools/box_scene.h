@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_scene.h
-/// scenes/paper/box_objects.inc once more, for a tracer that is not POV-Ray: even light and
-/// sunlight on a board and a box, centimetres.
+/// scenes/paper/box_objects.inc for a tracer that is not POV-Ray: even light and sunlight on a board and a box,
+/// centimetres.
 
 #ifndef PAPER_BOX_SCENE_H
 #define PAPER_BOX_SCENE_H

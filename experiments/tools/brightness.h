@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file brightness.h
-/// Brightness of pictures along a line and in windows, in the units of the experiments: 8-bit
-/// levels, and moments in pixels. Image coordinates in pixels, from the upper left corner, so
-/// that the middle of the first pixel is (0.5, 0.5).
+/// Brightness of pictures along a line and in windows, in 8-bit levels and pixels. Image coordinates from the upper
+/// left corner: the middle of the first pixel is (0.5, 0.5).
 
 #ifndef PAPER_BRIGHTNESS_H
 #define PAPER_BRIGHTNESS_H
@@ -47,8 +46,8 @@ struct Moments
 /// @throws std::invalid_argument  for a window that leaves the picture or holds no light.
 Moments MomentsIn(const witness::Picture& picture, int left, int top, int width, int height);
 
-/// Where a bright thing on black begins and ends in one row, to a fraction of a pixel: from the
-/// light left and right of a column that lies inside of it, in units of the light of that column.
+/// Ends of a bright thing on black in one row, to a fraction of a pixel: from the light left and right of a column
+/// within it, in units of the light of that column.
 struct Edges
 {
     double left = 0.0, right = 0.0;  ///< pixels

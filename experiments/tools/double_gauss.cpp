@@ -121,8 +121,7 @@ void GlassLens::PlaceStop()
         const double at = z - axial.y / axial.slope;
         return std::pair<double, double>{at, rim.y + rim.slope * (at - z)};
     };
-    // The stop where its image in the scene lies in H, as in the thin lens; where the air space
-    // does not reach that far, as near to it as the space allows.
+    // The stop where its image in the scene lies in H, as in the thin lens, or as near to it as the air space allows.
     double best = mStopZ, error = std::fabs(seen(mStopZ, true).first);
     const double from = mSurfaces[mStopAfter].z, to = mSurfaces[mStopAfter + 1].z;
     for (int i = 5; i < 200; ++i)
@@ -164,7 +163,7 @@ std::optional<Passage> GlassLens::Trace(const Ray& fromFilm, bool rims) const
         const double square = b * b - witness::Dot(offset, offset) + s.radius * s.radius;
         if (square < 0.0)
             return std::nullopt;
-        // Of the sphere's two points the one on the vertex's side.
+        // The intersection on the vertex's side.
         const double step = s.radius > 0.0 ? -b + std::sqrt(square) : -b - std::sqrt(square);
         ray.origin = ray.origin + step * ray.direction;
         if (rims && std::hypot(ray.origin.x, ray.origin.y) > s.rim)

@@ -10,7 +10,7 @@
 ///
 /// Frame: z along the lens's axis toward the scene, origin in the front principal point H. The film
 /// side principal point H' is at -Separation(). A thin lens is this lens with the space between H
-/// and H' taken out, so the two are compared with the film moved back by that much along the axis.
+/// and H' taken out, so they are compared with the film moved back by that much along the axis.
 
 #ifndef PAPER_DOUBLE_GAUSS_H
 #define PAPER_DOUBLE_GAUSS_H
@@ -58,8 +58,7 @@ class GlassLens
 
     double PrintedFocalLength() const { return mPrintedFocal; }  ///< of the rows as they are, mm
 
-    /// The way out into the scene of a ray from the film; nothing where the stop or, unless they
-    /// are left out, a rim ends it.
+    /// The ray's way out into the scene; nothing where the stop or a rim (unless left out) ends it.
     std::optional<Passage> Trace(const Ray& fromFilm, bool rims = true) const;
 
   private:

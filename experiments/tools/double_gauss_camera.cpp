@@ -20,7 +20,7 @@ namespace
 const double kFilmWidth = 36.0;
 const double kPi = std::acos(-1.0);
 
-/// Steps of the frame's width and height between the places that numbers are fitted to.
+/// Steps of the frame's width and height between the fitted places.
 const int kPlaces = 24;
 
 /// A little more than the paraxial pupil: the stop decides.
@@ -169,7 +169,7 @@ std::optional<Ray> GlassCamera::Shoot(Model model, double x, double y, double a,
 {
     if (mNodes.empty())
         return ThinRay(Chief(x, y), a, b);
-    // Every model takes the same points of the stop, so that noise does not tell them apart.
+    // The same points of the stop for every model, so that noise cancels.
     const auto passage = mGlass.Trace(FilmRay(x, y, a, b), model >= Model::Pupil);
     if (!passage)
         return std::nullopt;
@@ -229,7 +229,7 @@ bool GlassCamera::Vignetted(double x, double y, double a, double b) const
 namespace
 {
 
-/// Least squares of up to three terms, by the normal equations; terms that tell nothing new get 0.
+/// Least squares of up to three terms, by the normal equations; redundant terms get 0.
 class LeastSquares
 {
   public:
@@ -243,8 +243,8 @@ class LeastSquares
         }
     }
 
-    /// Gauss's elimination: as the matrix is symmetric and positive, a pivot that vanishes is that of a term which the ones before it
-    /// make up.
+    /// Gauss's elimination: the matrix is symmetric and positive, so a pivot that vanishes belongs to a combination of
+    /// the terms before it.
     std::array<double, 3> Solve() const
     {
         auto a = mMatrix;
@@ -283,8 +283,8 @@ double GlassCamera::Nearness(const Vector& chief) const
     return 1.0 - mSetting.focalLength / (mSetting.filmDistance * Dot(chief, mLensAxis));
 }
 
-/// The ideal chief ray at the tangent u from the lens's axis is bent to u (1 + (d2 + n m) u^2 + d4 u^4), m being Nearness(): least
-/// squares of the difference.
+/// The ideal chief ray at the tangent u from the lens's axis is bent to u (1 + (d2 + n m) u^2 + d4 u^4), m being
+/// Nearness().
 GlassCamera::Distortion GlassCamera::FittedDistortion(bool near) const
 {
     LeastSquares bend;
@@ -307,8 +307,8 @@ GlassCamera::Distortion GlassCamera::FittedDistortion(bool near) const
     return found;
 }
 
-/// Slopes against the axis fall by w for each mm across the lens's plane, w being the inverse distance to the focus; field
-/// curvature adds c u^2 to it.
+/// Slopes against the axis fall by w for each mm across the lens's plane, w being the inverse distance to the focus;
+/// field curvature adds c u^2 to w.
 Character GlassCamera::Fitted() const
 {
     double bent = 0.0, most = 0.0;

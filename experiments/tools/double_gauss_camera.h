@@ -37,7 +37,7 @@ enum class Model
 };
 constexpr int kModels = 5;
 
-/// The numbers of `tilt_lens` that make its lens most like this one.
+/// The numbers of `tilt_lens` fitted to this lens.
 struct Character
 {
     double distortion1, distortion2;  ///< of the squared distance from the lens's axis, in half widths of the film, and its square
@@ -54,47 +54,47 @@ class GlassCamera
 
     const GlassLens& Glass() const { return mGlass; }
 
-    /// The ray of a film point (pixels) and a point in the unit circle about the exit pupil, of which
-    /// the stop lets a part pass; world, scene units.
+    /// The ray of a film point (pixels) and a point in the unit circle about the exit pupil, part of which the stop
+    /// covers; world, scene units.
     std::optional<Ray> Shoot(Model model, double x, double y, double a, double b) const;
 
-    /// The ray of each model through the same point of the stop; nothing where the glass lets none
-    /// pass. World, scene units.
+    /// The ray of each model through the same point of the stop; nothing where the glass lets none pass. World, scene
+    /// units.
     std::optional<std::array<Ray, kModels>> ShootAll(double x, double y, double a, double b) const;
 
-    /// Whether the stop lets pass what a rim ends.
+    /// True if the ray passes the stop; a rim may still end it.
     bool Vignetted(double x, double y, double a, double b) const;
 
-    /// By least squares over all of the frame: where its chief rays go, then where its rays meet on average (astigmatism is
-    /// left out).
+    /// By least squares over the frame: its chief rays, then the mean focus of its rays (astigmatism is left out).
     Character Fitted() const;
 
-    /// The ray of an ideal lens with these numbers, through the same point of the stop as ShootAll(). World, scene units.
+    /// The ray of an ideal lens with these numbers, through the same point of the stop as ShootAll(). World, scene
+    /// units.
     std::optional<Ray> ShootCharacter(const Character& character, double x, double y, double a, double b) const;
 
     /// Along the camera's axis, scene units.
     double Depth(const Vector& point) const;
 
-    /// Where a pinhole in the lens centre shows the point of a ray at a depth, pixels.
+    /// Pixel where a pinhole in the lens centre shows the point of a ray at a depth.
     std::array<double, 2> PixelAt(const Ray& ray, double depth) const;
 
   private:
-    /// Focal length over the distance, along the lens's axis, of what an ideal lens focuses on a film point.
-    /// @param chief  of the film point, camera frame, 1 along the camera's axis
+    /// Focal length over the distance, along the lens's axis, of the focus of an ideal lens for a film point.
+    /// @param chief of the film point, camera frame, 1 along the camera's axis
     double Nearness(const Vector& chief) const;
 
     struct Distortion
     {
         std::array<double, 3> factors;  ///< of the squared tangent, its square, and of the squared tangent by Nearness()
-        double left;                    ///< root mean square of what they miss, pixels
+        double left;                    ///< root mean square residual, pixels
     };
     Distortion FittedDistortion(bool near) const;
 
-    /// The rays that the glass makes of one film point, to first order in the pupil: slopes against
-    /// the lens's axis where a ray crosses H's plane at (x, y).
+    /// The rays of one film point behind the glass, to first order in the pupil: slopes against the lens's axis where
+    /// a ray crosses H's plane at (x, y).
     struct Bundle
     {
-        /// For each of the two slopes: that in H itself, its change with x, and with y.
+        /// For each of the two slopes: value in H, change with x, and with y.
         std::array<double, 6> slopes{};
 
         Vector Direction(double x, double y) const;

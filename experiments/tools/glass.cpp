@@ -34,7 +34,7 @@ const std::map<std::string, Model> kModelNames = {{"thin", Model::Thin},
                                                   {"pupil", Model::Pupil},
                                                   {"glass", Model::Glass}};
 
-/// Whether a pixel lies within `reach` of one of the lines x y x y ...
+/// True if a pixel lies within `reach` of one of the lines x y x y ...
 bool Near(const std::vector<double>& lines, double reach, double x, double y)
 {
     for (std::size_t i = 0; i + 3 < lines.size(); i += 4)
@@ -48,7 +48,7 @@ bool Near(const std::vector<double>& lines, double reach, double x, double y)
     return false;
 }
 
-/// All of the picture, or with `reach` only what lies about the lines, and black elsewhere.
+/// The whole picture, or only the surroundings of the lines within `reach`, black elsewhere.
 witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& camera, Model model,
                             int samples, const std::vector<double>& lines, double reach)
 {
@@ -74,7 +74,7 @@ witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& ca
                 }
             if (arrived == 0)
                 throw std::runtime_error("a pixel that no ray leaves");
-            // The mean over the rays that pass: no vignetting, no fall-off of light, as in POV-Ray.
+            // The mean over the rays that pass: no vignetting, as in POV-Ray.
             sum = (1.0 / arrived) * sum;
             picture.values.insert(picture.values.end(), {sum.x, sum.y, sum.z});
         }
@@ -86,8 +86,8 @@ double Between(const std::array<double, 2>& a, const std::array<double, 2>& b)
     return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// Along a line of the film: the mean distance in pixels, at the depth of what is seen there, from
-/// the rays of each model to those of the next, from the first to the last, and from an ideal lens with character to the last.
+/// Mean distances in pixels along a line of the film, at the depth of the visible surface. Between the rays of each
+/// model and the next, of the first and the last, and of an ideal lens with character and the last.
 json MeasureLine(const GlassCamera& camera, const paper::Character& character, double x0, double y0, double x1, double y1)
 {
     const paper::BoxScene scene;

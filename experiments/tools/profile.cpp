@@ -1,10 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The profile tool: brightness along a line between two points of one or several pictures, as CSV
-// and as a plot of one over the other, with the average absolute difference to the first in 8-bit
-// levels; and the moments of blur spots, the edges of bright things, the blur between two pictures
-// and the steepness of one, for the other experiments.
+// The profile tool: brightness along a line between two points of one or several pictures, as CSV and as a plot, with
+// the average absolute difference to the first in 8-bit levels; moments of blur spots, edges of bright things, the
+// blur between two pictures, and steepness.
 
 #include <cstdio>
 #include <fstream>
@@ -58,7 +57,7 @@ void WriteCsv(const std::string& path, const std::vector<Curve>& curves, double 
         throw std::runtime_error("cannot write " + path);
 }
 
-/// In gnuplot's single quotes a quote is written twice, nothing else is special.
+/// In gnuplot's single quotes only a quote is special: it is written twice.
 std::string Quoted(const std::string& text)
 {
     std::string quoted = "'";

@@ -13,7 +13,7 @@ namespace paper
 namespace
 {
 
-/// A disc on the grid: how much of each pixel it covers, in parts of the disc.
+/// Coverage of pixels by a disc, in parts of the disc.
 struct Disc
 {
     int reach = 0;
@@ -45,8 +45,8 @@ struct Disc
             weight /= sum;
     }
 
-    /// That of a true disc with the weights' variance: on the grid they are a little wider, and a
-    /// disc within one pixel does nothing at all.
+    /// Diameter of a true disc with the weights' variance: on the grid they are a little wider, and a disc within one
+    /// pixel has no effect.
     double TrueDiameter() const
     {
         double variance = 0.0;
@@ -58,7 +58,7 @@ struct Disc
     }
 };
 
-/// The disc's weights, each spread over n by n cells: what one pixel sees of a grid n times finer.
+/// The disc's weights on a grid n times finer, each spread over n by n cells.
 Disc Spread(const Disc& disc, int n)
 {
     Disc wide(0.0);
@@ -82,7 +82,7 @@ class Match
         for (int row = 0; row < mHeight; ++row)
             for (int column = 0; column < mWidth; ++column)
                 mSharp.push_back(Luminance(sharp, column, row));
-        // Some thousand pixels tell as much as all of a large window's, and sooner.
+        // A large window is sampled at some thousand pixels.
         mStep = std::max(1, static_cast<int>(std::sqrt(window.width * window.height / 1500.0)));
         double sum = 0.0, squares = 0.0;
         for (int row = 0; row < window.height; row += mStep)

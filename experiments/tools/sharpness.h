@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharpness.h
-/// How blurred a part of a picture is, measured against a sharp picture of the same: the diameter
-/// of the disc that makes the one out of the other. And how steep the brightness of a picture is.
+/// The blur of a part of a picture, as the diameter of the disc that makes it out of a sharp picture; and the
+/// steepness of a picture's brightness.
 
 #ifndef PAPER_SHARPNESS_H
 #define PAPER_SHARPNESS_H
@@ -22,13 +22,13 @@ struct Window
 struct Blur
 {
     double diameter = 0.0;  ///< pixels
-    double residual = 0.0;  ///< RMS of what the disc does not explain, in parts of the contrast
+    double residual = 0.0;  ///< RMS residual of the fitted disc, in parts of the contrast
 };
 
-/// The disc, at most `widest` pixels across, with which the sharp picture comes nearest to the
-/// blurred one in the window: least squares of linear luminance. The sharp picture may be 3, 5 ...
-/// times as wide and high, so that the grid matters less. Beyond its edge its last pixels go on.
-/// @throws std::invalid_argument  pictures of unfit sizes, a window outside, or one without contrast.
+/// The disc, at most `widest` pixels across, that brings the sharp picture nearest to the blurred one in the window:
+/// least squares of linear luminance. The sharp picture may be 3, 5 ... times as wide and high. Beyond its edge its
+/// last pixels go on.
+/// @throws std::invalid_argument pictures of unfit sizes, a window outside, or one without contrast.
 Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
                  const Window& window, double widest);
 

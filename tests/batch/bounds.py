@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Limits of a batch: units that hang, state files that crash POV-Ray, pictures changed later, two batches with the same pictures; and
-failures shown with their own logs."""
+"""Limits of a batch: units that hang, state files that crash POV-Ray, pictures changed later, two batches with the
+same pictures. Failures are shown with their own logs."""
 
 import shlex
 
@@ -10,7 +10,7 @@ from tests.batch.harness import LENS, SETTINGS, BatchTest
 from tests.waiting import PATIENCE
 
 SIZE = ("+W48", "+H40", "+WT1")
-LIMIT = 30  # seconds for a sleeping program: a hundred times a picture's time, for a busy machine
+LIMIT = 30  # seconds for a sleeping program, on a busy machine
 
 
 class Limits(BatchTest):

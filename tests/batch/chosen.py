@@ -17,7 +17,6 @@ SIZE = ("+W48", "+H40", "+WT1")
 
 class Chosen(BatchTest):
     def frames(self):
-        """Existing frames, with their files' times."""
         film = self.folder / "scene_film"
         return {int(path.name[5:9]): path.stat().st_mtime_ns for path in film.glob("scene*.png")}
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faults on one machine: POV-Ray, a worker, GNU parallel or the whole batch is killed in mid-render; Ctrl-C; a full disk; a failing scene.
+"""POV-Ray, a worker, GNU parallel or the whole batch is killed in mid-render; Ctrl-C; a full disk; a failing scene.
 Afterwards the picture equals that of one render."""
 
 import os
@@ -35,7 +35,6 @@ class Killed(BatchTest):
         )
 
     def logs(self):
-        """The workers' logs."""
         return "".join(path.read_text(errors="replace") for path in (self.work / "log").glob("task-*"))
 
     def test_povray_then_worker_killed(self):
@@ -104,7 +103,6 @@ class Killed(BatchTest):
 
 
 def environ(pid):
-    """A process's environment as text."""
     try:
         return harness.pathlib.Path(f"/proc/{pid}/environ").read_bytes().decode(errors="replace")
     except OSError:

@@ -162,13 +162,11 @@ class BatchTest(WaitingTest):
         return process
 
     def end(self, process):
-        """Cleans up after a failed test."""
         if process.poll() is None:
             process.send_signal(signal.SIGKILL)
             process.wait()
 
     def said(self):
-        """The started call's output."""
         return (self.folder / "said").read_text(errors="replace")
 
     def evidence(self):
@@ -213,7 +211,6 @@ class BatchTest(WaitingTest):
 
     @staticmethod
     def spread(path):
-        """Standard deviation of the values."""
         done = subprocess.run(
             ["oiiotool", str(path), "--printstats"], capture_output=True, text=True, check=True
         )

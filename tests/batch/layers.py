@@ -12,7 +12,6 @@ SIZE = ("+W64", "+H75", "+WT1", "+FE", "Output_Layers=on")
 
 
 def attributes(path):
-    """The file's attributes, without times."""
     done = subprocess.run(["oiiotool", "--info", "-v", str(path)], capture_output=True, text=True, check=True)
     lines = [line.strip() for line in done.stdout.splitlines()]
     return {line for line in lines if ": " in line and not re.match(r"creation|DateTime|Reading|\S*/|\S+\.exr", line)}

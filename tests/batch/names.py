@@ -27,7 +27,6 @@ sphere { <2, 0, 0>, Size pigment { rgb 1 } }
 
 class Names(BatchTest):
     def lay_out(self, name):
-        """A scene with its files in a folder of that name."""
         folder = self.folder / name / "scenes"
         for path, text in (
             ("own.inc", "#declare Own = 1;"),
@@ -71,7 +70,6 @@ class Names(BatchTest):
         self.assertEqual(len(os.listdir(self.folder / f"{WEIRD}_sweep")), 3)
 
     def test_files_elsewhere(self):
-        """Permitted as for ./render."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "other.inc").write_text("#declare Other = 1;\n")
             scene = self.scene(LENS + f'#include "{name}/other.inc"\n')

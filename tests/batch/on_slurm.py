@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A batch on a private Slurm cluster of three nodes: a still, a film and a sweep, while a POV-Ray, a task's shell and a whole node are
-killed in mid-render. The pictures equal those of single renders."""
+"""A still, a film and a sweep on a private Slurm cluster of three nodes, while a POV-Ray, a task's shell and a
+whole node are killed. The pictures equal those of single renders."""
 
 import os
 import signal
@@ -41,7 +41,6 @@ class OnSlurm(BatchTest):
         )
 
     def kinds(self):
-        """Calls of all three kinds."""
         return {
             "still": ("still", "scene.pov", "--bands", 2, *SMALL),
             "film": ("film", "scene.pov", "--frames", 4, *SMALL),
@@ -64,7 +63,7 @@ class OnSlurm(BatchTest):
         self.assert_same(self.folder / "scene_film" / "scene0003.png", self.folder / "whole" / "f3.png")
 
     def compare_film_and_sweep(self):
-        """All pictures of both exist, with the pixels of single renders; so does the contact sheet."""
+        """All pictures of both and the contact sheet exist, with the pixels of single renders."""
         scene = self.folder / "scene.pov"
         for tilt in (2, 4):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL, f"Declare=Tilt={tilt}")
@@ -77,7 +76,6 @@ class OnSlurm(BatchTest):
             )
 
     def assert_same_with_layers(self, path, whole):
-        """The picture and its layers equal those of the single render."""
         self.assert_same(path, whole)
         layers, wanted = (name.with_name(f"{name.stem}.layers.exr") for name in (path, whole))
         self.assertEqual(picture(layers), picture(wanted))

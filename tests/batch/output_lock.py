@@ -15,7 +15,6 @@ from tools.batch.store import Work, output_lock, write_json
 
 
 def none(_):
-    """No batch has jobs."""
     return False
 
 

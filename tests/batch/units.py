@@ -235,7 +235,7 @@ class Lists(unittest.TestCase):
 
 class Documents(unittest.TestCase):
     def commands(self):
-        """The calls of ./batch in the pages, each with the page's name."""
+        """The calls of ./batch in the pages, with the page's name."""
         for page in ("README.md", "docs/batch.md"):
             for line in (ROOT / page).read_text().splitlines():
                 found = re.match(r"    (?:python3 -m tools.cluster 3 )?\./batch (.*)", line)
@@ -265,8 +265,6 @@ class Documents(unittest.TestCase):
 
 
 class Terminal(io.StringIO):
-    """A terminal whose width the tests set."""
-
     def isatty(self):
         return True
 

@@ -5,7 +5,7 @@
 import re
 import unittest
 
-from benchmarks import ablation
+from benchmarks import ablation, report
 from tools.repository import ROOT
 
 
@@ -30,6 +30,24 @@ class Ratios(unittest.TestCase):
         records = [{"mse": 1e-3, "variance": 1e-3, "beyond": 0.01}, {"mse": 6e-3, "variance": 2e-3, "beyond": 0.0},
                    {"mse": 1.0, "variance": ablation.LEAST_KEPT/2, "beyond": 1.0}]
         self.assertEqual(ablation.kept(records), (6e-3/2e-3, 0.01))
+
+
+class Summary(unittest.TestCase):
+    ROWS = [{"scene": "town", "denoise": False, "ratio": 2.0, "error": 0.3, "beyond": 0.01},
+            {"scene": "town", "denoise": True, "ratio": 9.0, "error": 0.2, "beyond": 0.02},
+            {"scene": "night", "denoise": False, "ratio": 8.0, "error": None, "beyond": None},
+            {"scene": "night", "denoise": True, "ratio": 1.0, "error": None, "beyond": None}]
+
+    def test_has_means_and_the_worst_scenes(self):
+        made = ablation.summary(("a rule", 8, "number=0"), self.ROWS)
+        self.assertEqual([round(mean, 9) for mean in made["means"]], [4.0, 3.0])
+        self.assertEqual((made["ratio"], made["error"], made["beyond"]), ((9.0, "town"), (0.3, "town"), (0.02, "town")))
+
+    def test_is_a_line_of_the_page(self):
+        made = {"size": [96, 64], "samples": 1024, "rules": [ablation.summary(("a rule", 8, "number=0"), self.ROWS)]}
+        text = report.section("ablation", made)
+        self.assertIn("| a rule | 8 | `number=0` | 4.00 | 3.00 | 9.00 town | 0.3 town | 2 % town |", text)
+        self.assertIn("Pictures of 96 by 64 with 1024 recorded samples", text)
 
 
 class Rules(unittest.TestCase):

@@ -57,7 +57,6 @@ class Noise(unittest.TestCase):
                                          fails=True))
 
     def test_a_part_is_taken_from_its_place(self):
-        """Two halves of different brightness; the reference is of the right one."""
         halves = [self.grey("l", 0.5, (16, 8)), self.grey("r", 0.625, (16, 8))]
         whole = self.folder / "whole.exr"
         subprocess.run(["oiiotool", *map(str, halves), "--mosaic", "2x1", "-o", str(whole)], check=True)
@@ -116,7 +115,6 @@ class Noise(unittest.TestCase):
         self.assertAlmostEqual(line["mse"], 0.0625, places=6)
 
     def mosaic(self, name, left, right):
-        """A picture of two values."""
         paths = [self.grey(f"{name}{side}", value, (8, 8)) for side, value in (("l", left), ("r", right))]
         picture = self.folder / f"{name}.exr"
         subprocess.run(["oiiotool", *map(str, paths), "--mosaic", "2x1", "-o", str(picture)], check=True)
@@ -128,7 +126,6 @@ class Noise(unittest.TestCase):
         return path
 
     def test_light_of_lamps_is_counted_above_white(self):
-        """A lamp fills the right half, three times as bright as white."""
         lamps, dark = self.mosaic("lamps", 0.25, 3.25), self.grey("dark", 0.25)
         reference, without = self.unclipped("with", lamps, lamps), self.unclipped("without", dark, dark)
         pictures = [lamps, dark, self.mosaic("weak", 0.25, 2.25), self.mosaic("weaker", 0.25, 2.75)]
@@ -158,7 +155,7 @@ class Noise(unittest.TestCase):
         lines = self.tool("groups", self.reference(0.5, 0.5), self.mosaic("a", 0.5, 0.75), self.grey("b", 0.75), "--side", 8)
         for line, wanted in zip(lines, ([0.0, 12.0], [12.0, 12.0])):
             self.assertEqual([round(square, 5) for square in line["squares"]], wanted)
-        # at the right edge a group has what is left of it, and the reference's own error is taken off
+        # at the right edge a group has fewer columns, and the reference's own error is subtracted
         line, = self.tool("groups", self.reference(0.4, 0.6), self.grey("c", 0.75), "--side", 10)
         for square, pixels in zip(line["squares"], (80, 48)):
             self.assertAlmostEqual(square, 3*pixels*(0.0625 - 0.01), places=2)

@@ -34,6 +34,14 @@ class Pages(unittest.TestCase):
             self.assertIn(name, report.SECTIONS)
             self.assertTrue(part["program"] and part["machine"] and part["rows"], name)
 
+    def test_kept_results_have_a_row_on_each_line(self):
+        rows = [{"scene": f"scene {number}", "ratio": number/3, "note": "x"*60} for number in range(20)]
+        text = pages.compact({"rows": rows})
+        self.assertEqual(json.loads(text), {"rows": rows})
+        self.assertEqual(len(text.splitlines()), len(rows) + 4)
+        for path in (pages.DOCS / "benchmarks").glob("*.json"):
+            self.assertEqual(path.read_text(), pages.compact(json.loads(path.read_text())) + "\n", path.name)
+
     def test_a_new_result_appears_in_its_place_alone(self):
         before = self.text()
         pages.save("loops", [["a function of the test", 1234.5]], "a program", self.docs)

@@ -26,7 +26,7 @@ def errors_of(noisy, sharp, counts=(2, 4, 8)):
 class Allocation(unittest.TestCase):
     def test_groups_get_what_they_need(self):
         points = allocation.ideal(errors_of(8.0, 0.0), [100, 100])
-        # the least for both where a sample must save much, and else all for the first one
+        # most samples for the first group unless a sample must save much
         self.assertEqual((points[0], points[-1]), ((2.0, 4.0/200), ((8 + 2)/2, 1.0/200)))
 
     def test_luck_is_not_taken_for_knowledge(self):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark in miniature: small_run_test.py PROGRAM TOOLS. Checks that all methods of blur approach the same picture, and that
+"""The benchmark in miniature: small_run_test.py PROGRAM TOOLS. All methods of blur approach the same picture, and
 measurements arrive in tables and plots; times are not tested."""
 
 import copy
@@ -38,7 +38,7 @@ from benchmarks.lab import STOCK, TILT_LENS, Lab, Part
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (40, 30)
 SCENE = dataclasses.replace(suite.SCENES[0], reference=(2, 512), frames=64, size=SIZE, targets=(37, 100))
-LARGE = Part(80, 60, 200, 150)      # the centre of the scene's usual picture
+LARGE = Part(80, 60, 200, 150)
 
 
 class SmallRun(unittest.TestCase):
@@ -57,7 +57,7 @@ class SmallRun(unittest.TestCase):
         stock = {record["setting"]: record["rmse"] for record in self.records if record["program"] == "stock"}
         self.assertLess(stock["100"], 0.75*stock["37"])
         self.assertLess(stock["100"], 0.03)
-        # the chain of settings ends with the first that is better than stock's errors: ask for a finer one
+        # a finer setting than the chain's last, which is the first better than stock's errors
         reference = self.lab.reference(SCENE.shot(TILT_LENS), *SCENE.reference)
         fine = self.lab.run(self.lab.ours, SCENE.shot(TILT_LENS, declare=suite.limits(8, 16384, 1e-4)), reference)
         self.assertLess(math.sqrt(fine["mse"]), 0.01)
@@ -85,7 +85,7 @@ class SmallRun(unittest.TestCase):
             self.assertGreater(wrong[-1]["mse"] - records[-1]["mse"], 0.25*self.apart(), f"tilted {tilt}")
 
     def test_part_equals_the_part_of_the_whole(self):
-        """For all programs: the picture of a part differs from the whole picture's reference by no more than its noise."""
+        """A part differs from the whole picture's reference by no more than its noise, for all programs."""
         scene = dataclasses.replace(SCENE, part=LARGE)
         whole = self.lab.reference(dataclasses.replace(scene.shot(TILT_LENS), size=(200, 150), part=None), 2, 256)
         cut = whole.with_name("cut.exr")
@@ -101,7 +101,6 @@ class SmallRun(unittest.TestCase):
         self.assertGreater(moved["mse"], 1e-2)
 
     def test_gallery_at_viewing_size(self):
-        """The camera of a gallery scene in all its forms: shifted, with swing."""
         folder = gallery.copy(self.lab, "city_lights")
         scene = dataclasses.replace(suite.of_gallery("city_lights", folder), reference=(2, 128), size=(24, 16), targets=(16, 37),
                                     quick_frames=32)
@@ -166,12 +165,12 @@ class SmallRun(unittest.TestCase):
         before = pathlib.Path(shutil.copy(PROGRAM, self.lab.work / "before"))
         with unittest.mock.patch.object(sample_cost, "TIMED_SIZE", (160, 120)):
             ratio = sample_cost.seconds_over_before(self.lab, SCENE.shot(TILT_LENS), before)
-        self.assertTrue(ratio > 0.0, ratio)  # times are not tested
+        self.assertTrue(ratio > 0.0, ratio)
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)
         self.assertEqual(len(loops), len({name for name, _ in loops}))
-        self.assertTrue(all(math.isfinite(ns) for _, ns in loops), loops)  # times are not tested
+        self.assertTrue(all(math.isfinite(ns) for _, ns in loops), loops)
 
     def test_what_was_measured_is_not_measured_again(self):
         again = Lab(self.lab.ours, self.lab.stock, self.lab.tools, self.lab.work, quick=True)

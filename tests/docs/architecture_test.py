@@ -56,8 +56,6 @@ class Includes(unittest.TestCase):
 
 
 class Checker(unittest.TestCase):
-    """Each kind of fault is found."""
-
     TABLE = ("| folder | answers | may include |\n| --- | --- | --- |\n| `low/` | a | |\n"
              "| `high/` | b | `low/`, `settings.h`; `aside/` from `.cpp` files |\n| `aside/` | c | `low/` |\n")
 
@@ -96,7 +94,7 @@ class Checker(unittest.TestCase):
 
 
 def folders_of(folder):
-    """Folders of a folder, as paths in the repository: those under version control, or all of an unpacked archive."""
+    """Folders under version control, or all of an unpacked archive."""
     if (ROOT / ".git").exists() and shutil.which("git"):
         listed = subprocess.run(["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=False)
         if listed.returncode == 0:  # git refuses a repository of another user

@@ -50,7 +50,6 @@ def ranged():
 
 
 def grammar():
-    """The injected grammar of Visual Studio Code."""
     return json.loads((EDITORS / "vscode" / "syntaxes" / "tilt-lens.injection.json").read_text())
 
 
@@ -122,8 +121,6 @@ class SameItems(unittest.TestCase):
 
 
 class Code(unittest.TestCase):
-    """The package of Visual Studio Code."""
-
     def test_files(self):
         package = json.loads((EDITORS / "vscode" / "package.json").read_text())
         for entry in package["contributes"]["grammars"] + package["contributes"]["snippets"]:
@@ -139,7 +136,6 @@ class Code(unittest.TestCase):
         self.assertRegex("Tilt_Lens_Miniature(A, B, 1)", rules["macro"]["match"])
 
     def test_a_snippet_for_an_item_is_no_block(self):
-        """It is typed inside the block."""
         table = json.loads((EDITORS / "vscode" / "snippets" / "tilt-lens.json").read_text())
         for entry in table.values():
             if entry["prefix"] in words():
@@ -164,8 +160,6 @@ class Code(unittest.TestCase):
 
 
 class Completion(unittest.TestCase):
-    """The completions that Bash offers."""
-
     def offered(self, line, folder=ROOT):
         words = line if isinstance(line, list) else line.split(" ")
         script = (f". '{EDITORS / 'bash' / 'povray-tilt-lens.bash'}'\n"
@@ -237,8 +231,6 @@ class Completion(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("vim"), "Vim is not installed")
 class Vim(unittest.TestCase):
-    """The highlight groups that Vim gives to words of a scene."""
-
     # below each line its highlight groups: I item, B the block's word, M macro, E an error, . none of ours
     SCENE = """#declare tilt = 3;
          .

@@ -26,7 +26,6 @@ sphere { <0, 1, 2>, 1 pigment { rgb x } }
 
 
 def scene_of(example):
-    """The whole scene of an example."""
     text = example.block.text
     if example.kind == "whole":
         return text
@@ -61,7 +60,6 @@ def plain(text):
 
 
 def wrong_with(example, code, said, picture):
-    """The faults in the outcome of an example."""
     fails = bool(example.expected["fails"])
     if code is None:
         yield "it did not end within 110 s"
@@ -80,7 +78,6 @@ def wrong_with(example, code, said, picture):
 
 
 def check_example(povray, example, folder, index):
-    """The faults of one example, as messages."""
     name = example.name or f"example_{index}.pov"
     (folder / name).write_text(scene_of(example))
     (folder / "picture.png").unlink(missing_ok=True)

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures of the manual and drawings of the optics agree with tools/docs/figures.py: each picture has its scene and is shown, and each
-drawing is the output of its script. Each lens has its portraits."""
+"""Pictures of the manual and drawings of the optics agree with tools/docs/figures.py: each picture has its scene
+and is shown, each drawing is the output of its script, and each lens has its portraits."""
 
 import pathlib
 import re

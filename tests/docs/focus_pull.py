@@ -24,7 +24,6 @@ PLANES = ((0, 2.8, (0, 0, 0), (0, 2, 0), (1, 0, 0)), (0.4, 5.6, (0, 0, 0), (0, 0
 
 
 def text(value):
-    """A value in the scene language."""
     return f"<{', '.join(map(str, value))}>" if isinstance(value, tuple) else str(value)
 
 
@@ -52,7 +51,7 @@ def plane(lens, eye=(0, 1.6, -6)):
 
 
 def greatest_step(lenses):
-    """The greatest step of the plane between two frames, as a part of its whole way."""
+    """The greatest step of the plane between two frames over its whole way."""
     steps = [math.dist(plane(a), plane(b)) for a, b in itertools.pairwise(lenses)]
     return max(steps) / sum(steps)
 
@@ -64,7 +63,7 @@ class FocusPull(rendering.RenderTest):
                ("Tilt_Lens_Key_Points", PLANES, f"angle 40 tilt_lens {{ {PULL} }}"))
 
     def test_the_plane_never_jumps(self):
-        """With twice as many frames, the greatest step of the plane between two frames is half as long; a jump would stay."""
+        """With twice as many frames, the greatest step is half as long; a jump would stay."""
         for (macro, rows, camera), ease in itertools.product(self.CAMERAS, ("yes", "no")):
             before = f"#declare Tilt_Lens_Ease = {ease};\n{keys(macro, rows)}"
             coarse, fine = (greatest_step(film(before, camera, frames)) for frames in (26, 51))
@@ -72,7 +71,7 @@ class FocusPull(rendering.RenderTest):
             self.assertLess(fine / coarse, 0.6, f"{camera}: steps of {coarse} and {fine}")
 
     def test_keys_are_met(self):
-        """At the time of each key, in a film of ten intervals, the lens is that of the key."""
+        """The lens at the time of each key, in a film of ten intervals."""
         for macro, rows, camera in self.CAMERAS:
             lenses = film(keys(macro, rows), camera, 11)
             for row in rows:
@@ -85,7 +84,7 @@ class FocusPull(rendering.RenderTest):
                     self.assertEqual(lens.turn, list(row[2:4]), f"{camera}\n{lens.said}")
 
     def test_between_two_keys(self):
-        """A straight line in vergence, angles and stops: evenly without ease, and in the middle with it, too."""
+        """A straight line in vergence, angles and stops, in the middle also with ease."""
         before = keys("Tilt_Lens_Key", ((0, 2, 0, 4, (0, 1.6, -4)), (1, 8, 6, -2, (0, 1.6, 2))))
         camera = f"look_at <0, 1.6, 0> {POINT}tilt_lens {{ focal_length 50 {PULL} }}"
         for ease, weights in (("no", (0, 0.25, 0.5, 0.75, 1)), ("yes", (0, 0.15625, 0.5, 0.84375, 1))):
@@ -110,7 +109,7 @@ class FocusPull(rendering.RenderTest):
             passed = from_begin
 
     def test_a_moving_camera(self):
-        """The keys are points of the scene: they are sharp wherever the camera has gone, and it may go past the first and last key."""
+        """Keys are points of the scene: they are sharp wherever the camera has gone."""
         eye = "<clock, 1.6, -6 + 2*clock>"
         lenses = film(keys("Tilt_Lens_Key_Points", ((0.2, 4, *PLANES[1][2:]), (0.5, 4, *PLANES[2][2:]))),
                       f"angle 50 tilt_lens {{ Tilt_Lens_Pull(clock, {eye}) }}", 11, eye)
@@ -119,7 +118,6 @@ class FocusPull(rendering.RenderTest):
                 self.assertLess(lenses[frame].off_plane(point), 1e-5, lenses[frame].said)
 
     def test_through_infinity(self):
-        """Planes before and behind the camera: in the middle the focus is at infinity, without an error."""
         rows = ((0, 4, (0, 0, -2), (0, 9, -2), (1, 0, -2)), (1, 4, (0, 0, -10), (0, 9, -10), (1, 0, -10)))
         lenses = film(f"#declare Tilt_Lens_Ease = no;\n{keys('Tilt_Lens_Key_Points', rows)}",
                       f"look_at <0, 1.6, 0> angle 40 tilt_lens {{ {PULL} }}", 5)
@@ -127,7 +125,6 @@ class FocusPull(rendering.RenderTest):
             self.assertLess(math.dist(plane(lens), (0, 0, expected)), 1e-5, lens.said)
 
     def test_another_pull(self):
-        """A scene begins anew by Tilt_Lens_Keys, with keys of the other kind."""
         before = f"{keys('Tilt_Lens_Key', ANGLES)}#declare Tilt_Lens_Keys = 0;\n{keys('Tilt_Lens_Key_Points', PLANES[1:2])}"
         lens = film(before, f"angle 40 tilt_lens {{ {PULL} }}", 2)[1]
         for point in PLANES[1][2:]:

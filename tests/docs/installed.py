@@ -55,12 +55,10 @@ class Installed(unittest.TestCase):
         self.assertGreater(checked, 40)
 
     def test_no_scripts_among_them(self):
-        """The pictures are installed, their scripts are not."""
         self.assertFalse((self.doc / "docs" / "figures").exists())
         self.assertTrue((self.doc / "docs" / "pictures" / "optics" / "wedge.svg").is_file())
 
     def test_scenes_may_be_moved_along(self):
-        """The links to the scenes are relative."""
         moved = self.prefix.parent / "moved"
         self.prefix.rename(moved)
         try:
@@ -92,7 +90,6 @@ class Installed(unittest.TestCase):
             self.assertEqual(self.parses(example), 0, example)
 
     def test_examples_are_the_manuals(self):
-        """Camera and lens of both examples are those of the manual's answers."""
         text, _ = formatted(ROOT / "docs" / "man" / "povray-tilt-lens.7")
         table, facade = re.findall(r"camera \{.*?\n *\}\n", text.split("EXAMPLES", 1)[1], re.DOTALL)
         manual = (ROOT / "docs" / "manual.md").read_text()

@@ -17,7 +17,6 @@ OWN = re.compile(r"(\./|(cmake|tests|experiments|benchmarks|scenes|tools|docs|ed
 
 
 def check_links(path, text):
-    """Relative links name an existing file, and an existing heading after a #."""
     for target in pages.links_of(text):
         if re.match(r"[a-z]+:", target):
             continue
@@ -32,7 +31,6 @@ def check_links(path, text):
 
 
 def check_commands(text, name):
-    """Programs and modules of this repository that a command runs exist, and are executable."""
     for number, command in pages.commands_of(name, text):
         try:
             words = shlex.split(command)

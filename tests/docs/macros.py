@@ -22,13 +22,10 @@ VECTOR = rf"<{NUMBER}, {NUMBER}, {NUMBER}>"
 
 
 def numbers(match):
-    """All groups of a match as numbers."""
     return [float(group) for group in match.groups()]
 
 
 class Lens:
-    """The lens as the program reports it."""
-
     PATTERNS = {
         "turn": rf"Lens\.+tilt {NUMBER}, swing {NUMBER} degrees",
         "focal": rf"Focal length\.+{NUMBER} mm, film at {NUMBER} mm",
@@ -56,7 +53,6 @@ class Lens:
 
 
 def report(camera, before="", size=(32, 18)):
-    """The program's messages for a camera."""
     scene = f"{INCLUDE}{before}\ncamera {{ {RIGHT}blur_samples 1 {camera} }}\n{WORLD}"
     library = rendering.SETTINGS.library
     rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
@@ -67,7 +63,6 @@ def report(camera, before="", size=(32, 18)):
 
 
 def refusal(camera, before=""):
-    """The program's messages for a scene that it must refuse."""
     scene = f"#version 3.7;\n{INCLUDE}{before}\ncamera {{ {camera} }}\n{WORLD}"
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
@@ -77,7 +72,6 @@ def refusal(camera, before=""):
 
 
 def table(page, heading):
-    """The cells of the first table below a heading of a page, without its first two lines."""
     below = page.read_text().split(f"\n{heading}\n", 1)[1]
     lines = [line for line in below.split("\n#", 1)[0].split("\n") if line.startswith("|")]
     return [[cell.strip().strip("`") for cell in line.strip("|").split("|")] for line in lines[2:]]
@@ -91,7 +85,7 @@ class Macros(rendering.RenderTest):
                              f"{what}: found {found:g}, expected {expected:g}")
 
     def test_formats(self):
-        """The widths follow from the sides in the manual's table, for pictures of several proportions."""
+        """Widths follow from the sides in the manual's table, for pictures of several proportions."""
         rows = table(ROOT / "docs" / "manual.md", "#### Film formats")
         self.assertGreaterEqual(len(rows), 8)
         say = "".join(f'#debug concat("{name} ", str(Tilt_Lens_Film_Width({name}), 0, 6), "\\n")\n' for name, _, _ in rows)
@@ -109,7 +103,7 @@ class Macros(rendering.RenderTest):
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
-        """Each lens has the values of the manual's table, and warns beyond its limits only."""
+        """Values of the manual's table; warnings beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
         self.assertEqual(len(rows), 9)
         for macro, _, focal, stop, tilt, shift in rows:
@@ -133,7 +127,7 @@ class Macros(rendering.RenderTest):
                 self.assertIn(words, said, macro)
 
     def test_lenses_of_glass(self):
-        """Each has the values of the manual's table, stopped down and wide open, and each file has a macro."""
+        """Values of the manual's table, stopped down and wide open; each file has a macro."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses of glass")
         text = (ROOT / "scenes" / "include" / "tilt_lens.inc").read_text()
         files = {path.name for path in (ROOT / "scenes" / "include" / "lenses").iterdir()} - {"lenses.csv"}
@@ -151,7 +145,6 @@ class Macros(rendering.RenderTest):
             self.assertIn("shift <1, 2> mm", stopped.said)
 
     def test_character(self):
-        """Each macro makes a lens with aberrations and without a warning."""
         for macro, words in (("Fast(2)", "Edge light...........0.35"), ("Anamorphic()", "squeezed to 0.5 of its width"), ("Soft()", "in the middle")):
             said = report(f"{self.VIEW}tilt_lens {{ focal_length 50 f_stop 2 tilt 2 Tilt_Lens_Character_{macro} }}").said
             self.assertIn(words, said)
@@ -182,7 +175,8 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, f"{point}\n{lens.said}")
 
     def test_hyperfocal(self):
-        """Slightly beyond that distance, depth of field extends from half of it to infinity; slightly nearer, it does not."""
+        """Slightly beyond that distance, depth of field extends from half of it to infinity; slightly nearer, it
+        does not."""
         for factor in (1.001, 0.999):
             lens = report("location 0 look_at z "
                           "focal_point z*Tilt_Lens_Hyperfocal(50, 8, Tilt_Lens_Pixel(Tilt_Lens_Film_Full_Frame))"
@@ -223,7 +217,7 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
     def test_near_far(self):
-        """Both points are sharp, and the lens has no swing, for any positions left and right."""
+        """For any positions left and right; the lens has no swing."""
         for near, far in (((-1, 0.2, 0), (4, 3, 20)), ((0.5, 1, 1), (0.5, 0, 9)), ((2, 2, 5), (-3, 0, 12))):
             places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (near, far)]
             lens = report(f"location <1, 2, -6> look_at <0, 1, 5> angle 40 Tilt_Lens_Near_Far(<1, 2, -6>, <0, 1, 5>, "
@@ -234,7 +228,7 @@ class Macros(rendering.RenderTest):
                 self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
     def columns(self, camera):
-        """Columns of two vertical poles, each at the top and at the bottom, and of a ball's centre."""
+        """Columns of two vertical poles, at the top and at the bottom, and of a ball's centre."""
         poles = "".join(f"cylinder {{ <{x}, -50, 0>, <{x}, 50, 0>, 0.1 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
                         for x, colour in ((-5, "x"), (5, "z")))
         ball = "sphere { <0, 9, 0>, 0.5 pigment { rgb y } finish { emission 1 } }\n"
@@ -253,7 +247,7 @@ class Macros(rendering.RenderTest):
         return rows, middle
 
     def test_upright(self):
-        """Poles are vertical in the picture, and the look_at point is in its centre."""
+        """Poles are vertical, and the look_at point is in the centre."""
         eye, top = "<0, 1.7, -22>", "<0, 9, 0>"
         for camera in (f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 0)",
                        f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 8) blur_samples 64",
@@ -271,7 +265,8 @@ class Macros(rendering.RenderTest):
         self.assertIn("mm; the real one stops at 12.0", said)
 
     def test_product(self):
-        """Vertical edges are vertical, the point to look at is in the middle, and both points are sharp without a swing."""
+        """Vertical edges are vertical, the point to look at is in the middle, and both points are sharp without a
+        swing."""
         for eye, near, far in (((0, 20, -16), (0, 0, -4), (0, 14, 3)), ((3, 16, -22), (-2, 1, -3), (4, 9, 6))):
             places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (eye, near, far)]
             camera = f"Tilt_Lens_Product({places[0]}, <0, 9, 0>, {places[1]}, {places[2]}, 60, 1000, 16)"
@@ -285,7 +280,7 @@ class Macros(rendering.RenderTest):
             self.assertLess(math.dist(middle, (80, 60)), 0.2, f"{camera}: the ball is at {middle}")
 
     def test_ring(self):
-        """A lens that is focused by its ring has the plane at that distance from the film, the f-stop, the shift, and the warnings."""
+        """The plane at that distance from the film, the f-stop, the shift, and the warnings."""
         for focal, name in ((24, "TS_24"), (90, "TS_90")):
             lens = report(f"{self.VIEW}Tilt_Lens_Real_Ring(Tilt_Lens_{name}, 100, 8, 0, 0, <2, -3>, 15)")
             self.assert_close(lens.point_distance((0, 2, -6)) + lens.focal[1] / 100, 15, 1e-4, "the distance on the ring")
@@ -296,7 +291,7 @@ class Macros(rendering.RenderTest):
             self.assertIn(words, said)
 
     def test_refusals(self):
-        """Each wrong value is refused, with the macro, the fault and the allowed values."""
+        """Each message has the macro, the fault and the allowed values."""
         eye = "location <0, 2, -6> look_at 0 "
         for camera, words in (
                 (eye + "Tilt_Lens_Miniature(<0, 2, -6>, 0, 0)", "Tilt_Lens_Miniature: Strength is 0.0000. It must be larger"),
@@ -348,7 +343,6 @@ class Macros(rendering.RenderTest):
             self.assertIn("line 4", joined, f"{camera}: {said}")
 
     def test_miniature_from_below(self):
-        """An unchanged Tilt_Lens_Sky causes a warning in a scene whose z is up."""
         view = "location <0, -60, 40> sky z look_at 0 angle 30 Tilt_Lens_Miniature(<0, -60, 40>, 0, 1)"
         said = report(view).said
         self.assertIn("Tilt_Lens_Miniature: from Location to Subject it goes up by 56.3 degrees", said)
@@ -356,7 +350,7 @@ class Macros(rendering.RenderTest):
         self.assertNotIn("Warning:", report(view, "#declare Tilt_Lens_Sky = z;").said)
 
     def test_facade(self):
-        """The rectangle fills the picture from any camera, and the whole facade is sharp."""
+        """The rectangle fills the picture, all of it sharp, from any camera."""
         corners = "".join(f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
                           for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z")))
         rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
@@ -380,7 +374,7 @@ class Macros(rendering.RenderTest):
             self.assertIn(words, said, f"{camera}: {said}")
 
     def test_facade_in_cameras_of_both_hands(self):
-        """The corners are as seen by the camera, for any directions of right and sky."""
+        """For any directions of right and sky."""
         rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
         for upward, forward, hand in (("y", "z", "x"), ("y", "-z", "-x"), ("z", "y", "-x"), ("z", "-y", "x")):
             def place(a, b, c, upward=upward, forward=forward):
@@ -399,7 +393,6 @@ class Macros(rendering.RenderTest):
                     self.assertLess(max(math.dist((a + 0.5, b + 0.5), corner) for a, b in lit), 6, f"{camera}: {colour}")
 
     def test_aperture(self):
-        """The number for aperture yields the lens of that f-number."""
         lens = report("location -6*z look_at 0 angle 40 aperture Tilt_Lens_Aperture(50, 2, 1000) tilt_lens { }")
         self.assertIn("diameter 25 mm", lens.said)
 

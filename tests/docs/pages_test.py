@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tests of the page reader: it misses no example and no broken link."""
+"""The page reader misses no example and no broken link."""
 
 import pathlib
 import tempfile
@@ -11,12 +11,10 @@ from tools.docs import pages
 
 
 def read(text):
-    """The examples of a page."""
     return pages.examples_of(pages.blocks_of("page.md", text))
 
 
 def fenced(body, above="", language="povray"):
-    """A page with one block."""
     return f"Text\n\n{above}```{language}\n{body}\n```\n"
 
 
@@ -97,8 +95,6 @@ class Links(unittest.TestCase):
 
 
 class Outcome(unittest.TestCase):
-    """Comparison of the program's outcome with the page."""
-
     def wrong(self, above, code, said, picture):
         example, = read(fenced("tilt 3", above))
         return list(examples.wrong_with(example, code, said, picture))

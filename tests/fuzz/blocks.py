@@ -15,15 +15,13 @@ BATCH = 500
 
 @dataclasses.dataclass
 class Outcome:
-    """The outcome of one block."""
-
     kind: str  # of the grammar
     text: str
     answer: str  # "lens", "none", "error ...", "wrong ...", or "crash ..."
 
 
 def parse(parser, texts):
-    """The parser's answers; after a crash, a new process continues behind the block that caused it."""
+    """After a crash, a new process continues behind the block that caused it."""
     answers = []
     while len(answers) < len(texts):
         data = b"".join(text.encode() + b"\0" for text in texts[len(answers):])
@@ -38,7 +36,6 @@ def parse(parser, texts):
 
 
 def run(parser, seed, count):
-    """The outcomes of `count` blocks of one seed."""
     made = grammar.Grammar(seed).blocks(count)
     answers = []
     for start in range(0, count, BATCH):

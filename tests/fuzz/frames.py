@@ -37,7 +37,6 @@ def _animate(povray, folder, first, last):
 
 
 def _not_finite(pictures):
-    """The pictures with NaN or infinite values."""
     found = set()
     said = subprocess.run(["oiiotool", "--stats", *map(str, pictures)], capture_output=True, text=True, check=True).stdout
     counts = re.findall(r"(?:Nan|Inf)Count: ([\d ]+)", said)
@@ -73,7 +72,7 @@ def _render_batch(povray, texts):
 
 
 def render(povray, texts):
-    """Renders blocks; returns the failed ones in the form of blocks.tally()."""
+    """The failed blocks, in the form of blocks.tally()."""
     wrong = []
     for start in range(0, len(texts), BATCH):
         wrong += _render_batch(povray, texts[start:start + BATCH])

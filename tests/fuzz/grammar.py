@@ -36,7 +36,6 @@ class Grammar:
         return "<" + separator.join(self.number(low, high) for _ in range(size)) + ">"
 
     def colour(self):
-        """A colour, in one of the scene language's forms."""
         r = self.random
         return r.choice((f"rgb {self.vector(3, 0, 1)}", f"rgb {self.number(0, 1)}", f"rgbf {self.vector(4, 0, 1)}",
                          f"color rgb {self.vector(3, 0, 2)}", f"red {self.number(0, 1)} green 0.5", self.vector(3, -1, 1),
@@ -85,7 +84,6 @@ class Grammar:
                 "circle_of_confusion": lambda: self.number(0.001, 1)}[word]()
 
     def items(self):
-        """Words with their values, at most one family; as tokens."""
         r = self.random
         words = [word for word in FREE if r.random() < 0.3]
         words = [word for word in words if word != "blade_curvature" or "blades" in words]
@@ -104,7 +102,6 @@ class Grammar:
         return [(word, self.value(word)) for word in words]
 
     def text(self, items):
-        """The text inside a block, in one of several layouts."""
         gap = self.random.choice((" ", "\n", "\n  ", "\t", " // a remark\n", " /* a remark */ "))
         return gap + gap.join(f"{word} {value}".strip() for word, value in items) + gap
 
@@ -140,7 +137,6 @@ class Grammar:
         return self.text(items)
 
     def soup(self):
-        """Words and signs in any order."""
         r = self.random
         return " ".join(r.choice(WORDS + STRANGE + ODD_NUMBERS) for _ in range(r.randint(1, 30)))
 

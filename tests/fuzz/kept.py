@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The kept inputs: corpus/ has libFuzzer's inputs that reach all code reached so far, regressions/ those that once failed. Each has
-solver.json, bytes in base 64, parser.json, the texts of blocks, and may have prescription.json, bytes in base 64."""
+"""The kept inputs: corpus/ has inputs that reach all code reached so far, regressions/ those that once failed. Each
+has solver.json, bytes in base 64, parser.json, the texts of blocks, and may have prescription.json, bytes in base
+64."""
 
 import base64
 import json
@@ -29,7 +30,6 @@ def save(where, name, inputs):
 
 
 def unpack(name, folder):
-    """Writes all kept inputs of a target as files for libFuzzer."""
     folder.mkdir(parents=True, exist_ok=True)
     for where in ("corpus", "regressions"):
         for number, data in enumerate(load(where, name)):

@@ -31,7 +31,7 @@ static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::val
 static_assert(std::is_same<decltype(pov::Task::done), std::atomic<bool>>::value);
 
 ParseOutcome* current = nullptr;  ///< one scene is parsed at a time
-int sceneFile = -1;               ///< its text, in memory
+int sceneFile = -1;
 
 void Catch(POVMSObjectPtr message)
 {
@@ -49,7 +49,6 @@ void Catch(POVMSObjectPtr message)
         current->warnings.push_back(text);
 }
 
-/// Waits for a thread's end.
 class Finish
 {
   public:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_driver.h
-/// POV-Ray's parser as a function from text to outcome, within this process: no program is started, no file is read or written, and
-/// messages to the user are caught.
+/// POV-Ray's parser as a function from text to outcome, within this process: no program, no file, no messages to the
+/// user.
 
 #ifndef TILT_LENS_TESTS_PARSE_DRIVER_H
 #define TILT_LENS_TESTS_PARSE_DRIVER_H
@@ -19,10 +19,9 @@ struct ParseOutcome
     std::string broken;                 ///< fault of an accepted lens: a ray that is not finite
 };
 
-/// Parses a scene.
 ParseOutcome Parse(const std::string& scene);
 
-/// A scene with a camera around the block's text, and nothing else.
+/// A scene with a camera around the block's text.
 std::string SceneAround(const std::string& block);
 
 /// Describes forbidden behaviour of the parser; empty if there is none.

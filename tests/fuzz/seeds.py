@@ -35,14 +35,12 @@ def seeds():
 
 
 def write(folder):
-    """The seeds as files."""
     folder.mkdir(parents=True, exist_ok=True)
     for i, data in enumerate(seeds()):
         (folder / f"seed{i:02}").write_bytes(data)
 
 
 def write_lenses(folder):
-    """The lenses that come with the program, in both forms."""
     folder.mkdir(parents=True, exist_ok=True)
     lenses = ROOT / "scenes" / "include" / "lenses"
     for path in sorted([*lenses.glob("*.dat"), *lenses.glob("*.json")]):

@@ -28,7 +28,6 @@ def run_libfuzzer(program, *arguments):
 
 
 def solver(settings):
-    """Some thousand inputs, derived from plain cameras."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         seeds.write(folder / "corpus")
@@ -37,7 +36,6 @@ def solver(settings):
 
 
 def prescription(settings):
-    """Some thousand files, derived from the lenses of the program."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         seeds.write_lenses(folder / "corpus")
@@ -61,7 +59,7 @@ def grammar_blocks(settings):
 
 
 def grammar_frames(settings):
-    """Renders some accepted blocks; bad ones among them are detected, and the others are rendered nevertheless."""
+    """Bad blocks among the accepted ones are detected, and the others are rendered nevertheless."""
     accepted = [o.text for o in blocks.run(settings.parser, 2, 3 * FRAMES) if o.answer == "lens"][:FRAMES]
     if len(accepted) < FRAMES:
         sys.exit(f"only {len(accepted)} of {3 * FRAMES} blocks accepted")
@@ -76,7 +74,6 @@ def grammar_frames(settings):
 
 
 def regressions(settings):
-    """Inputs that once failed, and the kept corpus."""
     cameras, texts = (kept.load("corpus", name) + kept.load("regressions", name) for name in ("solver", "parser"))
     if not cameras or not texts:
         sys.exit("no kept cameras or blocks")

@@ -25,13 +25,11 @@ WIDTH, HEIGHT = 64, 36
 
 
 def warnings(said):
-    """Lines of povray's messages that warn."""
     return [line for line in said.splitlines() if re.search(r"warning", line, re.IGNORECASE)
             and not line.strip().startswith("Warning Stream")]
 
 
 def check_scene(path, povray):
-    """Faults of a scene, as sentences."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "none.ini").write_text("")
@@ -76,7 +74,6 @@ def check_blocks(page):
 
 
 def check_page():
-    """Faults of the page and its thumbnails."""
     scenes = gallery.all_scenes()
     page = (ROOT / "docs/gallery.md").read_text()
     rows = gallery.read_table()

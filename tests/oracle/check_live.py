@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs the oracle program: a few frames agree with the stored oracle, and with the wrong sign of the tilt they do not. This
-shows that this program and this machine's unpatched POV-Ray can still make the stored pictures."""
+"""The oracle program still works here: a few frames agree with the stored oracle, and with the wrong sign of the
+tilt they do not."""
 
 import argparse
 import json
@@ -19,7 +19,6 @@ BATCHES, SAMPLES, PROCESSES, SEED = 8, 16, 16, 1001
 
 
 def live(args, case, name):
-    """The oracle's picture of a case, with few frames."""
     output = args.work / (name + ".exr")
     subprocess.run([args.oracle, "render", str(case), str(output), "--povray", args.stock,
                     "--work", str(args.work / name), "--batches", str(BATCHES),
@@ -29,7 +28,6 @@ def live(args, case, name):
 
 
 def outcome(args, picture):
-    """One of pictures.OUTCOMES."""
     stored = manifest.FOLDER / "oracle" / (CASE + ".exr")
     try:
         figures = pictures.compare(args.compare, picture, stored, LIMITS)

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The oracle's optics against closed forms, which make it an independent reference.
+// The oracle's optics against closed forms.
 
 #include <cmath>
 #include <stdexcept>
@@ -58,14 +58,14 @@ TEST(OracleOptics, EveryLensPointMeetsInThePlaneOfFocus)
         }
 }
 
-TEST(OracleOptics, HingeRule)
+TEST(OracleOptics, ObeysTheHingeRule)
 {
     const CameraSolved camera = SolveCase(AlongZ(Focus::Lens, 6.0, 0.0), 4.0 / 3.0);
     // the plane of sharp focus meets the plane z = 0 at J below the lens
     EXPECT_NEAR(-1.0 / camera.focus.y, camera.focalLength / std::sin(6.0 * kDegree), 1e-12);
 }
 
-TEST(OracleOptics, SeedPapersEquationOne)
+TEST(OracleOptics, ObeysEquationOneOfThePaper)
 {
     for (const double focusTilt : {-75.0, -20.0, 10.0, 60.0, 89.0})
     {

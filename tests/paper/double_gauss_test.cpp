@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The experiments' lens of glass by real rays: does it focus where its numbers say?
+// Real rays through the experiments' lens of glass focus where its numbers say.
 
 #include <cmath>
 

@@ -1,8 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""`prescription` against the separate tracer of the experiments: the box scene through the same double Gauss lens, tilted by 0, 4 or 8
-degrees, at f/8 or f/2.1, or through one that focuses by its first element. The tracer takes the mean over the rays that pass, so that the
-program's picture is divided by that of an even surface through the same lens, as photographers divide by a flat field."""
+"""`prescription` against the separate tracer of the experiments: the box scene through the same double Gauss lens,
+tilted by 0, 4 or 8 degrees, at f/8 or f/2.1, or focused by its first element.
+
+The tracer takes the mean over the rays that pass, so the program's picture is divided by that of an even surface
+through the same lens (flat field)."""
 
 import argparse
 import dataclasses
@@ -93,7 +95,7 @@ def inner_focus(tool, folder, stop):
 
 
 def one_tilt(tool, folder, stop, tilt):
-    """The lens as a whole, tilted; with the wrong sign of the largest tilt the pictures differ."""
+    """The lens tilted as a whole; with the wrong sign of the largest tilt the pictures differ."""
     traced = traced_picture(tool, folder, tilt, stop)
     rmse, mean = differences(program_picture(folder, tilt, stop), program_picture(folder, tilt, stop, True), traced)
     good = rmse < RMSE and abs(mean) < MEAN

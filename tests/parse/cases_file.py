@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files of cases: small scenes with what POV-Ray must say of them.
+"""Files of cases: small scenes with the expected messages.
 
     === name of the case
     camera { @view tilt_lens { tilt 90 } }      // <<
@@ -15,7 +15,7 @@
     --- says: PARTS         the message stream has these parts in this order
     --- ok                  no error, and no warning
 
-At least one of the last four must stand; what is not listed must not be said.
+At least one of the last four must stand; other messages are faults.
 
 Every scene begins with a line with #version 3.7 and an object, unless it has a #version of its own.
 "@view" stands for a location and look_at.
@@ -42,8 +42,6 @@ class Expected:
 
 @dataclasses.dataclass
 class Case:
-    """A scene, and the messages that POV-Ray must print."""
-
     name: str
     files: dict  # name -> text; the scene is SCENE
     options: list
@@ -65,7 +63,6 @@ def place_of_mark(name, files):
 
 
 def parse_case(name, lines):
-    """One case from its lines."""
     files, options, expected, ok = {SCENE: []}, [], [], False
     target = SCENE
     for line in lines:
@@ -104,7 +101,6 @@ def parse_case(name, lines):
 
 
 def read_cases(path):
-    """All cases of a file."""
     blocks = []
     for line in path.read_text().split("\n"):
         if line.startswith("==="):

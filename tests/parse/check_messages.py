@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs POV-Ray on each case of a file, and compares its messages with the expected ones.
 
-An expected error must be the only one, name file and line, contain the expected parts in their order, end the program with an exit code
-that is not zero, and leave no picture. Where no error is expected the picture must be there. Warnings must be those expected, no more.
-"""
+An expected error must be the only one, name file and line, and contain the expected parts in their order. The exit
+code must not be zero, and there must be no picture. Without an expected error the picture must be there. Warnings
+must be those expected."""
 
 import argparse
 import os
@@ -40,7 +40,6 @@ def messages_of(text):
 
 
 def has_parts(text, parts):
-    """True if the text contains the parts in this order."""
     at = 0
     for part in parts:
         at = text.find(part, at)
@@ -67,7 +66,6 @@ def run(povray, case, folder, library):
 
 
 def compare_messages(case, found, kind):
-    """The faults in the messages of one kind."""
     wanted = case.parts(kind)
     given = [message for message in found if message[0] == kind]
     if len(wanted) != len(given):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tests of the runner itself: it must detect faults."""
+"""The runner of parse cases detects faults."""
 
 import pathlib
 import tempfile
@@ -10,7 +10,6 @@ from tests.parse import cases_file, check_messages
 
 
 def case_of(text):
-    """One case from its text."""
     return cases_file.parse_case("case", text.split("\n"))
 
 

@@ -30,7 +30,6 @@ def series(folder):
 
 
 def listed_patches(folder):
-    """Name and text of each listed patch that exists."""
     for name in series(folder):
         path = folder / name
         if path.is_file():

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tests of check_patches.py: a good series passes, and each fault is found."""
+"""A good series of patches passes, and each fault is found."""
 
 import pathlib
 import tempfile
@@ -28,7 +28,6 @@ Tests: parse.empty_block
 
 class CheckPatchesTest(unittest.TestCase):
     def faults(self, check, patches, series=None):
-        """The faults of CHECK in a folder with the PATCHES (name -> text)."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             for patch, text in patches.items():

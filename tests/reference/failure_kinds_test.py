@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Every kind of failure is distinguished: each is made once, with a stand-in for the program that renders, and the test's own folder of
+"""Every kind of failure is distinguished, with a stand-in for the program that renders and the test's own
 references."""
 
 import os
@@ -18,7 +18,6 @@ NAME = "oracle/tilt"
 
 
 def png(width, height, value):
-    """A grey 16-bit PNG."""
     rows = b"".join(b"\0" + struct.pack(">H", value) * 3 * width for _ in range(height))
 
     def chunk(kind, data):
@@ -31,8 +30,6 @@ def png(width, height, value):
 
 
 class FailureKinds(unittest.TestCase):
-    """check_picture.py with a stand-in for the fork."""
-
     def setUp(self):
         self.compare = os.environ["COMPARE"]
         self.holder = tempfile.TemporaryDirectory()
@@ -51,12 +48,10 @@ class FailureKinds(unittest.TestCase):
         self.save(self.record)
 
     def picture(self, path, width, height, value):
-        """A grey picture in a file."""
         path.write_bytes(png(width, height, value))
         return path
 
     def save(self, record):
-        """The test's own manifest."""
         manifest.save({NAME: record} if record else {}, self.references)
 
     def check(self, script, *more):
@@ -72,7 +67,6 @@ class FailureKinds(unittest.TestCase):
         return done.returncode, done.stderr
 
     def expect(self, outcome, script):
-        """The outcome is named in the message and in the page."""
         code, message = self.check(script)
         self.assertEqual(code, pictures.OUTCOMES[outcome], message)
         self.assertIn(outcome, message)
@@ -81,7 +75,6 @@ class FailureKinds(unittest.TestCase):
         return message, page
 
     def copy_of(self, width, height, value):
-        """A stand-in that writes this picture."""
         return f"cp '{self.picture(self.folder / 'result.png', width, height, value)}' new.png"
 
     def test_same(self):

@@ -42,7 +42,7 @@ Reference NoisyReference(double deviation)
     return Average(batches);
 }
 
-TEST(Measure, PlainFigures)
+TEST(Measure, ReportsPlainFigures)
 {
     const Picture reference = Grey(16, 8, 0.25);
     Picture picture = reference;
@@ -68,7 +68,7 @@ TEST(Measure, FiniteMeansFinite)
     EXPECT_FALSE(IsFinite(picture));
 }
 
-TEST(Measure, SidakLimits)
+TEST(Measure, LimitsFollowSidak)
 {
     EXPECT_NEAR(SidakLimit(0.05, 1.0), 1.959964, 1e-5);
     EXPECT_NEAR(SidakLimit(0.01, 1.0), 2.575829, 1e-5);

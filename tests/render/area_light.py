@@ -35,7 +35,7 @@ class AreaLight(rendering.RenderTest):
         for name, area in LIGHTS.items():
             with self.subTest(name):
                 world = light(area) + FLOOR + THINGS
-                # the lens is too small to blur, so that only the light's points differ from a pinhole's picture
+                # too small a lens to blur: only the light's points differ from a pinhole's picture
                 lens = rendering.render(scenes.camera("", 1e-6, samples) + world, **SIZE)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world, "+A0.0", "+AM1", "+R7", "-J", **SIZE)
                 hard = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + light("x*3, z*3, 1, 1") + FLOOR + THINGS,
@@ -52,7 +52,6 @@ class AreaLight(rendering.RenderTest):
         self.assertLess(shadow_rays(told["grid"]), 1.2 * shadow_rays(told["point"]), told["grid"])
 
     def test_pinhole_keeps_the_grid(self):
-        """Without an aperture there are no rays to average over."""
         world = light("x*3, z*3, 3, 3 adaptive 10") + FLOOR + THINGS
         lens = rendering.render(scenes.camera("", 0) + world, **SIZE)
         pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world, **SIZE)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Layers of a band of a huge picture take memory for the band, not for the picture."""
+"""Layers of a band of a huge picture take memory for the band alone."""
 
 import os
 import pathlib
@@ -17,7 +17,6 @@ SCENE = scenes.camera("tilt 3", samples="blur_samples 1, 1 variance 0 ") + scene
 
 
 def memory(*options):
-    """Peak memory of POV-Ray, in bytes."""
     job = rendering.Job(SCENE, (*BAND, *options), **SIZE)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         process = job.start(pathlib.Path(name))

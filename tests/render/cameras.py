@@ -20,7 +20,7 @@ TURN = "rotate <10, 30, -5> translate <1, -2, 3> "
 
 
 def camera_of(name, tail="", samples=SAMPLES):
-    """A camera with one of LENSES, optionally followed by transformations."""
+    """One of LENSES, optionally followed by transformations."""
     physical = "focal_length" in LENSES[name]
     view = NO_ANGLE if physical else scenes.VIEW
     aperture = "" if physical else "aperture 0.3 "
@@ -28,12 +28,11 @@ def camera_of(name, tail="", samples=SAMPLES):
 
 
 def declared(camera, tail=""):
-    """The same camera through an identifier."""
     return f"#declare Cam = {camera}camera {{ Cam {tail} }}\n"
 
 
 def moved_world(tail):
-    """Objects, transformed together. They glow, because POV-Ray's shadows and reflections have absolute tolerances, which would show at
+    """Objects that glow, because POV-Ray's shadows and reflections have absolute tolerances, which would show at
     another scale."""
     return ("#default { finish { ambient 1 diffuse 0 } }\nunion {\n"
             "  plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"
@@ -71,7 +70,6 @@ class Declared(rendering.RenderTest):
                     self.assert_same(behind, inside, f"{name}, {kind}")
 
     def test_identifier_is_not_changed(self):
-        """A transformation behind an identifier leaves the declared camera unchanged."""
         both = (f"#declare Cam = {camera_of('points')}#declare Other = camera {{ Cam translate 5*x scale 3 }}\n"
                 f"camera {{ Cam }}\n")
         self.assert_same(rendering.render(both + scenes.WORLD), rendering.render(camera_of("points") + scenes.WORLD))
@@ -83,7 +81,6 @@ class Together(rendering.RenderTest):
     stills = {}
 
     def still(self, name):
-        """The picture without transformations, rendered once."""
         if name not in self.stills:
             self.stills[name] = rendering.render(camera_of(name) + moved_world(""), "+WT2", **SIZE)
         return self.stills[name]
@@ -108,11 +105,9 @@ class Together(rendering.RenderTest):
         self.check("translate <30000, 0, -20000>", names=("lens turned", "points"))
 
     def test_mirrored(self):
-        """The mirrored world in the mirrored camera."""
         self.check("scale <-1, 1, 1>", names=("lens turned", "focus turned", "plane", "points"))
 
     def test_camera_written_out(self):
-        """The moved camera written out without a transformation."""
         tail = "translate <1, 2, 3>"
         out = ("camera { location <1.4, 3.5, -1> look_at <1, 2.5, 3.5> angle 45 aperture 0.3 " + SAMPLES +
                "tilt_lens { focal_points <1, 2, 3>, <2, 2.2, 3>, <1, 2.5, 6> } }\n")
@@ -122,7 +117,7 @@ class Together(rendering.RenderTest):
 
 class Alpha(rendering.RenderTest):
     def test_coverage(self):
-        """A bright disc out of focus before an empty background: opaque inside, clear outside, partial at the rim."""
+        """A bright disc out of focus: opaque inside, clear outside, partial at the rim."""
         scene = scenes.camera("tilt 3", samples="blur_samples 256 variance 0 ",
                               view="location -4*z focal_point 0 angle 45 ") + """
             sphere { <0, 0, 2>, 1.2 pigment { rgb <1, 0.5, 0.25> } finish { ambient 1 diffuse 0 } } background { rgbt <9, 9, 9, 1> }"""

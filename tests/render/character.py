@@ -20,7 +20,6 @@ BENT = "tilt 4 shift <2, -1> blades 5 " + ALL
 
 
 def camera(items, aperture=0.5, samples=SAMPLES):
-    """A camera at the origin that looks along z."""
     return scenes.camera("scene_unit 100 " + items, aperture, samples, VIEW)
 
 
@@ -30,7 +29,6 @@ def place(x, y):
 
 
 def layers_of(scene):
-    """The layers of a picture as {name: value} of a pixel."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         job = rendering.Job(scene, ("+N",), width=WIDTH, height=HEIGHT)
@@ -100,7 +98,6 @@ class Distortion(rendering.RenderTest):
                 self.assertAlmostEqual(values["position.Y"], 20 * HALF * own[1] * factor, places=4)
 
     def test_light_is_at_its_position_in_the_layers(self):
-        """A small light in focus, found by emitter sampling."""
         for k1, shift in ((0.1, (0, 0)), (-0.05, (3 / 18, 2 / 18))):
             picture = rendering.render(camera(f"distortion {k1} shift <{18 * shift[0]}, {18 * shift[1]}>") + "sphere { <2.2, -1.4, 10>, 0.1 pigment { rgb 1 } finish { emission 20 } }\n", **SIZE)
             own = [at + by for at, by in zip(middle_of(picture, 0), shift)]

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A lens cut in two by a surface: half of it sees the scene through water or glass. The first samples of nearly all pixels fill both halves
-evenly; the remaining pixels must be sampled further."""
+"""A lens of which half sees the scene through water or glass. The first samples of nearly all pixels fill both
+halves evenly; the remaining pixels must be sampled further."""
 
 from tests.render import rendering
 

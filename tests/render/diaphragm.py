@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A small light out of focus shows the shape of the diaphragm; its moments are compared with closed forms."""
+"""A small light out of focus shows the shape of the diaphragm; its moments agree with closed forms."""
 
 import math
 

@@ -80,13 +80,11 @@ PLACES = ["rotate <20, 35, 10> translate <-1.6, 0, 0.4>", "rotate <0, 80, -30> s
 
 
 def camera(block, more=""):
-    """A pinhole camera, with the block or without."""
     return ("camera { location <0.31, 0.83, -5.2> look_at <0.07, 0.03, 0> angle 48 "
             f"{'tilt_lens { }' if block else ''} {more} }}\n")
 
 
 def placed(body):
-    """A scene with four copies of an object."""
     return "#declare Thing = %s;\n" % body + "".join(
         f"object {{ Thing pigment {{ rgb <0.{9 - 2*i}, 0.{3 + i}, 0.{2 + 2*i}> }} {place} }}\n" for i, place in enumerate(PLACES))
 
@@ -122,7 +120,7 @@ class EveryObject(rendering.RenderTest):
                 self.assert_as_without_boxes(world, f"seed {seed}")
 
     def test_sizes(self):
-        """POV-Ray's own tolerances leave little of a tiny world, and nothing beyond 1e7 units."""
+        """POV-Ray's tolerances leave little of a tiny world, and nothing beyond 1e7 units."""
         world = placed(OBJECTS["mesh2"]) + placed(OBJECTS["box"]).replace("Thing", "Other").replace("translate <", "translate 1.1*<")
         for size in (1e-9, 1e-6, 1e-2, 1e3, 1e5, 1e9, 1e12):
             with self.subTest(size):
@@ -131,7 +129,7 @@ class EveryObject(rendering.RenderTest):
                                              f"union {{ {world} scale {size} translate <0.2, 0.1, {2.1*size:.17g}> }}\n", f"{size:g}")
 
     def test_along_axes(self):
-        """Rays along one axis or in a plane of two, some exactly on faces, edges and corners of boxes."""
+        """Some exactly on faces, edges and corners of boxes."""
         def axes(block, direction, up):
             return (f"camera {{ location -4*{direction} direction {direction} right 4*vcross({up}, {direction}) up 3*{up} "
                     f"{'tilt_lens { }' if block else ''} }}\n")
@@ -143,7 +141,6 @@ class EveryObject(rendering.RenderTest):
                                              lambda block, d=direction, u=up: axes(block, d, u))
 
     def test_camera_inside(self):
-        """Rays that start in, on and at the edge of boxes."""
         for place in ("<0, 0, 0>", "<-0.5, 0.2, 0>", "<0.5, 0.5, 0.5>", "<0.5, 0.5, 0>", "<0.25, 0, -0.5>"):
             def inside(block, place=place):
                 return (f"camera {{ location {place} look_at {place} + <0.4, 0.1, 1> angle 90 "
@@ -162,7 +159,7 @@ class EveryObject(rendering.RenderTest):
         self.assert_as_without_boxes(LIGHTS + FLOOR + world, "degenerate")
 
     def test_equal_depth(self):
-        """Among coincident surfaces, that of the object named first in the scene is visible."""
+        """Among coincident surfaces, that of the object named first is visible."""
         for count in (3, 40):
             boxes = [f"box {{ -1, 1 pigment {{ rgb <{i % 3/2}, {i/count:.3f}, {1 - i/count:.3f}> }} finish {{ ambient 1 diffuse 0 }} }}\n"
                      for i in range(count)]

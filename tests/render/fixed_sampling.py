@@ -1,19 +1,19 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The default settings are no worse than fixed sampling: in random scenes, a picture has no more error than one that takes as many
-rays in each pixel. Lamps of random radiance, size and blur, which a finish or a texture_map tells or a mirror shows, are hidden in
-part by random edges.
+"""The default settings are no worse than fixed sampling: in random scenes, a picture has no more error than one that takes
+as many rays in each pixel. Lamps of random radiance, size and blur are told by a finish or a texture_map or shown by a
+mirror, and hidden in part by random edges.
 
     fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
 
-*What is compared.* With pictures d and f of one seed, which share their first samples, and an independent reference R without bias, the
-sum of (d - R)^2 - (f - R)^2 over the pixels is the difference of their errors: R's noise cancels but for its product with d - f, so that it may
-be much noisier than would do for either error. The excess is this over the sum of (d - R)^2 + (f - R)^2. It lies between -1 and 1, and is
-above zero where the default has more error. Fixed sampling takes the default's rays, rounded down.
+*The comparison.* Pictures d and f of one seed share their first samples; R is an independent reference without bias. The
+sum of (d - R)^2 - (f - R)^2 over the pixels is the difference of their errors. R's noise cancels but for its product with
+d - f, so R may be noisy. The excess is this sum over that of (d - R)^2 + (f - R)^2: between -1 and 1, and above zero where
+the default has more error. Fixed sampling takes the default's rays, rounded down.
 
-*The margin.* The excesses of the seeds differ by chance; from that, and from what R's noise adds, follows the standard error of their mean.
-A scene fails if its mean is above zero by more than Student's quantile times that, for a chance of one in a hundred that any scene fails where
-both errors are the same (Sidak)."""
+*The margin.* The standard error of the mean excess follows from the differences between seeds and from R's noise. A scene
+fails if its mean is above zero by more than Student's quantile times that. If both errors are the same, the chance that
+any scene fails is one in a hundred (Sidak)."""
 
 import argparse
 import concurrent.futures
@@ -30,12 +30,11 @@ WIDTH, HEIGHT = 64, 48
 REFERENCE_SEEDS = (101, 102)
 LEAST_REFERENCE, FINER = 512, 10        # samples of each picture of a reference: the least, and how many for each ray that is judged
 CHANCE = 1e-2               # that any scene fails by chance
-WHITE = 0.9                 # brighter pixels are left out: what is above white is not seen
+WHITE = 0.9                 # above white nothing is seen; brighter pixels are left out
 SETTINGS = argparse.Namespace(scenes=4, seeds=8, scene=None, show=None, told=False)
 
 
 def lamp(r, aperture, mirrored):
-    """A sphere whose blurred disc has a random radiance."""
     z = r.uniform(28, 50) if mirrored else r.choice((r.uniform(-5, -1), r.uniform(1, 25)))
     far = (z + 10)/10
     blur = aperture*abs(z)/(z + 10)*WIDTH/7.28                  # pixels
@@ -49,13 +48,13 @@ def lamp(r, aperture, mirrored):
 
 
 def edge(r):
-    """A board that hides what is behind it."""
+    """A board that hides a part of the scene."""
     return (f"box {{ <0, -9, 0>, <{r.uniform(0.3, 4):.3f}, 9, 0.02> pigment {{ rgb {r.uniform(0, 0.5):.3f} }} finish {{ emission 1 diffuse 0 }}"
             f" rotate {r.uniform(0, 360):.2f}*z translate <{r.uniform(-3, 3):.3f}, {r.uniform(-2, 2):.3f}, {r.uniform(-6, 0.9):.3f}> }}\n")
 
 
 def world(number):
-    """A random scene: what stands before the camera, and the aperture."""
+    """Random objects before the camera, and the aperture."""
     r = random.Random(number)
     aperture, mirrored = r.uniform(0.5, 3), r.random() < 0.3
     wall = (f"box {{ <-30, -30, {8 if mirrored else 40}>, <30, 30, 41> pigment {{ rgb {r.uniform(0, 0.2):.3f} }}"
@@ -95,7 +94,7 @@ class Reference:
         return statistics.fmean((a - b)**2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
 
     def excess(self, values, others):
-        """The difference of two errors over their sum, and the variance that the reference gives it."""
+        """Difference of two errors over their sum, and its variance by the reference."""
         pairs = list(zip(self.shown(values), self.shown(others), self.truth, self.noise))
         difference = sum((a - b)*(a + b - 2*truth) for a, b, truth, _ in pairs)
         scale = sum((a - truth)**2 + (b - truth)**2 for a, b, truth, _ in pairs)
@@ -103,7 +102,7 @@ class Reference:
 
 
 class Excess:
-    """By how much the errors of some pictures are greater than those of others with the same seeds. It is one of so many `tests`, of
+    """Excess of the errors of some pictures over those of others with the same seeds; one of so many `tests`, of
     which hardly any may fail by chance."""
 
     def __init__(self, reference, pictures, others, tests):
@@ -131,12 +130,11 @@ def seeds():
 
 
 def evenly(number, samples):
-    """Pictures with fixed samples."""
     return [picture(number, seed, f"blur_samples {samples}, {samples}")[0] for seed in seeds()]
 
 
 def compare(number, tests):
-    """A scene's excess, and in words which rays made it."""
+    """A scene's excess, and the rays that made it, in words."""
     default, rays = zip(*[picture(number, seed) for seed in seeds()])
     samples = max(1, int(statistics.fmean(rays)))
     found = Excess(Reference(number, samples), default, evenly(number, samples), tests)

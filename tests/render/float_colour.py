@@ -18,7 +18,6 @@ SIZE = {"width": 8, "height": 2}
 
 
 def picture(scene, *options, **how):
-    """The EXR picture, and its channels' types by exrheader."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         job = rendering.Job(scene, options, extension="exr", **how)
         job.run(pathlib.Path(name))

@@ -37,7 +37,6 @@ def wall(distance, aid, width=64, height=48):
 
 
 def brightness(pixel):
-    """Approximate luminance on a display."""
     return 0.2 * pixel[0] + 0.7 * pixel[1] + 0.1 * pixel[2]
 
 
@@ -105,7 +104,7 @@ class Peaking(rendering.RenderTest):
 
 class Map(rendering.RenderTest):
     def test_hue_is_the_side_and_darkness_the_amount(self):
-        """Over the whole range, against blurs calculated in the test."""
+        """Over the whole range, against blurs calculated here."""
         before = None
         for distance in (10.0, 9.0, 7.0, 5.0, 3.0, 1.5, 0.8, 0.4):
             seen, blur = wall(distance, "focus_map")
@@ -129,7 +128,7 @@ class Map(rendering.RenderTest):
         self.assertGreater(min(seen.pixel(5, 5)), 0.9, seen.told)
 
     def test_colour_matches_the_scale(self):
-        """The colour of a wall is in the scale's bar at the position of its blur."""
+        """A wall's colour is in the scale's bar at the position of its blur."""
         for distance, name in ((7.0, "before"), (16.0, "behind")):
             with self.subTest(distance=distance):
                 seen, blur = wall(distance, "focus_map", 640, 480)
@@ -169,7 +168,7 @@ class Planes(rendering.RenderTest):
         self.assertNotEqual(seen.pixel(*behind), plain.pixel(*behind), seen.told)
 
     def test_each_surface_at_its_depth(self):
-        """A black wall moved through the three surfaces: each covers it once passed."""
+        """A black wall moved through the three surfaces covers each once passed."""
         tints = []
         for distance in (6.0, 9.0, 10.9, 12.0, 50.0):  # limits of one pixel: 7.62 and 14.5
             seen, blur = wall(distance, "show_planes")
@@ -198,7 +197,7 @@ class Planes(rendering.RenderTest):
 
 class Cost(rendering.RenderTest):
     def test_one_ray_a_pixel(self):
-        """No more rays than a pinhole picture takes, by the program's own count."""
+        """No more rays than a pinhole picture, by the program's own count."""
         rays = {}
         for name, scene in {"pinhole": f"camera {{ {scenes.VIEW} tilt_lens {{}} }}\n" + scenes.WORLD,
                             **{aid: scenes.camera(aid) + scenes.WORLD for aid in AIDS}}.items():

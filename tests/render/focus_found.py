@@ -12,7 +12,6 @@ VIEW = "location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> "
 
 
 def camera(items, before="", samples=SAMPLES):
-    """A camera without a focal point."""
     return f"{before}camera {{ {VIEW}{samples}tilt_lens {{ {LENS}{items} }} }}\n"
 
 
@@ -28,7 +27,6 @@ class Found(rendering.RenderTest):
                     self.assertLess(abs(self.blur_at(camera(f"{items}focus_at <{x}, {y}>"), x, y)), 0.5)
 
     def test_an_object_is_focused_as_by_its_point(self):
-        """The ball's point on the line from the lens to its centre."""
         way = [0.4 - 0.3, 1.5 - 0.6, -4.0]
         length = sum(w * w for w in way) ** 0.5
         point = [m + 0.6 * w / length for m, w in zip((0.3, 0.6, 0.0), way)]

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lenses of glass as rendered: uniform light, vignetting, sharpness with tilt and shift, layers, and the lenses of scenes/include/lenses.
-tests/paper/glass_picture.py compares the picture with an independent tracer."""
+"""Lenses of glass as rendered: uniform light, vignetting, sharpness with tilt and shift, layers, and the lenses of
+scenes/include/lenses."""
 
 import csv
 import math
@@ -41,7 +41,7 @@ def said(scene):
 
 class EvenLight(rendering.RenderTest):
     def test_uniform_without_vignetting(self):
-        """Stopped down no rim vignettes: every pixel has the background's colour, without noise."""
+        """Stopped down no rim vignettes: every pixel has the background's colour."""
         for items in ("f_stop 11", "f_stop 8 tilt 1", "f_stop 16 blades 5, 20 blade_curvature 0.5", "f_stop 16 squeeze 2 tilt 2 swing 1"):
             picture = render(camera(GAUSS + items) + EVEN)
             self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
@@ -73,7 +73,7 @@ class EvenLight(rendering.RenderTest):
 
 class Focus(rendering.RenderTest):
     def test_as_the_ideal_lens_of_its_numbers(self):
-        """Tilted, swung and shifted, a lens whose pupils lie near its principal points looks like an ideal lens of its numbers."""
+        """Tilted, swung and shifted, if its pupils lie near its principal points."""
         turned = "tilt 3 swing -2 shift <2, 1> f_stop 4 "
         samples = "blur_samples 64, 256 variance 1e-5 "
         world = WORLD + "plane { y, -0.7 pigment { checker rgb <1, 0.5, 0.2> rgb 0.1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
@@ -84,7 +84,6 @@ class Focus(rendering.RenderTest):
         self.assert_different(glass, moved, 0.2)
 
     def test_its_stop_blurs(self):
-        """Objects out of focus are blurred wide open, but not stopped down."""
         near = "plane { z, 3 pigment { checker rgb 0.2 rgb 1 scale 0.12 } finish { emission 1 diffuse 0 } }\n"
         spread = lambda items: (lambda row: max(row) - min(row))(render(camera(GAUSS + items) + near).channel("R")[WIDTH * 16 + 16:WIDTH * 16 + 32])
         self.assertGreater(spread("f_stop 64"), 0.7)
@@ -146,7 +145,7 @@ class Dispersion(rendering.RenderTest):
     SINGLET = "100 4 1.5168 30 64.17\n-100 30 1 30\n0 0 0 4\n"
 
     def test_uniform_surface_stays_uniform(self):
-        """White stays white: no noise and no colour, even where the rims vignette."""
+        """White stays white, without noise, even where the rims vignette."""
         picture = render(camera(self.PLANAR + "f_stop 11") + EVEN)
         self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
         wide = render(camera(self.PLANAR) + EVEN)
@@ -162,7 +161,7 @@ class Dispersion(rendering.RenderTest):
             self.assertAlmostEqual(a, b, delta=0.01)
 
     def test_colours_focus_as_in_the_closed_form(self):
-        """For each colour, the disc of a point is as wide as the film's distance from the image implies."""
+        """The disc of a point is as wide as the film's distance from the image implies."""
         film, radius = 0.5, 0.001  # mm, width of the film; units, of the point at 10
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "singlet.dat").write_text(self.SINGLET)

@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pixels do not depend on rays traced before: random scenes in which every per-thread cache would show, by threads, tiles and bands."""
+"""Pixels do not depend on rays traced before: random scenes in which every per-thread cache would show, by threads,
+tiles and bands."""
 
 import random
 
@@ -13,7 +14,6 @@ OTHER_WAYS = (("+WT2",), ("+WT4", "+BS8"), ("+WT1", "+BS5", "+RP3"))
 
 
 def vector(chance, low, high):
-    """A random point."""
     return "<" + ", ".join(f"{chance.uniform(low, high):.2f}" for _ in range(3)) + ">"
 
 
@@ -32,7 +32,6 @@ def texture(chance):
 
 
 def thing(chance):
-    """An object that touches or overlaps others: centres on a coarse grid, sizes multiples of its step."""
     at = [chance.randrange(-4, 5) * 0.4, chance.randrange(0, 4) * 0.4, chance.randrange(-2, 6) * 0.4]
     place = "<{:.1f}, {:.1f}, {:.1f}>".format(*at)
     surface, clear = texture(chance)
@@ -48,14 +47,12 @@ def thing(chance):
 
 
 def light(chance):
-    """A point or area light, for all objects or for a group."""
     kind = chance.choice(["", "area_light 2*x, 2*y, 4, 4 adaptive 1", "area_light 2*x, 2*z, 3, 5 jitter", "shadowless",
                           "spotlight point_at 0 radius 20 falloff 35"])
     return f"light_source {{ <{chance.randrange(-6, 7)}, {chance.randrange(4, 9)}, {chance.randrange(-8, 0)}>, rgb 0.5 {kind} }}\n"
 
 
 def scene(seed, more=""):
-    """A random scene."""
     chance = random.Random(seed)
     things = "".join(thing(chance) for _ in range(26))
     group = "".join(thing(chance) for _ in range(3))

@@ -24,8 +24,6 @@ TURNED = scenes.camera("tilt 4 swing 2 shift <3, -2> scene_unit 100", tail="rota
 
 
 class Rendered:
-    """A picture with its layers and the messages."""
-
     def __init__(self, scene, *options, **how):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
@@ -55,7 +53,6 @@ class Rendered:
 
 
 def header(path):
-    """The output of exrheader for a file."""
     return subprocess.run(["exrheader", str(path)], capture_output=True, check=True, text=True).stdout
 
 
@@ -97,7 +94,8 @@ class Numbers(rendering.RenderTest):
         self.assert_same(self.turned.picture, rendering.render(TURNED, **SIZE), "with and without layers")
 
     def test_positions_project_to_their_pixels(self):
-        """The matrix worldToNDC maps each position to its pixel's centre: checks positions, matrix, shift and transformations at once."""
+        """The matrix worldToNDC maps each position to its pixel's centre: checks positions, matrix, shift and
+        transformations at once."""
         m = self.turned.attribute("worldToNDC")
         hits = 0
         for x, y in self.turned.pixels():
@@ -111,7 +109,6 @@ class Numbers(rendering.RenderTest):
         self.assertGreater(hits, 1000)
 
     def test_depth_is_along_the_axis(self):
-        """The z of camera space, by the matrix worldToCamera."""
         m = self.turned.attribute("worldToCamera")
         for x, y in self.turned.pixels()[::7]:
             depth = self.turned.at("depth.Z", x, y)
@@ -131,7 +128,7 @@ class Numbers(rendering.RenderTest):
                 self.assertAlmostEqual(seen.at("blur", x, y), blur, delta=1e-5 + 1e-5 * abs(blur))
 
     def test_blur_of_a_tilted_lens_by_its_plane(self):
-        """Blur is proportional to the distance from the plane of sharp focus over the depth: 0 on the plane, positive before it."""
+        """Proportional to the distance from the plane over the depth, positive before it."""
         normal, d = self.turned.attribute("tiltLens:focusNormal"), self.turned.attribute("tiltLens:focusDistance")[0]
         m = self.turned.attribute("worldToCamera")
         location = [-sum(m[12 + j] * m[4 * i + j] for j in range(3)) for i in range(3)]
@@ -263,7 +260,6 @@ class Files(rendering.RenderTest):
         self.assertEqual([float(t) for t in tilts], [0.0, 2.0, 4.0])
 
     def refused(self, *options, prepare=None):
-        """The program's messages when it refuses; neither layers nor picture exist."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "out").mkdir()
@@ -309,7 +305,6 @@ class Files(rendering.RenderTest):
             self.assertEqual(list(folder.glob("*.pov-state")), [])
 
     def test_symbolic_links_are_replaced(self):
-        """A symbolic link of the file's name is replaced, not followed, as for the picture."""
         for exists in (True, False):
             with self.subTest(exists=exists), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 folder = pathlib.Path(name)

@@ -29,7 +29,6 @@ class Furnace(rendering.RenderTest):
                 self.check(scenes.camera("tilt 5", 0.5, tail=f"bokeh {{ pigment {{ {pigment} }} }}"))
 
     def test_inside_a_glowing_ball(self):
-        """Like the background, but with a surface all around."""
         scene = scenes.camera("tilt 10 swing 5") + (
             "sphere { 0, 100 hollow pigment { rgb 1 } finish { ambient 0.5 diffuse 0 } }\n")
         picture = rendering.render(scene, **SIZE)
@@ -64,7 +63,6 @@ class Renders(rendering.RenderTest):
                 self.assert_near(lens, pinhole, limit, name)
 
     def test_camera_normal(self):
-        """Waves in the camera's normal distort as in stock POV-Ray."""
         tail = "normal { waves 0.05 scale 0.3 }"
         lens = rendering.render(scenes.camera("tilt 3", 0.002, tail=tail) + scenes.WORLD, **SIZE)
         stock = rendering.render(f"camera {{ {scenes.VIEW}{tail} }}\n" + scenes.WORLD, "+A0.0", "+R4", **SIZE)

@@ -29,7 +29,6 @@ class Report(rendering.RenderTest):
             self.assertEqual(said.count(word), 1, f"'{word}' {said.count(word)} times\n{said}")
 
     def test_silenced(self):
-        """With the streams switched off, nothing is printed."""
         said = rendering.render_and_listen(scenes.TILTED, "-GA")[1]
         self.assertNotIn("Tilt Lens", said)
 
@@ -53,7 +52,6 @@ class Report(rendering.RenderTest):
             self.assertIn(word, statistics)
 
     def test_film(self):
-        """Size, shift and angle of view are the camera's."""
         said = rendering.render_and_listen(FILM + scenes.WORLD)[1]
         self.assertRegex(said, r"Film\.+24 by 18.045 mm, shift <3, -2> mm\n +angle of view\.+45 by 34.6 degrees\n")
 

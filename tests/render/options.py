@@ -58,7 +58,6 @@ class Refused(rendering.RenderTest):
         self.check(("+KFI5", "+KFF2"), "Initial_Frame=5 (+KFI) and Final_Frame=2 (+KFF): the last frame lies before the first.")
 
     def test_words(self):
-        """The message has the word and the allowed values."""
         for word, said in (
                 ("Width=abc", "'Width=abc': Width takes a whole number."),
                 ("Antialias_Threshold=x", "'Antialias_Threshold=x': Antialias_Threshold takes a number."),
@@ -101,8 +100,6 @@ class Refused(rendering.RenderTest):
 
 
 class Allowed(rendering.RenderTest):
-    """The nearest allowed values are rendered."""
-
     def test_limits(self):
         for options in (("+SC64", "+EC64"), ("+SC0.99", "+EC1"), ("+SR48", "+ER48"), ("+SC0", "+EC0.02"), ("+WT1",)):
             with self.subTest(options=options):
@@ -111,7 +108,6 @@ class Allowed(rendering.RenderTest):
 
 
     def test_values(self):
-        """All ways of writing a number, a switch and a declaration."""
         scene = STOCK + '#if (A != -1500 | strcmp(B, "x y") != 0) #error "otherwise declared" #end'
         code, said, _ = run(scene, "+A0.3", "+J0.5", "-J", "+SC0.25", "Clock=-1.5e3", "+K.5", "Antialias=On", "Jitter=0", "Width=+64",
                             "Declare=A=-1.5e3", "Declare='B=\"x y\"'", "File_Gamma=sRGB", "+MB", "+R3")
@@ -124,8 +120,6 @@ class Allowed(rendering.RenderTest):
 
 
 class Quiet(rendering.RenderTest):
-    """Correct settings cause neither messages nor waiting."""
-
     def test_no_settings_of_the_user(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name, unittest.mock.patch.dict(os.environ, {"HOME": name}):
             for home in (name, f"{name}/none.ini"):  # a folder without settings, and a name that is no folder

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""+C continues only the render that the state file belongs to."""
+"""+C continues only the render of the state file."""
 
 import pathlib
 import shutil
@@ -52,7 +52,6 @@ class OtherState(rendering.RenderTest):
         self.state.write_bytes(data[:ends[len(ends) // 2]])
 
     def refused(self, scene, *options, reason, **size):
-        """An error with reason and remedy; the state file is unchanged."""
         before = self.state.read_bytes()
         code, said = run(self.folder, scene, "+C", *options, **size)
         self.assertEqual(code, 1, said)

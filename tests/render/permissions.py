@@ -101,23 +101,21 @@ class Permissions(rendering.RenderTest):
 
     @staticmethod
     def fill(folder):
-        """A file of each kind."""
         for source, name in (("povlogo.ttf", "file.ttf"), ("plasma2.png", "file.png"), ("spiral.df3", "file.df3")):
             shutil.copy(prefix() / "share" / "povray-3.7" / "include" / source, folder / name)
         (folder / "file.inc").write_text("#declare Found = 1;\n")
         shutil.copy(LENS, folder / "lens.dat")
 
     def words(self, line):
-        """A line of a scene, with the folders' names."""
         return line.format(outside=self.outside, own=self.own, prefix=prefix())
 
     def attempt(self, line, *options):
-        """Exit code, and what POV-Ray says, as one line."""
+        """Exit code, and POV-Ray's message as one line."""
         code, said = rendering.Job(scenes.TILTED + self.words(line) + "\n", options, width=8, height=6).attempt(self.own)
         return code, told(said)
 
     def files(self):
-        """Everything that a scene could have written, but for what the run itself needs."""
+        """Files that a scene could have written."""
         return {path: path.read_bytes() for path in self.top.rglob("*") if path.is_file()
                 and path.name not in ("scene.pov", "none.ini") and not path.name.startswith("picture.")}
 
@@ -144,7 +142,7 @@ class Permissions(rendering.RenderTest):
                 self.refused(line, "writing")
 
     def call(self, folder, line, *options, home=None):
-        """Renders a scene with this line from another folder. Exit code and what POV-Ray says, as one line."""
+        """Exit code and message, as one line, of a scene with this line in another folder."""
         (self.own / "scene.pov").write_text(rendering.HEAD + scenes.TILTED + self.words(line) + "\n")
         command = [os.path.abspath(rendering.SETTINGS.povray), f'+I"{self.own}/scene.pov"', "+W8", "+H6", "-D", "-P", *options]
         done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -152,7 +150,7 @@ class Permissions(rendering.RenderTest):
         return done.returncode, told(done.stdout.decode(errors="replace"))
 
     def test_permitted(self):
-        """The scene's folder and those in it, folders of +L, the program's own, and the picture's; names lead there by any way."""
+        """The scene's folder and those in it, folders of +L, the program's own, and the picture's, by any path."""
         more = f"+L{self.outside}"
         for line, *options in (
                 ('#include "file.inc"',), ('#include "sub/file.inc"',), ('#include "{outside}/../own folder/sub/file.inc"',),
@@ -179,7 +177,7 @@ class Permissions(rendering.RenderTest):
         self.assertIn("for writing: No such file or directory.", said)
 
     def test_other_current_folder(self):
-        """Names begin in the folder of the call, wherever the scene lies. Nothing is written in folders in it."""
+        """Names begin in the folder of the call. Nothing is written in folders in it."""
         (self.outside / "sub").mkdir()
         self.fill(self.outside / "sub")
         (self.outside / "sub" / "new.inc").touch()
@@ -191,7 +189,7 @@ class Permissions(rendering.RenderTest):
                 self.assertEqual("Not permitted" in said, not permitted, said)
 
     def test_folder_of_the_picture(self):
-        """It is permitted where the user names it: not by the scene, which has no word for it."""
+        """The user permits it on the command line; the scene cannot."""
         for options, permitted in ((("+O../outside/",), True), (("+O../outside/picture.png",), True), (("+Opicture.png",), False),
                                    (("+O../outside/picture", "+KFF2"), True), (("-F",), False)):
             with self.subTest(options):
@@ -199,7 +197,6 @@ class Permissions(rendering.RenderTest):
                 self.assertEqual(code, 0 if permitted else 1, said)
 
     def test_never_in_the_program(self):
-        """A picture in the program's own folders permits nothing there."""
         for folder in (ROOT, prefix(), prefix() / "share" / "povray-3.7" / "include"):
             with self.subTest(folder):
                 code, said = self.call(self.own, f'#fopen F "{folder}/new.txt" write', f"+O{folder}/", "+FN", "-F")
@@ -222,7 +219,7 @@ class Permissions(rendering.RenderTest):
         self.assertEqual(self.call(self.own, "", "+Opicture.png")[0], 1)
 
     def test_stricter_by_the_user(self):
-        """The user's own povray.conf adds to the program's, and takes nothing from it."""
+        """The user's own povray.conf adds to the program's, and removes nothing from it."""
         settings = self.top / "home" / ".povray" / "3.7" / "povray.conf"
         settings.parent.mkdir(parents=True)
         for text, line, permitted in (

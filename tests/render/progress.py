@@ -25,7 +25,7 @@ def shown(said):
 
 class Progress(rendering.RenderTest):
     def test_counts_the_work(self):
-        """Sky first: half of the pixels are a small part of the work, and so is the percentage."""
+        """Sky first: half of the pixels are a small part of the work."""
         said = rendering.render_and_listen(HALVES, "+WT1", "+BS16", "+V", **SIZE)[1]
         messages = shown(said)
         self.assertGreater(len(messages), 20, said)
@@ -70,7 +70,6 @@ class Progress(rendering.RenderTest):
             self.assertEqual([percent for _, percent in messages], [100 * i // 48 for i in range(1, 49)])
 
     def test_continued(self):
-        """The progress of a continued render starts where the first one ended."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             scene = HALVES.replace("sky -y", "").replace("8, 256 variance 1/20000", "600 variance 0")
@@ -106,7 +105,7 @@ class Summary(rendering.RenderTest):
         self.assertRegex(said, r"of white \(estimated\), all samples asked for")
 
     def test_what_was_left_out(self):
-        """Pixels at MAX, compared with the statistics of all samples; no line if there are none."""
+        """Pixels at MAX, compared with the statistics of all samples."""
         said = rendering.render_and_listen(HALVES.replace("8, 256", "8, 32"), **SIZE)[1]
         stopped = re.search(r"Stopped by MAX\.+(\d+) pixels \(([\d.]+)%\), at 32 samples", said)
         self.assertIsNotNone(stopped, said)

@@ -24,7 +24,7 @@ plane { y, 0 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
 sphere { <0.5, 0.6, -2>, 0.6 pigment { rgb <0.9, 0.4, 0.1> } }
 sphere { <-1.2, 0.6, 4>, 0.6 pigment { rgb <0.2, 0.8, 0.1> } }
 """
-NORMAL = ("0", "-0.522331", "0.852743")  # of the near plane of sharp focus, as the report says
+NORMAL = ("0", "-0.522331", "0.852743")  # of the near plane of sharp focus, from the report
 
 
 class Refocus(unittest.TestCase):
@@ -50,7 +50,6 @@ class Refocus(unittest.TestCase):
         return done.stdout + done.stderr
 
     def difference(self, name):
-        """RMS error of a picture against the real render, linear."""
         done = subprocess.run(["idiff", "-a", "near.exr", name], cwd=self.folder, capture_output=True, text=True, check=False)
         return float(re.search(r"RMS error = (\S+)", done.stdout)[1])
 

@@ -39,25 +39,22 @@ class Picture:
     told: str = ""  # how it was made
 
     def pixel(self, x, y):
-        """The channels of one pixel."""
         n = len(self.names)
         at = (y * self.width + x) * n
         return self.values[at:at + n]
 
     def crop(self, left, top, right, bottom):
-        """The pixels left <= x < right, top <= y < bottom."""
         rows = [self.pixel(x, y) for y in range(top, bottom) for x in range(left, right)]
         return Picture(right - left, bottom - top, self.names, [v for p in rows for v in p],
                        f"{self.told}cut to columns {left} to {right - 1}, rows {top} to {bottom - 1}\n")
 
     def channel(self, name):
-        """All values of one channel."""
         return self.values[self.names.index(name)::len(self.names)]
 
 
 class Reader:
-    """A process of the comparison tool that reads all pictures of a test, because its start takes longer than many a picture. A lock keeps
-    each thread's question and answer together."""
+    """A process of the comparison tool that reads all pictures of a test, because its start takes long. A lock
+    keeps each thread's question and answer together."""
 
     def __init__(self):
         self.lock = threading.Lock()
@@ -81,7 +78,7 @@ READER = Reader()
 
 
 def read_pixels(path):
-    """Width, height, type of values and names of the channels, and the values as stored."""
+    """Width, height, type of values, names of the channels, and the values as stored."""
     head, data = READER.ask(path)
     width, height, _, form, *names = head.decode().split()
     return int(width), int(height), form, names, data
@@ -100,8 +97,6 @@ def read_picture(path, told):
 
 @dataclasses.dataclass
 class Job:
-    """A scene and its options."""
-
     scene: str
     options: tuple = ()
     width: int = 64
@@ -175,7 +170,6 @@ def render_and_listen(scene, *options, **how):
 
 
 def difference(a, b):
-    """Root mean square and largest difference; refuses pictures of different sizes."""
     if (a.width, a.height, a.names) != (b.width, b.height, b.names):
         raise AssertionError(f"{a.width} x {a.height} {a.names}, not {b.width} x {b.height} {b.names}\n{a.told}{b.told}")
     squares = largest = 0.0
@@ -186,7 +180,7 @@ def difference(a, b):
 
 
 class RenderTest(unittest.TestCase):
-    """Assertions on pictures; their messages hold both commands and both scenes."""
+    """Assertions on pictures; their messages hold commands and scenes."""
 
     longMessage = False
 
@@ -222,7 +216,6 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(found, rms, f"{what}: RMS difference only {found:g}\n{a.told}--- and\n{b.told}")
 
     def assert_finite(self, picture):
-        """No NaN and no infinity."""
         bad = [i for i, v in enumerate(picture.values) if not math.isfinite(v)]
         self.assertFalse(bad, f"{len(bad)} values are not finite\n{picture.told}")
 

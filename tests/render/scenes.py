@@ -14,7 +14,6 @@ SAMPLES = "blur_samples 8, 64 confidence 0.9 variance 1/2000 "
 
 
 def camera(lens="tilt 4 swing 2 shift <2, -1> blades 5, 10", aperture=0.3, samples=SAMPLES, view=VIEW, tail=""):
-    """A camera with a block."""
     return f"camera {{ {view}aperture {aperture} {samples}tilt_lens {{ {lens} }} {tail} }}\n"
 
 

@@ -23,7 +23,6 @@ VIEW = (f"location <{LOCATION[0]}, {LOCATION[1]}, {LOCATION[2]}> direction z rig
 
 
 def dot(a, b):
-    """Scalar product."""
     return sum(x * y for x, y in zip(a, b))
 
 
@@ -39,14 +38,13 @@ def defocus(k, points):
 
 
 def determinant(rows):
-    """Determinant of a square matrix, expanded along its first row."""
     if len(rows) == 1:
         return rows[0][0]
     return sum((-1) ** i * rows[0][i] * determinant([row[:i] + row[i + 1:] for row in rows[1:]]) for i in range(len(rows)))
 
 
 def levelled(points):
-    """(k, greatest defocus) that is the same for four points, with signs by which no k has less for them."""
+    """(k, greatest defocus), equal for four points, with signs by which no k has less for them."""
     rows = [[p[0] / p[2], p[1] / p[2], 1.0] for p in points]
     weights = [(-1) ** i * determinant(rows[:i] + rows[i + 1:]) for i in range(4)]
     system = [[*row, math.copysign(1.0, w)] for row, w in zip(rows, weights)]
@@ -57,7 +55,7 @@ def levelled(points):
 
 
 def best_plane(points):
-    """(k, greatest defocus): of all sets of four the one that needs most."""
+    """(k, greatest defocus) of the set of four that needs most."""
     return max((levelled(four) for four in itertools.combinations(points, 4)), key=lambda solved: solved[1])
 
 
@@ -76,7 +74,6 @@ def seen_from_film(k, point):
 
 
 def camera(items, aperture=""):
-    """With the points as sharp_points."""
     written = ", ".join(f"<{x}, {y}, {z}>" for x, y, z in POINTS)
     return f"camera {{ {VIEW}{aperture}blur_samples 64 variance 0 tilt_lens {{ scene_unit {UNIT} denoise off sharp_points {written} {items} }} }}\n"
 

@@ -49,7 +49,7 @@ class Skipped(rendering.RenderTest):
                 self.assertEqual(ended, least and [64 * 48, 64 * 48, least])
 
     def test_sharp_picture_takes_the_minimum_but_at_edges(self):
-        """A lens without blur: pixels within a field of the board need no more than the minimum."""
+        """Pixels within a field of the board need no more than the minimum."""
         board = "plane { y, 0 pigment { checker rgb 1 rgb 0.2 scale 20 } finish { ambient 1 diffuse 0 } }\n"
         ended = numbers("Ended at the minimum", said_of(board + EVEN, aperture=1e-6))
         self.assertLess(ended[0], 64 * 48)
@@ -62,7 +62,7 @@ class Skipped(rendering.RenderTest):
         rebuilt = numbers("Reconstruction", said_of(ball + wall))
         self.assertGreater(rebuilt[0], 100)
         self.assertGreater(rebuilt[1], 1000)
-        # outlines before the empty background are rebuilt, even of a small object; the background has no noise and is not
+        # outlines before the empty background are rebuilt; the background has no noise and is not
         self.assertGreater(numbers("Reconstruction", said_of(ball + EVEN, "blur_samples 8, 16 variance 1/2000 "))[0], 100)
         small = ball.replace("0.3", "0.15")
         for samples in ("blur_samples 8, 16 variance 1/2000 ", "blur_samples 8, 4096 variance 1/200000 "):
@@ -119,7 +119,7 @@ class Skipped(rendering.RenderTest):
                 self.assertEqual(numbers("Around the lens", said_of(EVEN + solid + " " + rest + "}\n")), found)
 
     def test_known_and_tested_interiors_render_alike(self):
-        """Fog in a solid that contains the lens: the same whether that is known or each ray tests it."""
+        """Fog in a solid that contains the lens."""
         fog = "hollow pigment { rgbt 1 } interior { media { absorption 0.3 } } "
         lens = scenes.camera("scene_unit 100", 0.3, "blur_samples 8, 8 ")
         known, asked, without = (

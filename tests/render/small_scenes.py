@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Scenes in small and large units: shadows of a picture with tilt_lens equal those of the same camera without it in moderate units, or, in
-units too small or too large for stock, those without it in the same unit."""
+"""Scenes in small and large units: shadows equal those of the same camera without tilt_lens in moderate units, or,
+in units too small or too large for stock, in the same unit."""
 
 from tests.render import rendering
 

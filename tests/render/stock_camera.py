@@ -11,12 +11,10 @@ RIGHT = "right 4/3*x "
 
 
 def pinhole(lens, view=scenes.VIEW):
-    """A camera without an aperture."""
     return f"camera {{ {RIGHT}{view}tilt_lens {{ {lens} }} }}\n" + scenes.WORLD
 
 
 def stock(view=scenes.VIEW):
-    """POV-Ray's own camera."""
     return f"camera {{ {RIGHT}{view} }}\n" + scenes.WORLD
 
 

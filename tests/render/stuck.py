@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Signals end the program while it parses a scene that never ends, here because it waits for a pipe that nobody writes."""
+"""Signals end the program while it parses a scene that waits for a pipe without a writer."""
 
 import os
 import pathlib

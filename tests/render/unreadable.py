@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Folders in place of a scene's files: refused at once, with the name and the line. Pictures that the tests themselves cannot read."""
+"""Folders in place of a scene's files are refused at once, with the name and the line. Also pictures that the tests
+themselves cannot read."""
 
 import concurrent.futures
 import pathlib
@@ -46,7 +47,6 @@ class Folders(rendering.RenderTest):
 
 class Pictures(unittest.TestCase):
     def test_truncated_picture(self):
-        """It is distinguished from pictures read before and after it."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             job = rendering.Job(scenes.TILTED)

@@ -38,7 +38,6 @@ class Unwritable(unittest.TestCase):
         return done.returncode, " ".join(done.stdout.decode(errors="replace").split())
 
     def assert_once(self, said, *parts):
-        """The parts in their order, the first of them once."""
         self.assertRegex(said, ".*".join(map(re.escape, parts)))
         self.assertEqual(said.count(parts[0]), 1, said)
 
@@ -72,7 +71,7 @@ class Unwritable(unittest.TestCase):
         self.assertEqual(again[0], 0, again[1])
 
     def test_text_file_beyond_the_size_limit(self):
-        """Closed by the scene, and left open; the text is longer than a buffer, and shorter."""
+        """Closed by the scene, and left open; longer than a buffer, and shorter."""
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
         for count, reason in ((300, "File too large"), (3000, "not all of it was taken; is the disk full?")):

@@ -45,7 +45,6 @@ EXPECTED = ["Types: deb-src", "URIs: http://mirror.invalid/debian", f"Suites: {C
 
 class AptSettings(SetupTest):
     def settings(self, main="", **parts):
-        """Makes apt settings with the given sources.list and sources.list.d (file name -> text)."""
         (self.folder / "parts").mkdir(exist_ok=True)
         (self.folder / "sources.list").write_text(main, encoding="utf-8")
         for name, text in parts.items():

@@ -45,7 +45,6 @@ class CommandTest(SetupTest):
         path.chmod(0o755)
 
     def have_all_packages(self):
-        """Makes all packages appear installed."""
         (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
 
     def built(self, target):
@@ -80,7 +79,6 @@ class RenderCommand(CommandTest):
 
     @staticmethod
     def arguments(process):
-        """The arguments of povray."""
         quoted = re.findall(r"^argument \[(.*)\]$", process.stderr, re.MULTILINE)
         words = subprocess.run(["bash", "-c", f"printf '%s\\0' {' '.join(quoted)}"], capture_output=True, text=True, check=True)
         return words.stdout.split("\0")[:-1]
@@ -255,7 +253,7 @@ class CheckCommand(CommandTest):
 
 
 class FastBuild(CommandTest):
-    """The order of its steps; a real one takes minutes."""
+    """The order of its steps; a real build takes minutes."""
 
     def setUp(self):
         super().setUp()

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Imitated mirrors of Debian and derived systems: apt gets the source from each, with that system's own settings."""
+"""Imitated mirrors of Debian and derived systems: apt gets the source from each, with that system's settings."""
 
 import dataclasses
 import email.utils
@@ -65,7 +65,6 @@ SYSTEMS = {
 
 
 def rfc_date(seconds):
-    """A time relative to now, in apt's format."""
     return email.utils.formatdate(time.time() + seconds, usegmt=True).replace("GMT", "UTC")
 
 
@@ -76,7 +75,6 @@ def sha256(content):
 class Mirrors(SourcePackageTest):
     @classmethod
     def setUpClass(cls):
-        """A key that signs the mirrors."""
         scratch = tempfile.TemporaryDirectory(prefix="tilt-lens-")    # without blanks, which apt does not accept in a key's name
         cls.addClassCleanup(scratch.cleanup)
         cls.keys = pathlib.Path(scratch.name)

@@ -12,7 +12,6 @@ PACKAGES = ("benchmarks", "experiments", "tests", "tools")
 
 
 def modules():
-    """The file of each module of the repository, by the module's name."""
     files = [path for package in PACKAGES for path in sorted((REPOSITORY / package).rglob("*.py"))]
     return {".".join(path.relative_to(REPOSITORY).with_suffix("").parts): path for path in files}
 
@@ -26,7 +25,6 @@ class Modules(SetupTest):
             (self.folder / f"{name}.py").write_text("raise ImportError('a module of the current folder')\n")
 
     def launch(self, *words):
-        """Runs the launcher in the folder."""
         return self.run_command(sys.executable, "-B", REPOSITORY / "run_module.py", *words)
 
     def test_the_folder_of_the_caller_does_not_matter(self):

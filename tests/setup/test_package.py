@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The package for Debian: its files, its control data, and rendering from its installed place. on_fresh_debian, which needs root, tries its
-installation and lintian."""
+"""The package for Debian: its files, its control data, and rendering from its installed place."""
 
 import gzip
 import pathlib
@@ -52,7 +51,6 @@ class Package(SetupTest):
                               check=True).stdout.strip()
 
     def files(self):
-        """The package's files and links, as installed paths."""
         return sorted("/" + str(path.relative_to(self.root)) for path in self.root.rglob("*")
                       if path.is_symlink() or not path.is_dir())
 
@@ -108,7 +106,7 @@ class Package(SetupTest):
         self.assert_is_the_source(archive)
 
     def assert_is_the_source(self, archive):
-        """The archive holds the files under version control, and none that a build leaves."""
+        """The files under version control, and none that a build leaves."""
         with tarfile.open(archive) as opened:
             held = {name.partition("/")[2] for name in (entry.name for entry in opened if not entry.isdir())}
         self.assertIn("CMakeLists.txt", held)

@@ -83,7 +83,6 @@ class FileNames(RenderTest):
             self.assertEqual(sorted(os.listdir(self.folder)), sorted(["clone", FOLDER, "\u4e00.txt"]), option)
 
     def test_files_elsewhere(self):
-        """Not permitted, but by a word."""
         (self.folder / "other.inc").write_text("#declare Other = 1;\n")
         scene = self.scene()
         with open(self.place / scene, "a", encoding="utf-8") as stream:
@@ -115,7 +114,6 @@ class FileNames(RenderTest):
         self.assertTrue((self.place / "\U0001f600.png").is_file())
 
     def povray(self, *words):
-        """The program itself, in the folder of the scene."""
         self.assert_succeeds(self.run_command(BUILD / "bin" / "povray", *words, "+W8", "+H6", "-D", cwd=self.place))
 
     def long_path(self, letter, length):
@@ -157,7 +155,6 @@ class FileNames(RenderTest):
         self.assertIn(f"Cannot find file '{missing}'", said.stderr.replace("\n", ""))
 
     def test_long_names_in_messages(self):
-        """They are told whole."""
         for length in (1000, 1024, 2048, 4000):
             name = "/".join(["a" * 99] * 40)[:length - 2] + "/b"
             written = "concat(" + ", ".join(f'"{name[i:i + 80]}"' for i in range(0, len(name), 80)) + ")"

@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders one scene without tilt_lens with the unpatched program and with the fork, and compares the pixels.
+"""Compares the pixels of one scene without tilt_lens, rendered by the unpatched program and by the fork.
 
-The decoded pixels are compared, with 16 bits in each channel, because the files contain dates and versions.
-Both run with one thread (radiosity and area lights depend on the number of threads), the same library path, and no settings but those given
-here.
-"""
+Files contain dates and versions, so the decoded pixels are compared, with 16 bits in each channel. Both run with
+one thread (radiosity and area lights depend on the number of threads), the same library path, and no settings but
+those given here."""
 
 import argparse
 import hashlib
@@ -61,7 +60,6 @@ def render(program, args, folder):
 
 
 def pixels(compare, picture):
-    """Size, type and hash of the decoded pixels."""
     done = subprocess.run([compare, "pixels", str(picture)], capture_output=True, check=True)
     head, data = done.stdout.split(b"\n", 1)
     return head.decode(), hashlib.sha256(data).hexdigest()

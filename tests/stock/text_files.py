@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Text read by #include, macros of other files, loops and #read equals that of the unpatched program: both parse the scene, and all output
-by #debug is compared."""
+"""Text read by #include, macros of other files, loops and #read equals that of the unpatched program: all output by
+#debug is compared."""
 
 import argparse
 import pathlib
@@ -15,7 +15,6 @@ TOLD = "#macro Told(S) #debug concat(\"TOLD \", S, \"\\n\") #end\n"
 
 
 def told(program, scene, files):
-    """The scene's #debug output, line by line, and the program's error, if any."""
     rendering.SETTINGS.povray = program
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
@@ -27,7 +26,6 @@ def told(program, scene, files):
 
 class TextFiles(unittest.TestCase):
     def check(self, scene, expected, **files):
-        """Both programs give the same output, and it is the expected one."""
         files = {f"{name}.inc": text for name, text in files.items()}
         stock, fork = (told(program, TOLD + scene, files) for program in (PROGRAMS.stock, PROGRAMS.fork))
         self.assertEqual(fork, stock, scene)
@@ -54,7 +52,6 @@ class TextFiles(unittest.TestCase):
                    b='#macro B(N)\n Told(concat("b", str(N, 0, 0)))\n#if (N > 1) A(N - 1) #end #end\n')
 
     def test_a_file_within_itself_by_another(self):
-        """More files are open at once than are kept."""
         depth = 80
         self.check(f'#include "a.inc"\n#include "b.inc"\n#for (I, 1, 3) Told(str(A({depth}), 0, 0)) #end\n', [str(depth)] * 3,
                    a="#macro A(N) #if (N > 0) (1 + B(N - 1)) #else 0 #end #end\n",
@@ -74,7 +71,6 @@ class TextFiles(unittest.TestCase):
         self.assertEqual([line.replace("Parse Error", "Error") for line in fork], [line.replace("Parse Error", "Error") for line in stock])
 
     def test_file_that_the_scene_writes_anew(self):
-        """A macro that was read before is read from the new text."""
         self.check('#macro Twice() Made() Made() #end\n#for (I, 1, 3)\n #fopen F "made.txt" write\n'
                    ' #write (F, "#macro Made() Told(\\"", str(I, 0, 0), "\\") #end\\n")\n'
                    ' #fclose F\n #include "made.txt"\n Twice()\n#end\n', ["1", "1", "2", "2", "3", "3"])
@@ -99,7 +95,6 @@ class TextFiles(unittest.TestCase):
                    a=f'#macro A() Told("a") #end\n{filler}#macro B() Told("b") #end\n')
 
     def test_data(self):
-        """Line ends of all kinds, and text after the last comma."""
         for end in ("\n", "\r\n", "\r"):
             with self.subTest(end=end):
                 numbers = end.join("1, 2.5, -3e2," for _ in range(200)) + end + '"text"'

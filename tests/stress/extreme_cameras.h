@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file extreme_cameras.h
-/// Cameras at the limits of floating point, one set for each limit. Each starts as one of the random cameras of the unit tests and is
-/// pulled to its extreme, so that everything else stays varied.
+/// Cameras at the limits of floating point, one set for each limit: random cameras of the unit tests, pulled to an
+/// extreme.
 
 #ifndef TILT_LENS_TESTS_EXTREME_CAMERAS_H
 #define TILT_LENS_TESTS_EXTREME_CAMERAS_H
@@ -21,7 +21,7 @@ namespace tilt_lens
 struct ExtremeSet
 {
     const char* name;
-    const char* title;  ///< for the table
+    const char* title;
     void (*pull)(Random& random, Request& request, FilmPoint& at);
 };
 

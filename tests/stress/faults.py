@@ -26,13 +26,11 @@ OPTIONS = ("+WT2", "+BS8")
 
 
 def use(setup):
-    """Sets the programs for the render tests' helpers."""
     rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
 
 
 def run(folder, scene, *options, through=(), **how):
-    """Renders in a folder, optionally through a command that starts others, with extra arguments for Popen; returns exit code and messages.
-    """
+    """Exit code and messages; `command` starts another, Popen gets the extra arguments."""
     job = rendering.Job(scene, options, **how.pop("size", SIZE))
     (folder / "scene.pov").write_text(rendering.HEAD + scene)
     (folder / "none.ini").write_text("")
@@ -50,7 +48,6 @@ def run(folder, scene, *options, through=(), **how):
 
 
 def is_whole(path, whole):
-    """True if a file is the finished picture."""
     try:
         found = rendering.read_picture(path, "")
     except rendering.UnreadablePicture:
@@ -104,19 +101,16 @@ def _pixels(said):
 
 
 def said_why(said, *words):
-    """True if one of the words occurs in the messages."""
     return any(word.lower() in said.lower() for word in words)
 
 
 def last_words(said):
-    """The line with the failure."""
     lines = [line.strip() for line in said.splitlines() if line.strip()]
     telling = [line for line in lines if said_why(line, "error:", "fatal error", "cannot", "failed", "no space", "out of memory", "abort")]
     return (telling or lines or [""])[0][:160]
 
 
 def case(name, code, said, whole, folder, words):
-    """A row of the table."""
     return {"name": name, "exit": code, "said": last_words(said.replace(str(folder), "FOLDER")),
             "clear": code not in (0, None) and said_why(said, *words), "torn": torn(folder, whole)}
 
@@ -149,8 +143,8 @@ def _many_spheres(count):
 
 
 def full_disk(folder):
-    """A small file system or, if none can be mounted, a limit on the size of files; with room again, +C finishes the picture, and the tiles
-    in the state file are not rendered again."""
+    """A small file system or, if none can be mounted, a limit on the size of files. With room again, +C finishes
+    the picture without rendering the tiles of the state file again."""
     size = {"width": 320, "height": 240}
     whole = rendering.render(QUICK, *OPTIONS, **size)
     mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=512k", "none", str(folder)], capture_output=True,
@@ -209,7 +203,7 @@ def listening(whole, kind):
 
 
 def two_in_one_folder(whole):
-    """The same picture rendered twice at once into one folder: after each end, the file is complete."""
+    """The same picture twice at once into one folder: after each end, the file is complete."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         job = rendering.Job(SLOW, OPTIONS, **SIZE)
@@ -230,7 +224,6 @@ def measure(setup, kills=KILLS):
 
 
 def faults(result):
-    """Violated promises, as sentences."""
     found = []
     for name in ("SIGKILL", "SIGTERM"):
         row = result[name]

@@ -25,7 +25,7 @@ def drop_refused(corpus):
 
 
 def libfuzzer(name, program, corpus, length, runs, seconds):
-    """Runs libFuzzer from the kept corpus; returns runs, time, coverage, and the finding as text. Without a number of runs it runs for a
+    """Runs from the kept corpus: runs, time, coverage, and the finding as text. Without a number of runs it takes a
     fixed time and keeps new inputs."""
     kept.unpack(name, corpus)
     words = corpus.parent / f"{name}.dict"
@@ -48,7 +48,6 @@ def libfuzzer(name, program, corpus, length, runs, seconds):
 
 
 def grammar(setup, work, tree, count):
-    """Parses blocks and renders the accepted ones. A frame mostly waits, so many processes run at a time."""
     parser, povray = tree / "tests" / "fuzz" / "parse_blocks", tree / "bin" / "povray"
 
     def shard(seed):
@@ -93,7 +92,6 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
 
 
 def faults(result):
-    """The findings as sentences."""
     found = [f"{bad['answer']}\n{bad['text']}" for bad in result["grammar"]["bad"]]
     found += [f"{name}: {result[name]['finding']}" for name in ("solver", "prescription", "parser")
               if name in result and result[name]["exit"] != 0]

@@ -17,28 +17,22 @@ RESULTS = ROOT / "docs" / "numerics"
 
 @dataclasses.dataclass
 class Setup:
-    """One stress run."""
-
     build: pathlib.Path  # the release build
     jobs: int = os.cpu_count() or 1
     unfinished: pathlib.Path | None = None  # folder of unfinished work; by default in the build
 
     @property
     def povray(self):
-        """The program under stress."""
         return self.build / "bin" / "povray"
 
     @property
     def compare(self):
-        """The tool that decodes pictures."""
         return self.build / "tests" / "tools" / "compare"
 
     def tool(self, name):
-        """A program of this folder."""
         return self.build / "tests" / "stress" / name
 
     def work(self, part):
-        """The folder for a part's unfinished work."""
         folder = (self.unfinished or self.build / "stress") / part
         folder.mkdir(parents=True, exist_ok=True)
         return folder
@@ -52,14 +46,13 @@ def save(part, result):
 
 
 def load(part):
-    """A stored result, or None."""
     path = RESULTS / f"{part}.json"
     return json.loads(path.read_text()) if path.is_file() else None
 
 
 def once(folder, name, made_with, make, faults):
-    """The result of make(), or the stored one if the same program and scripts made it. A result with faults, listed by faults(result), is
-    not stored: the next run makes it again."""
+    """The result of make(), or the stored one if the same program and scripts made it. A result with faults(result)
+    is not stored: the next run makes it again."""
     digest = hashlib.sha256()
     for path in made_with:
         digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())
@@ -76,7 +69,6 @@ def once(folder, name, made_with, make, faults):
 
 
 def output(command):
-    """The JSON that a command prints."""
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
@@ -84,6 +76,5 @@ def output(command):
 
 
 def in_parallel(jobs, function, items):
-    """function(item) for all items, `jobs` at a time, in order."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         return list(pool.map(function, items))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tests of the stress run itself: results of other programs, findings that must be reported, CPU time against waiting."""
+"""The stress run does not take results of other programs, reports findings, and tells CPU time from waiting."""
 
 import pathlib
 import sys
@@ -75,7 +75,6 @@ class Once(unittest.TestCase):
         self.faulty = ()
 
     def ask(self, name="x"):
-        """The result of once(); each call of make() has a number."""
         def make():
             self.made += 1
             return self.made
@@ -149,10 +148,7 @@ class Corpus(unittest.TestCase):
 
 
 class Soak(unittest.TestCase):
-    """Repeated leaks are distinguished from single allocations."""
-
     def faults(self, frame=0, tile=0, pixel=0, once=0):
-        """Faults of runs that leave this many bytes behind each time."""
         rows = (384, 1536)
         return soak.faults({"frames": [{"frames": n, "kept": 4000 + once * (n > 10) + n * frame, "most": 9000} for n in (10, 20)],
                             "rows": [{"rows": n, "kept": 4000 + n // soak.TILE * tile,
@@ -172,8 +168,6 @@ class Soak(unittest.TestCase):
 
 
 class Findings(unittest.TestCase):
-    """Each tool's reports are parsed and attributed to the right code."""
-
     def found(self, text):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "log.1").write_text("Parsing...\n" + text + "Done.\n")
@@ -290,8 +284,6 @@ class Watch(unittest.TestCase):
 
 
 class Rays(unittest.TestCase):
-    """Faults in the tables of rays."""
-
     def tally(self, **changed):
         spread = {"count": 1, "worst": 0.0, "sum": 0.0, "by_power": {}}
         tally = {**{name: 0 for name in rays.COUNTS}, **{name: dict(spread) for name in rays.SPREADS}, "refusals": {}}

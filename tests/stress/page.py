@@ -62,12 +62,10 @@ is {roundings:.1f} at most. In all other pictures, the largest error is {others:
 
 
 def number(value, form="{:.2g}"):
-    """A figure, or a dash."""
     return "-" if value is None or value == 0 else form.format(value)
 
 
 def narrow_table(result):
-    """Rays of narrow pictures beside correctly rounded ones."""
     sets = [name for name in ("random", *rays.SETS) if result[name]["narrow_pixels"]["count"]]
     text = NARROW.format(roundings=max((result[name]["narrow_roundings"]["worst"] for name in sets), default=0.0),
                          others=max(tally["pixels"]["worst"] for tally in result.values()))
@@ -79,7 +77,6 @@ def narrow_table(result):
 
 
 def rays_section(result):
-    """The table of sets, refusals, and failures of the obvious formula."""
     text = RAYS
     for name in ("random", *rays.SETS):
         t = result[name]
@@ -128,7 +125,6 @@ def plot(name, label, powers, spreads):
 
 
 def sampler_section(result):
-    """Nets, discrepancy, neighbours."""
     text = ("\n## Sampler\n\nThe table has the least t for which the first 2^m samples are a (t, m, 2)-net in base 2, for each "
             "projection; t = 0 means one sample in each elementary interval. Unit tests check each coordinate alone, all four "
             "together, aligned blocks up to the last index, and uniformity over discs, polygons and bokeh pictures by "
@@ -167,7 +163,6 @@ def pictures_section(result):
 
 
 def faults_section(result):
-    """Kills and surroundings."""
     text = "\n## Faults\n\n"
     for name in ("SIGKILL", "SIGTERM"):
         row = result[name]
@@ -180,7 +175,6 @@ def faults_section(result):
 
 
 def soak_section(result):
-    """Memory leaks."""
     text = ("\n## Memory over time\n\nBytes that the allocator has given and not got back, by its own count.\n\n"
             "| run | at the end | most at a time |\n| --- | --: | --: |\n")
     for row in result["frames"]:
@@ -193,7 +187,6 @@ def soak_section(result):
 
 
 def scale_section(result):
-    """Time and memory against size."""
     text = ("\n## Scale\n\nThe tables have CPU seconds and peak memory of the whole process. The power is that of time against"
             " size; 1 is linear. A\nfile has the size of the whole picture: with few rows, most of the time is spent on writing"
             " it, which does not depend on the\nrows.\n\n")
@@ -206,7 +199,6 @@ def scale_section(result):
 
 
 def fuzz_section(result):
-    """Blocks and libFuzzer."""
     grammar = result["grammar"]
     text = (f"\n## Fuzzing\n\n{grammar['blocks']:,} blocks of a grammar (`tests/fuzz/grammar.py`) go through POV-Ray's own parser, "
             f"500 in each process ({'built with ASan and UBSan' if grammar['sanitized'] else 'release build'}). Each must result in a lens "
@@ -238,7 +230,6 @@ def sanitizers_section(result):
 
 
 def shortly_section(result):
-    """The short form's time."""
     return (f"\n## The short form\n\n`./check -L \"stress|fuzz\"`, once built: {result['tests']} tests in {result['seconds']} s on "
             f"{result['cores']} {'core' if result['cores'] == 1 else 'cores'}, {len(result['failed'])} failed.\n")
 
@@ -249,7 +240,6 @@ SECTIONS = {"rays": rays_section, "sampler": sampler_section, "pictures": pictur
 
 
 def write():
-    """Writes the page from all stored results."""
     text, missing = HEAD, []
     for name, section in SECTIONS.items():
         result = harness.load(name)

@@ -26,12 +26,11 @@ SKY = "background { rgb <0.3, 0.5, 0.8> }\n"
 
 
 def use(setup):
-    """Sets the programs for the render tests' helpers."""
     rendering.SETTINGS.povray, rendering.SETTINGS.compare = str(setup.povray), str(setup.compare)
 
 
 def random_lens(r):
-    """A block that has a solution, for a camera at the origin that looks along z; and its aperture."""
+    """A solvable block for a camera at the origin that looks along z, and its aperture."""
     kind = r.randrange(4)
     if kind == 0:
         focus = f"tilt {r.uniform(-60, 60):.4f} swing {r.uniform(-60, 60):.4f} "
@@ -98,7 +97,6 @@ def camera(lens, batch=0, aperture=0.3, samples="blur_samples 32 variance 0", ta
 
 
 def picture(scene, batch=0):
-    """The centre of the picture, without the frame's enlargement."""
     whole = rendering.render(scene, "+WT1", width=WIDTH + 2 * batch, height=HEIGHT + 2 * batch)
     return whole.crop(batch, batch, batch + WIDTH, batch + HEIGHT)
 
@@ -201,7 +199,8 @@ def measure(setup, cameras=FURNACES, few=12, pictures=6, samples=2048):
 
 
 def limit_of_scores(result):
-    """The limit that the largest of `count` values |t| with few degrees of freedom exceeds once in 1000 runs (Sidak)."""
+    """The limit that the largest of `count` values |t| with few degrees of freedom exceeds once in 1000 runs
+    (Sidak)."""
     mirror = result["mirror"]
     blocks = (WIDTH // 8) * math.ceil(HEIGHT / 8) * mirror["cameras"]
     share = 1 - (1 - 1e-3) ** (1 / blocks)
@@ -228,7 +227,6 @@ def students_quantile(p, freedom):
 
 
 def faults(result):
-    """Violated promises, as sentences."""
     found = []
     if not result["furnace"]["worst"] <= 1e-4:
         found.append(f"furnace: off by {result['furnace']['worst']}")

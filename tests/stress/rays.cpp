@@ -5,15 +5,14 @@
 /// Solver and rays against 50 digits, camera after camera: `stress_rays SET CAMERAS SEED` writes tallies as JSON. SET is `random`
 /// (photography) or one of extreme_cameras.h.
 ///
-/// Two errors of a ray. In units of the last place: the length of the difference of the directions, relative to the direction's length,
-/// over 2^-52.
-/// In pixels of a picture 100,000 pixels wide: the distance on the film to the film point whose true ray has the computed direction. For a
-/// lens that reaches to the film that map flips (its determinant 1 - k.l passes 0), and the angle between the two directions in pixels of
-/// the chief ray counts if it is smaller.
+/// Two errors of a ray. In units of the last place: the length of the difference of the directions, relative to the
+/// direction's length, over 2^-52. In pixels of a picture 100,000 pixels wide: the distance on the film to the film point
+/// whose true ray has the computed direction. For a lens that reaches to the film that map flips (its determinant 1 - k.l
+/// passes 0); the angle between the two directions in pixels of the chief ray counts if it is smaller.
 ///
-/// A direction is three doubles, and in a narrow picture their last places alone exceed a millionth of a pixel. There the error is compared
-/// with the rounding error: that of the true direction with its three numbers rounded to nearest, and the largest angle by which such a
-/// rounding can turn a direction of these numbers.
+/// In a narrow picture the last places of a direction's three doubles alone exceed a millionth of a pixel. There the error
+/// is compared with the rounding error: that of the true direction rounded to nearest, and the largest angle by which such
+/// a rounding can turn it.
 
 #include <cstdio>
 #include <fstream>
@@ -44,10 +43,9 @@ const double kPictureWidth = 1e5;  ///< pixels
 /// degrees.
 const double kNarrow = 1e-6 / 0x1p-52;
 
-/// The obvious formula is tried in one camera of so many.
+/// One camera of so many is tried with the obvious formula.
 const std::uint64_t kObviousEvery = 8;
 
-/// Errors of one ray.
 struct Errors
 {
     double ulps, pixels, origin, condition, pixelsPerRadian;
@@ -141,7 +139,7 @@ struct Run
     void KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e);
 };
 
-/// The words of a message before its first number or vector.
+/// Words of a message before its first number or vector.
 void Run::Refuse(const std::string& message)
 {
     refused++;

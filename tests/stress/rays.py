@@ -13,7 +13,6 @@ COUNTS = ("cameras", "refused", "rays", "broken", "reach_film", "obvious_broken"
 
 
 def merge(tallies):
-    """Merges tallies."""
     total = {name: sum(t[name] for t in tallies) for name in COUNTS}
     for name in SPREADS:
         powers = {}
@@ -51,7 +50,6 @@ def measure(setup, cameras=RANDOM, extreme=EXTREME, shard=SHARD):
 
 
 def faults(result):
-    """Violated promises, as sentences."""
     found = []
     for name, tally in result.items():
         if tally["broken"]:

@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parses the reports of sanitizers: the findings, whether they are ours or upstream's, and whether they are known.
+"""Parses the reports of sanitizers: the findings, whose code they are in, and whether they are known.
 
-A finding is ours if a frame of its stacks is in one of our files. ThreadSanitizer's own suppressions match any frame of a stack, so that
-the name of a thread's first function would hide the whole thread. Here, a name must match the innermost function of a side of a race, and
-both sides must be known.
-"""
+A finding is ours if a frame of its stacks is in one of our files. ThreadSanitizer's own suppressions match any
+frame, so the name of a thread's first function would hide the whole thread. Here, a name must match the innermost
+function of a side of a race, and both sides must be known."""
 
 import collections
 import pathlib
@@ -32,7 +31,7 @@ SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:mal
 
 
 def innermost(stack):
-    """Name of the first function of a stack that is the program's own."""
+    """First function of a stack that is the program's own."""
     for function, path in FRAME.findall(stack):
         if not path.startswith(LIBRARIES) and not SMALL.match(function):
             return function

@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Measures and writes docs/numerics.md: python3 -m tests.stress.run [PART...], all parts without one.
 
-Each part keeps its result in docs/numerics/PART.json if it has no faults, and the page is written from all kept results.
-Interrupted parts continue. `--page` only writes the page; `--quick` measures small sizes and keeps nothing.
-"""
+A part without faults is kept in docs/numerics/PART.json, and the page is written from all kept results. Interrupted
+parts continue. `--page` only writes the page; `--quick` measures small sizes and keeps nothing."""
 
 import argparse
 import dataclasses
@@ -43,7 +42,7 @@ def quickly(setup, names):
 
 
 def at_length(setup, names):
-    """The faults of the long forms. Results without faults are stored for the page."""
+    """Faults of the long forms. Results without faults are stored for the page."""
     broken = []
     for name in names:
         part = importlib.import_module(f"tests.stress.{name}")

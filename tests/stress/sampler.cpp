@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampler.cpp
-/// The sampler at length: `stress_sampler LOG2_SAMPLES` writes as JSON, for a few pixels, the quality of
-/// every 2-D projection up to 2^LOG2_SAMPLES samples, whether any sample comes twice, what happens at the end
-/// of the index, the star discrepancy of the lens pair, and the correlation of neighbouring pixels.
+/// The sampler at length: `stress_sampler LOG2_SAMPLES` writes figures of a few pixels as JSON: the quality of every
+/// 2-D projection up to 2^LOG2_SAMPLES samples, repeated samples, the end of the index, the star discrepancy of the
+/// lens pair, the correlation of neighbours.
 ///
 /// Literature: H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), theorem 4.7:
 /// a (0, m, 2)-net in base 2 has N D* <= m/2 + 3/2. J. H. Halton, S. K. Zaremba, "The extreme and L2
@@ -51,7 +51,7 @@ std::vector<Point> Projection(const PixelSampler& sampler, int d, int e, std::ui
     return points;
 }
 
-/// Whether each of the 2^i by 2^j boxes has the same number of points.
+/// True if each of the 2^i by 2^j boxes has the same number of points.
 bool IsEven(const std::vector<Point>& points, int i, int j)
 {
     std::vector<std::uint32_t> count(std::size_t(1) << (i + j));
@@ -139,7 +139,7 @@ json Discrepancies(int most)
     return rows;
 }
 
-/// Samples that come twice among 2^m, in a coordinate: a period would show here.
+/// Samples that come twice among 2^m in a coordinate, as a period would show.
 std::uint64_t Repeated(const PixelSampler& sampler, int dimension, std::uint32_t count)
 {
     std::vector<double> values;

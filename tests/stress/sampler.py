@@ -6,13 +6,11 @@ from tests.stress import harness
 
 
 def measure(setup, log2_samples=20):
-    """What the program finds."""
     tool = setup.tool("stress_sampler")
     return harness.once(setup.work("sampler"), str(log2_samples), [tool], lambda: harness.output([tool, log2_samples]), faults)
 
 
 def faults(result):
-    """What breaks the promises, in words."""
     found = []
     for row in result["projections"]:
         own = row["pair"] in ("lens u, lens v", "pixel x, pixel y")

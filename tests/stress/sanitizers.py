@@ -32,8 +32,8 @@ def environment(tool_suppressions=True):
 
 
 def listener(program, folder, options=""):
-    """A command that runs the program and keeps its standard error: not all of gcc's sanitizers support log_path, and the render tests read
-    standard error themselves. Options come last, so that they take precedence."""
+    """A command that keeps the program's standard error: not all of gcc's sanitizers support log_path, and the
+    render tests read standard error themselves. Options come last, so that they take precedence."""
     script = folder / "povray"
     script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
@@ -41,7 +41,6 @@ def listener(program, folder, options=""):
 
 
 def build(setup, preset):
-    """The program and the tests' tools."""
     for command in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "-j", str(setup.jobs),
                                                     "--target", "povray", "parse_blocks", "compare"]):
         subprocess.run(command, cwd=ROOT, check=True)
@@ -62,7 +61,6 @@ def watched(what, tool, commands, folder, work, suppressions=True):
 
 
 def tutorial(povray, threads):
-    """Each tutorial scene, small."""
     return [[str(povray), f"+I{scene}", f"+O{scene.stem}.png", "+W48", "+H36", "-D", "-P", "-A", f"+WT{threads}", "+BS8",
              f"+L{ROOT / 'scenes' / 'include'}"] for scene in TUTORIAL]
 
@@ -79,18 +77,15 @@ def lit(povray, threads, work):
 
 
 def battery(povray, tree, module):
-    """A module of the render tests."""
     return [module_command(f"tests.render.{module}", "--povray", povray, "--compare", tree / "tests" / "tools" / "compare")]
 
 
 def parser(povray):
-    """The parser tests: every file of cases."""
     cases = sorted((ROOT / "tests" / "parse" / "cases").glob("*.txt"))
     return [module_command("tests.parse.check_messages", "--povray", povray, path) for path in cases]
 
 
 def valgrind(setup, folder, work):
-    """memcheck on one tutorial scene, in the release build."""
     log = folder / "log.valgrind"
     command = ["valgrind", f"--log-file={log}", f"--suppressions={reports.SUPPRESSIONS}/valgrind.txt", "--error-exitcode=0",
                *tutorial(setup.povray, 1)[0]]
@@ -98,8 +93,8 @@ def valgrind(setup, folder, work):
 
 
 def groups(tree, tool, threads, work):
-    """Runs of one sanitized program: (words, commands for a program, overriding options). The first, without suppressions, shows that
-    findings are detected at all."""
+    """(words, commands for a program, overriding options). The first, without suppressions, shows that findings are
+    detected at all."""
     return [("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
             ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
             ("parser battery", parser, f"+WT{threads}"),
@@ -109,7 +104,6 @@ def groups(tree, tool, threads, work):
 
 
 def program_rows(setup, tree, tool, threads):
-    """All runs of one sanitized program."""
     rows, program = [], tree / "bin" / "povray"
     for number, (what, commands, options) in enumerate(groups(tree, tool, threads, setup.work("sanitizers"))):
         def run(what=what, commands=commands, options=options, number=number):
@@ -125,7 +119,6 @@ def program_rows(setup, tree, tool, threads):
 
 
 def measure(setup):
-    """A row for each group of runs."""
     rows = []
     for preset, tool, threads in (("fuzz", "ASan, UBSan", 2), ("tsan", "TSan", 4)):
         rows += program_rows(setup, build(setup, preset), tool, threads)

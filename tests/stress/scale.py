@@ -30,7 +30,6 @@ def render(setup, scene, *options):
 
 
 def spheres(count):
-    """`count` small spheres over a floor."""
     return (f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <8*rand(R)-4, rand(R), 9*rand(R)-2>, 0.02 pigment "
             "{ rgb <rand(R), rand(R), rand(R)> } } #end\n" + scenes.WORLD)
 
@@ -43,7 +42,6 @@ def slope(rows, key, of):
 
 
 def measure(setup, size="full"):
-    """Three series."""
     sizes = FULL if size == "full" else QUICK
     few = scenes.camera(samples="blur_samples 16 variance 0 ")
     width = sizes["width"]
@@ -63,7 +61,7 @@ def measure(setup, size="full"):
 
 
 def faults(result):
-    """Superlinear growth. Time is not judged, because it depends on the machine's load."""
+    """Superlinear growth. Time depends on the machine's load and is not judged."""
     found = [f"{key}: work grows with the power {value:.2f}" for key, value in result["work_slopes"].items() if value > 1.15]
     objects = result["objects"]
     each = (objects[-1]["peak_mib"] - objects[0]["peak_mib"]) * 1024 / (objects[-1]["objects"] - objects[0]["objects"])

@@ -10,7 +10,6 @@ LIMIT = 300  # seconds
 
 
 def measure(setup):
-    """One run of those tests, built before."""
     cores = len(os.sched_getaffinity(0))
     done = subprocess.run(["ctest", "-L", "stress|fuzz", "-j", str(cores)], cwd=setup.build, capture_output=True, text=True,
                           check=False)
@@ -23,7 +22,6 @@ def measure(setup):
 
 
 def faults(result):
-    """Tests that failed, and too long a time."""
     found = [f"short form: {name} fails" for name in result["failed"]]
     if not result["tests"] or result["seconds"] > LIMIT:
         found.append(f"short form: {result['tests']} tests take {result['seconds']} s")

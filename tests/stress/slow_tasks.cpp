@@ -19,8 +19,8 @@
 #include "backend/scene/threaddata.h"
 #include "backend/support/taskqueue.h"
 
-// the linker sends all calls of povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput() to the first of each pair
-// (--wrap)
+// The linker (--wrap) sends all calls of povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput() to
+// the first of each pair.
 boost::thread* Start(const boost::function0<void>& closed, void** address) __asm__("__wrap__Z11povray_initRKN5boost9function0IvEEPPv");
 boost::thread* RealStart(const boost::function0<void>& closed, void** address) __asm__("__real__Z11povray_initRKN5boost9function0IvEEPPv");
 pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task) __asm__("__wrap__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");

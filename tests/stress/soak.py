@@ -68,7 +68,8 @@ def render(setup, scene, *options):
 
 
 def measure(setup, frames=FRAMES, rows=ROWS):
-    """Animations of `frames`, by two threads, and pictures of `rows`, by one, because the peak of two depends on which is faster."""
+    """Animations of `frames` by two threads, and pictures of `rows` by one: the peak of two depends on which is
+    faster."""
     work = setup.work("soak")
 
     def made(name, number, scene, *options):
@@ -81,7 +82,6 @@ def measure(setup, frames=FRAMES, rows=ROWS):
 
 
 def faults(result):
-    """Violated promises, as sentences."""
     found = []
     for name, size in (("frames", 1), ("rows", TILE)):
         few, many = result[name]

@@ -13,8 +13,6 @@ TICKS = os.sysconf("SC_CLK_TCK")
 
 @dataclasses.dataclass
 class Watched:
-    """A finished command."""
-
     returncode: int
     seconds: float  # elapsed
     cpu: float  # seconds, user and system
@@ -35,7 +33,6 @@ def resident(pid):
 
 
 def processor_seconds(pid):
-    """User and system time so far."""
     try:
         fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
         return (int(fields[11]) + int(fields[12])) / TICKS

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Checks that every reference picture has its entry, every entry its picture, and both agree."""
+"""Every reference picture has its entry, every entry its picture, and both agree."""
 
 import argparse
 import pathlib

@@ -46,7 +46,6 @@ def check(entry, args, folder):
 
 
 def report(entry, args, folder, trouble):
-    """Reports a fault on standard error and as a page."""
     folder.mkdir(parents=True, exist_ok=True)
     job = entry.job(args.povray, args.declare)
     rerun = f"cd {shlex.quote(str(folder))} && {shlex.join(pictures.command_of(job, entry.output))}"

@@ -43,7 +43,6 @@ struct Arguments
     witness::ZTestSettings z;
 };
 
-/// Ends the comparison with a code and a reason.
 struct Verdict
 {
     ExitCode code;
@@ -112,7 +111,6 @@ json Describe(const witness::Figures& figures)
             {"worst", worst}};
 }
 
-/// Prints the report and ends with the verdict.
 [[noreturn]] void Conclude(const json& report, bool same, const std::string& reason)
 {
     std::cout << report.dump() << '\n';
@@ -210,7 +208,6 @@ void Average(const std::vector<std::string>& paths, const std::string& output)
     witness::WriteReference(output, witness::Average(pictures));
 }
 
-/// Prints the root mean square of a reference's standard errors.
 void ShowError(const std::string& path)
 {
     const Reference reference = LoadReference(path);
@@ -223,8 +220,8 @@ void ShowError(const std::string& path)
     std::cout << report.dump() << '\n';
 }
 
-/// For each picture named on a line of standard input, prints a line with a number of bytes and that many bytes of WritePixels(), or a line
-/// that begins with "failed: ".
+/// For each picture named on a line of standard input, prints the number of bytes of WritePixels() on a line, then
+/// these bytes. If it fails, a line that begins with "failed: ".
 void AnswerWithPixels()
 {
     for (std::string path; std::getline(std::cin, path); std::cout.flush())

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A local page about one picture that failed: the fault, its place, and the commands to render again and to accept."""
+"""A local page about one failed picture: the fault, its place, and the commands to render again and to accept."""
 
 import html
 import json
@@ -36,7 +36,6 @@ def write(folder, name, trouble, commands, picture, reference, compare):
 
 
 def figure(file, title):
-    """One of the three pictures."""
     return f'<figure><img src="{file}" alt="{title}"><figcaption>{title}</figcaption></figure>'
 
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_points.h
-/// Points over pixel and lens for the oracle: the first four dimensions of Sobol's sequence (Joe and Kuo's direction numbers),
-/// Owen-scrambled with a seed for each batch. Batches are independent and unbiased, so that their spread gives an honest standard error;
-/// within a batch of a power of two, the points are stratified in every dimension.
+/// Points over pixel and lens for the oracle: the first four dimensions of Sobol's sequence (Joe and Kuo's direction
+/// numbers), Owen-scrambled with a seed for each batch. Batches are independent and unbiased; within a batch of a
+/// power of two, points are stratified in every dimension.
 
 #ifndef WITNESS_LENS_POINTS_H
 #define WITNESS_LENS_POINTS_H

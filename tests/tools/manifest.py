@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The list of reference pictures, MANIFEST.json, and the pictures that it should list.
+"""MANIFEST.json, the list of reference pictures.
 
-Every case tests/oracle/cases/NAME.json makes the reference oracle/NAME.exr, rendered by the unpatched program. Every scene named in
-tests/reference/pictures.json makes renders/NAME.exr, rendered by the fork itself. Only update_references.py writes these files and the
-manifest.
-"""
+tests/oracle/cases/NAME.json makes oracle/NAME.exr, rendered by the unpatched program. A scene in
+tests/reference/pictures.json makes renders/NAME.exr, rendered by the fork. Only update_references.py writes these
+files and the manifest."""
 
 import dataclasses
 import json
@@ -30,8 +29,6 @@ FIELDS = ["file", "pixels_sha256", "scene", "sources_sha256", "command", "binary
 
 @dataclasses.dataclass
 class Entry:
-    """One picture with a reference."""
-
     name: str                 # "oracle/tilt" or "renders/table"
     scene: pathlib.Path       # the fork's scene
     case: pathlib.Path        # the oracle's description; None for a picture of the fork's own
@@ -58,8 +55,8 @@ class Entry:
                                form + self.options + ["Declare=" + item for item in declare])
 
     def sources_sha256(self):
-        """Hash of each file that the reference depends on, by its path in the repository. For the oracle these are its case and the
-        objects, but not the fork's scene, which is under test."""
+        """Hashes of the files that the reference depends on, by path: for the oracle its case and the objects, but
+        not the fork's scene, which is under test."""
         files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] \
             if self.case else pictures.sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
@@ -81,13 +78,11 @@ def entries():
 
 
 def load(folder=FOLDER):
-    """The manifest; empty if there is none."""
     path = folder / "MANIFEST.json"
     return json.loads(path.read_text()) if path.is_file() else {}
 
 
 def save(manifest, folder=FOLDER):
-    """Writes the manifest atomically."""
     text = json.dumps(dict(sorted(manifest.items())), indent=2) + "\n"
     draft = folder / "MANIFEST.json.new"
     draft.write_text(text)
@@ -95,7 +90,6 @@ def save(manifest, folder=FOLDER):
 
 
 def complaints(manifest, folder, names, compare):
-    """Faults of manifest and folder, given the names of the expected pictures."""
     found = []
     for name in sorted(set(names) - set(manifest)):
         found.append(f"{name}: has no entry in MANIFEST.json; make it with tests.tools.update_references")

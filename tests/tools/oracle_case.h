@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_case.h
-/// One case of the oracle: a camera in a photographer's terms, read from JSON, and its optics, derived from the imaging equation and from
-/// Scheimpflug's rule as in textbooks. The fork solves the same camera by other formulas (docs/optics.md); the results must agree.
+/// One case of the oracle: a camera in a photographer's terms, read from JSON, and its optics by the imaging equation
+/// and Scheimpflug's rule. The fork solves the same camera by other formulas (docs/optics.md).
 
 #ifndef WITNESS_ORACLE_CASE_H
 #define WITNESS_ORACLE_CASE_H
@@ -32,7 +32,6 @@ struct Transformation
     Vector amount;  ///< scene units; degrees about x, then y, then z; factors
 };
 
-/// How the focus is stated.
 enum class Focus
 {
     Lens,       ///< the lens is turned by tilt and swing, the plane passes through a point

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 // Optics of a case, derived independently of the fork:
-// - for a stated lens: the imaging equation 1/u + 1/v = 1/f, u and v along the lens normal, and chief rays through the lens centre. Three
-//   film points
-//   are imaged into the scene, and the plane of sharp focus passes through their images (in homogeneous coordinates, so that an image at
-//   infinity
-//   is no special case);
-// - for a stated plane: Scheimpflug's rule as a construction: the lens plane passes through the lens centre and through the line in which
-//   the film
-//   and the plane of sharp focus meet.
+// - for a stated lens: the imaging equation 1/u + 1/v = 1/f, u and v along the lens normal, and chief rays through the lens
+//   centre. The plane of sharp focus passes through the images of three film points, in homogeneous coordinates, so that an
+//   image at infinity is no special case;
+// - for a stated plane: Scheimpflug's rule as a construction. The lens plane passes through the lens centre and through the
+//   line in which the film and the plane of sharp focus meet.
 // Camera frame: lens centre at the origin, x right, y up, z into the scene, film at z = -s.
 
 #include <stdexcept>

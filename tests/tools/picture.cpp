@@ -136,7 +136,8 @@ void WriteReference(const std::string& path, const Reference& reference)
     spec.channelformats = {f, f, f, h, h, h};
     spec.attribute("compression", "zip");
     spec.attribute("witness:batches", reference.batches);
-    // interleaved as three floats and three halves, a pixel would need a packed buffer; so all six go in as floats and the writer converts
+    // all six go in as floats and the writer converts: as three floats and three halves, a pixel would need a packed
+    // buffer
     std::vector<float> values;
     values.reserve(2 * reference.mean.Size());
     for (std::size_t pixel = 0; pixel < reference.mean.Size(); pixel += 3)

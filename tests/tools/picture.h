@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture.h
-/// Pictures for the independent tools: linear RGB in floats, and the stored references, which hold mean and standard error of each pixel.
+/// Pictures for the independent tools: linear RGB in floats, and the stored references with mean and standard error of
+/// each pixel.
 
 #ifndef WITNESS_PICTURE_H
 #define WITNESS_PICTURE_H
@@ -43,7 +44,6 @@ class UnreadablePicture : public std::runtime_error
     using std::runtime_error::runtime_error;
 };
 
-/// The file does not exist.
 class MissingPicture : public std::runtime_error
 {
   public:

@@ -12,7 +12,6 @@ import subprocess
 
 from tests.waiting import PATIENCE
 
-# Outcomes, as words for people and as exit codes for tests.
 OUTCOMES = {
     "same": 0,
     "failure": 1,
@@ -32,7 +31,7 @@ COMPARE_OUTCOMES = ["same", "failure", "different", "missing reference", "no out
 
 
 class Trouble(Exception):
-    """A test that did not pass: one of OUTCOMES and the reason."""
+    """One of OUTCOMES and the reason."""
 
     def __init__(self, outcome, reason):
         super().__init__(reason)
@@ -41,8 +40,6 @@ class Trouble(Exception):
 
 @dataclasses.dataclass
 class Render:
-    """One call of POV-Ray."""
-
     povray: str
     scene: pathlib.Path
     width: int
@@ -99,12 +96,10 @@ def render(job, folder, output):
 
 
 def tail(log, lines=12):
-    """The last lines of a log, for a message."""
     return "\n".join("  " + line for line in log.read_text(errors="replace").splitlines()[-lines:])
 
 
 def compare(program, picture, reference, comparison):
-    """Compares by the manifest's `comparison`; returns the figures, raises Trouble."""
     kind = comparison["kind"]
     command = [str(program), kind, str(picture), str(reference)]
     for name, value in comparison.items():
@@ -130,5 +125,4 @@ def pixel_hash(program, picture):
 
 
 def file_hash(path):
-    """SHA-256 of a file."""
     return hashlib.sha256(path.read_bytes()).hexdigest()

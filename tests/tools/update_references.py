@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes reference pictures and their entries in MANIFEST.json: the only program that does.
+"""The only program that makes reference pictures and their entries in MANIFEST.json.
 
-Give names (oracle/tilt), or folders (oracle, renders) for all of one kind. --prune removes what no case and no scene stands for any more.
-"""
+Arguments: names (oracle/tilt) or folders (oracle, renders). --prune removes pictures and entries without a case or
+scene."""
 
 import os
 import argparse
@@ -49,7 +49,6 @@ def version_and_compiler(povray):
 
 
 def series_sha256():
-    """One hash over the order of our patches and their texts."""
     folder = manifest.ROOT / "patches"
     names = [line.strip() for line in (folder / "series").read_text().splitlines()
              if line.strip() and not line.startswith("#")]
@@ -96,14 +95,12 @@ def make_render(entry, args, work):
 
 
 def standard_error(compare, picture):
-    """Root mean square of the standard errors that a reference holds."""
     done = subprocess.run([compare, "error", str(picture)], capture_output=True, text=True,
                           check=True)
     return json.loads(done.stdout)["standard_error"]
 
 
 def update(entry, args):
-    """Makes one reference; returns its record."""
     with tempfile.TemporaryDirectory() as work:
         make = make_oracle if entry.case else make_render
         output, command, program, samples = make(entry, args, pathlib.Path(work))
@@ -128,7 +125,6 @@ def update(entry, args):
 
 
 def prune(records, known):
-    """Removes pictures and entries without a case or scene."""
     for name in sorted(set(records) - set(known)):
         (manifest.FOLDER / records.pop(name)["file"]).unlink(missing_ok=True)
         print("removed", name)

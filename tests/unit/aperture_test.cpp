@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Discs and polygons: the map's range, equal areas, whole strata.
-// Seeds are fixed. A chi-square test fails for a perfect map with probability 1e-5.
+// Discs and polygons. Seeds are fixed. A chi-square test fails for a perfect map with probability 1e-5.
 
 #include "tilt_lens/camera/aperture.h"
 
@@ -53,10 +52,9 @@ struct Outline
         return blades * (std::sin(2 * M_PI / blades) / 2 + segment);
     }
 
-    /// Error of the chords.
     double Tolerance() const { return curvature == 0 ? 1e-12 : 2e-5; }
 
-    /// Relative radius: 0 at the centre, 1 on the edge. From the distances of the edges, independent of the map's corners.
+    /// 0 at the centre, 1 on the edge; from the distances of the edges, independent of the map's corners.
     double Size(const AperturePoint& p) const
     {
         if (blades == 0)
@@ -135,7 +133,6 @@ TEST_P(ApertureOutline, TheMapPreservesAreaEverywhere)
 
 TEST_P(ApertureOutline, RandomPointsFillItUniformly)
 {
-    // bins: rings of equal area times sectors
     const int rings = 8, sectors = GetParam().blades == 0 ? 12 : std::min(GetParam().blades, 30);
     const int edges = GetParam().blades == 0 ? 12 : GetParam().blades;
     const Aperture aperture = GetParam().Make();

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Blur against a construction: the film points that light from a surface point reaches through the ends of the lens diameter parallel to
-// the film.
+// Blur against the film points that light from a surface point reaches through the ends of the lens diameter parallel
+// to the film.
 
 #include "tilt_lens/camera/ray.h"
 
@@ -21,7 +21,6 @@ const double kInfinity = std::numeric_limits<double>::infinity();
 const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
     FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 
-/// Calls check(lens, chief, random) for random cameras and film points.
 template <typename Check>
 void ForManyPixels(Check check)
 {

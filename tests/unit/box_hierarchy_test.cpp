@@ -21,7 +21,7 @@ struct RayOfTest
     std::array<double, 3> origin, direction;
 };
 
-/// Ray parameter of the entry into a box, by the slab method in extended precision: 0 from inside, infinity for a miss. Touching counts.
+/// Slab method in extended precision: 0 from inside, infinity for a miss. Touching counts.
 long double EntryOf(const BoxItem& item, const RayOfTest& ray)
 {
     const long double never = std::numeric_limits<long double>::infinity();
@@ -50,7 +50,6 @@ class Scene
     std::vector<BoxItem> items;
     BoxHierarchy hierarchy;
 
-    /// Indices of the visited items.
     std::multiset<long> Visited(const RayOfTest& ray, double limit) const
     {
         std::multiset<long> visited;
@@ -58,7 +57,6 @@ class Scene
         return visited;
     }
 
-    /// Finds the nearest box as a caller does.
     double Nearest(const RayOfTest& ray) const
     {
         double nearest = std::numeric_limits<double>::infinity();
@@ -69,7 +67,6 @@ class Scene
         return nearest;
     }
 
-    /// Each box that the ray meets before the limit is visited exactly once.
     void ExpectAllVisited(const RayOfTest& ray, double limit) const
     {
         const std::multiset<long> visited = Visited(ray, limit);
@@ -145,7 +142,7 @@ std::vector<BoxItem> Boxes(unsigned int seed, int number, double world, double s
     return items;
 }
 
-TEST(BoxHierarchy, EmptyHierarchy)
+TEST(BoxHierarchy, FindsNothingWhenEmpty)
 {
     const Scene scene({});
     scene.ExpectNearestFound({{0, 0, 0}, {1, 0, 0}});
@@ -168,7 +165,6 @@ TEST(BoxHierarchy, FindsAllAndTheNearest)
     }
 }
 
-/// Few boxes are visited in vain.
 TEST(BoxHierarchy, VisitsFewBoxesInVain)
 {
     const Scene scene(Boxes(5, 20000, 10.0, 0.2));
@@ -195,7 +191,7 @@ TEST(BoxHierarchy, MemoryIsAsDocumented)
 }
 
 /// Rays along one axis or two, from faces, edges and corners of the boxes, where rounding decides.
-TEST(BoxHierarchy, RaysAlongAxesAndOnFaces)
+TEST(BoxHierarchy, FindsBoxesByRaysAlongAxesAndOnFaces)
 {
     std::vector<BoxItem> items;
     for (int x = -2; x <= 2; x++)
@@ -213,7 +209,7 @@ TEST(BoxHierarchy, RaysAlongAxesAndOnFaces)
         }
 }
 
-TEST(BoxHierarchy, SizesFromTinyToHuge)
+TEST(BoxHierarchy, FindsBoxesFromTinyToHuge)
 {
     Dice dice(11);
     for (int round = 0; round < 200; round++)
@@ -245,7 +241,7 @@ TEST(BoxHierarchy, SizesFromTinyToHuge)
 }
 
 /// All boxes in one place but one, without thickness: no split separates them, and the stack suffices.
-TEST(BoxHierarchy, CoincidentBoxes)
+TEST(BoxHierarchy, FindsCoincidentBoxes)
 {
     std::vector<BoxItem> items(5000, BoxItem{{-1, -1, -1}, {1, 1, 1}, nullptr});
     for (int i = 0; i < 3000; i++)
@@ -260,13 +256,13 @@ TEST(BoxHierarchy, CoincidentBoxes)
     scene.ExpectAllVisited({{3, 4, 5}, {-0.5, -0.7, -0.9}}, std::numeric_limits<double>::infinity());
 }
 
-/// With AVX2 and without, to the last bit; skipped on processors without AVX2.
+/// Skipped on processors without AVX2.
 TILT_LENS_FOR_AVX2 unsigned int EnterByAvx2(const EightBoxes& boxes, const RayOfTest& ray, float limit, float* begin)
 {
     return BoxRay<Float8>(ray.origin.data(), ray.direction.data()).Enter(boxes, limit, begin);
 }
 
-TEST(BoxRay, SameResultsOnEveryProcessor)
+TEST(BoxRay, IsTheSameOnEveryProcessor)
 {
     if (!HasAvx2())
         GTEST_SKIP() << "This processor has no AVX2.";
@@ -300,7 +296,7 @@ TILT_LENS_FOR_AVX2 std::vector<const void*> WalkByAvx2(const BoxHierarchy& hiera
 }
 
 /// The same objects in the same order.
-TEST(BoxHierarchy, SameWalkOnEveryProcessor)
+TEST(BoxHierarchy, IsWalkedAlikeOnEveryProcessor)
 {
     if (!HasAvx2())
         GTEST_SKIP() << "This processor has no AVX2.";

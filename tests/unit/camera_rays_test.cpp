@@ -102,7 +102,7 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
 }
 
 /// A double Gauss, wide open, at the picture's edge: its rims block some samples, and some pixels see nothing.
-TEST(CameraRays, OfAGlassLensEqualRaysComputedOneByOne)
+TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
 {
     Statement statement;
     statement.prescription = std::make_shared<const Prescription>(ReadPrescription(
@@ -158,7 +158,7 @@ TEST(CameraRays, MayHaveAnyLength)
 }
 
 /// A lens point on the film: no ray leads from a point to itself, so the chief ray replaces it.
-TEST(CameraRays, WithoutDirectionAreChiefRays)
+TEST(CameraRays, AreChiefRaysWhereThereIsNoDirection)
 {
     Lens lens = SomeLens();
     lens.direction = lens.lensX = {0.25, 0.0, 0.0};

@@ -53,7 +53,6 @@ Character Curved(double millimetres)
     return character;
 }
 
-/// Calls check(lens, picture point) for film points of lenses with distortion and field curvature.
 template <typename Check>
 void ForManyPoints(const Check& check)
 {
@@ -154,7 +153,7 @@ TEST(Distortion, ShowsNoPointBeyondTheFold)
     EXPECT_TRUE(std::isinf(FoldOf(0.1, 0.0)));
     EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.0)));
     EXPECT_TRUE(std::isinf(FoldOf(-0.1, 0.1)));
-    // the derivative 1 - 4 c r^3 is 0 at (4 c)^(-1/3), and 1 - 4 r^3 + 3 r^4 = (1 - r)^2 (1 + 2 r + 3 r^2) touches 0 at 1
+    // the derivative 1 - 4 c r^3 is 0 at (4 c)^(-1/3); 1 - 4 r^3 + 3 r^4 = (1 - r)^2 (1 + 2 r + 3 r^2) touches 0 at 1
     EXPECT_NEAR(FoldOf(0.0, 0.0, -0.02), std::pow(0.08, -2.0 / 3.0), 1e-12);
     EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.0, 0.02)));
     EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.601, -1.0)));

@@ -38,7 +38,6 @@ Aperture Window()
     return Aperture::Picture([](double u, double v) { return u < 0.4 || v > 0.7 ? 1.0 : 0.2; });
 }
 
-/// Luminous spheres before an even background.
 struct World
 {
     std::vector<Emitter> spheres;
@@ -58,8 +57,8 @@ struct World
     }
 };
 
-/// Mean of a pixel's first n samples, variance of one sample, and variance within the two strata of emitter and plain samples: their shares
-/// are fixed, so only this is noise.
+/// Mean of a pixel's first n samples, variance of one sample, and variance within the strata of emitter and plain
+/// samples: their shares are fixed, so only this is noise.
 struct Pixel
 {
     double mean, variance, withinStrata;
@@ -107,7 +106,6 @@ struct Case
     Character character = {};
 };
 
-/// All deviations of a real lens.
 Character Real()
 {
     Character character;

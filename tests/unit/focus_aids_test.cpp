@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Focus aids: colours, the scale and its labels, the surfaces.
-
 #include "tilt_lens/camera/focus_aids.h"
 
 #include <cmath>
@@ -23,7 +21,6 @@ namespace
 
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Linear light of a display value.
 double Light(double shown) { return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4); }
 
 double Luminance(const Rgb& c) { return 0.2126 * Light(c.red) + 0.7152 * Light(c.green) + 0.0722 * Light(c.blue); }

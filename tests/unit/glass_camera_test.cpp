@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Camera with a lens of glass: agreement with the ideal lens in the limit of ideal glass; sampled directions cover all that pass;
-// brightness against a count of all directions.
+// Agreement with the ideal lens in the limit of ideal glass; sampled directions cover all that pass; brightness
+// against a count of all directions.
 
 #include "tilt_lens/glass/glass_camera.h"
 
@@ -211,7 +211,6 @@ TEST(GlassCamera, DrawsDirectionsUniformly)
     }
 }
 
-/// To the last bit, for each subset of wanted points.
 TEST(GlassCamera, DrawsFourAsOneByOne)
 {
     std::mt19937 random(4);

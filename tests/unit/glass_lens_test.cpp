@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// A lens of glass: cardinal points by closed forms, real rays by Snell's law, surfaces without aberration, the paraxial limit, reversal,
-// and the fates of rays.
+// Cardinal points by closed forms, real rays by Snell's law, surfaces without aberration, the paraxial limit,
+// reversal, and the fates of rays.
 
 #include "tilt_lens/glass/glass_lens.h"
 
@@ -53,10 +53,9 @@ Prescription Aspheric()
 
 Vec3 Towards(const Vec3& from, const Vec3& to) { return Normalized(to - from); }
 
-/// Point of a ray at a depth.
 Vec3 At(const GlassRay& ray, double z) { return ray.origin + ((z - ray.origin.z) / ray.direction.z) * ray.direction; }
 
-TEST(CardinalPoints, ThickLens)
+TEST(CardinalPoints, MatchAThickLens)
 {
     // lensmaker's equation, and positions of the principal points
     const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
@@ -69,7 +68,7 @@ TEST(CardinalPoints, ThickLens)
     EXPECT_NEAR(points.backFocus, f + rear, 1e-12);
 }
 
-TEST(CardinalPoints, ThinLensAndBall)
+TEST(CardinalPoints, MatchAThinLensAndABall)
 {
     const CardinalPoints thin = GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5)).Cardinal();
     EXPECT_NEAR(thin.focalLength, 50.0, 1e-8);
@@ -81,7 +80,7 @@ TEST(CardinalPoints, ThinLensAndBall)
     EXPECT_NEAR(ball.frontVertex, 11.0, 1e-12);
 }
 
-TEST(CardinalPoints, Pupils)
+TEST(CardinalPoints, PupilsAreImagesOfTheStop)
 {
     // a stop before the glass is its own entrance pupil; its exit pupil is its image
     const GlassLens lens(Singlet(50.0, -50.0, 1e-9, 1.5, 20.0));
@@ -240,7 +239,7 @@ TEST(GlassLens, RaysAreReversible)
     }
 }
 
-/// Through, past and against rims and stop, so that some of the four are blocked.
+/// Through, past and against rims and stop: some of the four are blocked.
 TEST(GlassLens, TracesFourSideBySideAsOneByOne)
 {
     std::mt19937 random(2);

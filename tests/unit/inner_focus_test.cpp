@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Lenses that focus by moving groups of glass: states by closed forms, focus with a fixed film, tilt and swing, and focuses beyond the
-// groups' reach.
+// Lenses that focus by moving groups of glass: states by closed forms, focus with a fixed film, tilt and swing, and
+// focuses beyond reach.
 
 #include "tilt_lens/glass/inner_focus.h"
 
@@ -69,7 +69,6 @@ Lens Solved(const Statement& given)
     return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given);
 }
 
-/// The lens focused at a distance from its front principal point.
 Lens FocusedAt(const Prescription& prescription, double distance)
 {
     Statement given = Block(prescription);
@@ -77,7 +76,6 @@ Lens FocusedAt(const Prescription& prescription, double distance)
     return Solved(given);
 }
 
-/// From the front principal point of a state.
 double DistanceOf(const Prescription& prescription, double state)
 {
     return ObjectDistanceOf(prescription, state) + CardinalPointsOf(InState(prescription, state)).frontVertex;
@@ -181,7 +179,6 @@ TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
     }
 }
 
-/// Ray by ray, as from a file with the thicknesses of this focus.
 TEST(InnerFocus, EqualsALensWithTheseThicknesses)
 {
     const Prescription prescription = ReadPrescription(Whole("nikon_micro_nikkor_200.json"));

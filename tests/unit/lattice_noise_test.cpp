@@ -98,7 +98,7 @@ class LatticeNoiseTest : public testing::Test
     LatticeNoise noise;
 };
 
-TEST_F(LatticeNoiseTest, AnyPoint)
+TEST_F(LatticeNoiseTest, EqualsPovRaysNoiseAtAnyPoint)
 {
     std::mt19937 random(4);
     for (const double size : {1e-12, 0.3, 1.0, 10.0, 1e4, 1e8})
@@ -109,7 +109,7 @@ TEST_F(LatticeNoiseTest, AnyPoint)
         }
 }
 
-TEST_F(LatticeNoiseTest, CornersFacesAndExtremes)
+TEST_F(LatticeNoiseTest, EqualsPovRaysNoiseAtCornersFacesAndExtremes)
 {
     const double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
     const double infinite = std::numeric_limits<double>::infinity();

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The lenses of scenes/include/lenses: focal length, f-number and back focus against their sources. Each forms a sharp image, which a wrong
-// digit would spoil.
+// The lenses of scenes/include/lenses against their sources. Each forms a sharp image, which a wrong digit would
+// spoil.
 
 #include <cmath>
 #include <fstream>

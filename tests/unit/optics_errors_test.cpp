@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Statements that no lens fulfils, and warnings. Any input yields a usable lens or an error in words.
+// Any input yields a usable lens or an error in words.
 
 #include <functional>
 #include <limits>
@@ -282,7 +282,6 @@ Request RequestOf(FocusFamily family, bool focalLength)
     return request;
 }
 
-/// Either an error or a lens with finite numbers.
 void ExpectErrorOrLens(const Request& request, bool errorWanted)
 {
     SCOPED_TRACE(testing::Message() << request);
@@ -329,7 +328,7 @@ TEST(BadNumbers, YieldAnErrorOrAUsableLens)
         }
 }
 
-TEST(Warnings, TurnsPast15DegreesAndOnlyThose)
+TEST(Warnings, NameTurnsPast15DegreesOnly)
 {
     Random random(9);
     for (int i = 0; i < 300; i++)
@@ -356,7 +355,7 @@ TEST(Warnings, TurnsPast15DegreesAndOnlyThose)
     EXPECT_NE(warnings[0].find("16.7"), std::string::npos) << warnings[0];
 }
 
-TEST(Warnings, ATiltWithoutAnAperture)
+TEST(Warnings, NameATiltWithoutAnAperture)
 {
     Request request = PlainRequest();
     request.given.fStop.reset();
@@ -372,7 +371,7 @@ TEST(Warnings, ATiltWithoutAnAperture)
 }
 
 /// The rim reaches radius * sin(turn) behind the lens centre, for any direction of the turn.
-TEST(Warnings, ARimThatPassesThroughTheFilm)
+TEST(Warnings, NameARimThatPassesThroughTheFilm)
 {
     Random random(10);
     for (int i = 0; i < 300; i++)

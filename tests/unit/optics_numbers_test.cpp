@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Signs of the angles, shifts, physical units, and the report's numbers, as the manual states them.
+// Signs of the angles, shifts, units, and the report's numbers, as the manual states them.
 
 #include <limits>
 #include <vector>

@@ -184,7 +184,7 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
         });
 }
 
-TEST_P(EveryFamily, HingeRule)
+TEST_P(EveryFamily, ObeysTheHingeRule)
 {
     ForMany(
         [](const Request& request, const Lens& lens)

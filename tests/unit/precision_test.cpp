@@ -89,7 +89,7 @@ struct Tally
     std::uint64_t rays = 0;
 };
 
-TEST(Precision, CamerasFromStatementToRay)
+TEST(Precision, CamerasKeepTheirDigitsFromStatementToRay)
 {
     // numbers of a scene count as exact, so that every family keeps all digits; the stress test tries ten million cameras
     Random random(22);

@@ -26,7 +26,6 @@ SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance)
 
 Radiance Grey(double value) { return {value, value, value, 0.0, 0.0}; }
 
-/// Sets each block's weight: 1 left of `x`, `right` from there on.
 void TryAll(ProgressEstimator& map, std::uint32_t x, double right)
 {
     while (const std::optional<ProgressEstimator::Probe> probe = map.NextProbe())

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_cameras.h
-/// Random solvable cameras of every family and both handednesses, printable for failures. Ranges exceed those of photography: angles of
-/// view from 10 to 100 degrees, lens turns up to 30 and planes of focus turned up to 75 degrees, focus from 5 to 10^4 focal lengths away,
-/// f/1 to f/32.
+/// Random solvable cameras of every family and both handednesses, printable for failures. Ranges exceed those of
+/// photography: angles of view from 10 to 100 degrees, lens turns up to 30 and planes turned up to 75 degrees. Focus
+/// from 5 to 10^4 focal lengths away, f/1 to f/32.
 
 #ifndef TILT_LENS_TESTS_RANDOM_CAMERAS_H
 #define TILT_LENS_TESTS_RANDOM_CAMERAS_H

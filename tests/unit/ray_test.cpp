@@ -30,7 +30,6 @@ struct LensCoordinates
 const LensCoordinates kLensPoints[] = {
     {0, 0}, {1, 0}, {0, 1}, {-0.6, 0.8}, {0.3, -0.4}, {-0.7, -0.7}};
 
-/// Calls check(request, lens, random) for random cameras of every family, with and without focal length.
 template <typename Check>
 void ForManyCameras(int count, Check check)
 {
@@ -227,8 +226,9 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
 
 TEST(Blur, IsTheEllipseOfTheTurnedDisc)
 {
-    // for a point Z on the axis, the film sees the disc, turned by theta, from the point's image: an ellipse with half axes v r / sqrt(1 -
-    // e^2) along the line that lens and film share and v r cos(theta) / (1 - e^2) across, where e = r sin(theta) (1/s - 1/Z + 1/Z_focus)
+    // for a point Z on the axis, the film sees the disc, turned by theta, from the point's image: an ellipse with half
+    // axes v r / sqrt(1 - e^2) along the line that lens and film share and v r cos(theta) / (1 - e^2) across. Here e =
+    // r sin(theta) (1/s - 1/Z + 1/Z_focus).
     ForManyCameras(2000,
         [](const Request&, const Lens& lens, Random& random)
         {

@@ -24,20 +24,20 @@ void ExpectSameAsSscanf(const std::string& text)
     EXPECT_EQ(0, std::memcmp(&expected, &value, sizeof value)) << text << ": " << value << " instead of " << expected;
 }
 
-TEST(ReadNumber, EveryFormInAScene)
+TEST(ReadNumber, EqualsSscanfForEveryForm)
 {
     for (const char* text : {"0", "5", "5.", "0.5", "007", "1e5", "1E5", "1e+5", "1e-5", "1.e3", "2.5e0", "0e0",
              "0.1000000000000000055511151231257827", "9007199254740993", "179769313486231580793728971405303415079934"})
         ExpectSameAsSscanf(text);
 }
 
-TEST(ReadNumber, IncompleteExponentsAndOverflow)
+TEST(ReadNumber, EqualsSscanfForIncompleteExponentsAndOverflow)
 {
     for (const char* text : {"1e", "1e+", "1.5E-", "1e999", "1e-999", "4.9e-324", "2e-324", "1.7976931348623159e308"})
         ExpectSameAsSscanf(text);
 }
 
-TEST(ReadNumber, RandomNumbers)
+TEST(ReadNumber, EqualsSscanfForRandomNumbers)
 {
     std::mt19937_64 random(5);
     for (int i = 0; i < 200000 && !testing::Test::HasFailure(); i++)

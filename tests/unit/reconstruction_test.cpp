@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The reconstruction: pixels without noise stay, noise is removed, edges remain, and the remaining variance is reported.
+// Pixels without noise stay, noise is removed, edges remain, and the remaining variance is reported.
 
 #include "tilt_lens/reconstruction/reconstruction.h"
 
@@ -26,7 +26,6 @@ struct Pixel
     double noise = 0.0;
 };
 
-/// A grey pixel with Gaussian noise of the given variance.
 Pixel Noisy(double truth, double variance, std::mt19937& random)
 {
     std::normal_distribution<double> normal(0.0, std::sqrt(variance));
@@ -38,7 +37,6 @@ Pixel Noisy(double truth, double variance, std::mt19937& random)
     return pixel;
 }
 
-/// A block and its neighbours, all in the picture.
 PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
 {
     std::array<BlockStatistics, 9> blocks;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file reference_camera.h
-/// An independent camera in any number type: plane of sharp focus as normal and distance, thin lens equation, intersection of chief ray and
-/// plane, ray through it. It shares no formula with the library beyond the laws of optics, and divides where the library does not, because
-/// its longer numbers tolerate that.
+/// An independent camera in any number type: plane of sharp focus as normal and distance, thin lens equation,
+/// intersection of chief ray and plane, ray through it. It shares no formula with the library beyond the laws of
+/// optics.
 
 #ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
 #define TILT_LENS_TESTS_REFERENCE_CAMERA_H
@@ -91,7 +91,6 @@ class ReferenceCamera
         Frame();
     }
 
-    /// The ray through the lens point (a, b) and the point of sharp focus of the film point (x, y).
     ReferenceRay<Real> Ray(double x, double y, double a, double b) const
     {
         const V chief = Chief(x, y), l = LensPoint(a, b);

@@ -1,8 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Properties of the sequence, not values: strata, reproducibility, independence, error. Tests of random quantities have fixed seeds and
-// bounds of the stated significance.
+// Properties of the sequence, not values. Tests of random quantities have fixed seeds and bounds of the stated
+// significance.
 
 #include "tilt_lens/sampling/sequence.h"
 
@@ -161,7 +161,7 @@ TEST(PixelSampler, ValuesDoNotDependOnTheOrderOfCalls)
 
 TEST(PixelSampler, TheSequenceIsThatOfTheReferenceImages)
 {
-    // The only test of values: any change of the sequence changes every picture with an aperture.
+    // Any change of the sequence changes every picture with an aperture.
     const struct
     {
         Pixel pixel;
@@ -238,8 +238,6 @@ TEST(PixelSampler, ScramblingIsOwens)
                 << "dimension " << d << ", samples " << pair[0] << " and " << pair[1];
         }
 }
-
-// ---- independence of pixels and seeds ---------------------------------------------------------
 
 /// An integrand with its exact mean.
 struct Integrand
@@ -383,8 +381,6 @@ TEST_P(SamplerIntegral, ErrorFallsFasterThanForRandomSamples)
     const bool smooth = GetParam().name == integrands[0].name;
     EXPECT_LT(slope, smooth ? -0.7 : -0.6) << "errors " << few << " and " << many;
 }
-
-// ---- the hash ---------------------------------------------------------------------------------
 
 TEST(PixelHash, IsTheSameFromTheSamplerAndTheFunction)
 {

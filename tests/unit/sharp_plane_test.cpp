@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_plane_test.cpp
-/// The plane of least greatest blur against brute force: of all sets of four, three and two points the one that no plane serves
-/// better than with the greatest deviation.
+/// The plane of least greatest blur against brute force: of all sets of four, three and two points, the one whose best
+/// plane has the greatest deviation.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,8 @@ std::string Listed(const std::vector<Vec3>& points)
 
 Real Volume(const RealVec& a, const RealVec& b, const RealVec& c) { return Dot(Cross(a, b), c); }
 
-/// The deviation that no plane can avoid on four equations: by Cramer's rule, where their directions are in general position.
+/// The least deviation on four equations that any plane has: by Cramer's rule, where their directions are in general
+/// position.
 Real DeviationOf(const Equations& e, const std::size_t (&at)[4])
 {
     const RealVec &a = e[at[0]].direction, &b = e[at[1]].direction, &c = e[at[2]].direction, &d = e[at[3]].direction;
@@ -80,7 +81,7 @@ std::vector<Vec3> RandomPoints(Random& random, int count, double width, double f
     return points;
 }
 
-/// Whether small changes of k in many directions leave the greatest residual no smaller.
+/// True if no small change of k, in many directions, lowers the greatest residual.
 void ExpectLocalMinimum(Random& random, const Equations& equations, const RealVec& k)
 {
     const Real least = GreatestResidual(equations, k);

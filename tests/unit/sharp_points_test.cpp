@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_points_test.cpp
-/// `sharp_points` as a whole camera solves it: the lens of least greatest blur, the widest aperture for a blur, and the lens without
-/// tilt.
+/// `sharp_points` as a whole camera solves it.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +40,6 @@ double GreatestOf(const Request& request)
     return GreatestBlur(SharpPointBlurs(request.camera.location, request.given, Solved(request)));
 }
 
-/// The same camera with its plane of sharp focus written out, turned and moved a little.
 Request Moved(Random& random, const Request& request, const Lens& lens, double size)
 {
     Request moved = request;
@@ -54,7 +52,6 @@ Request Moved(Random& random, const Request& request, const Lens& lens, double s
 
 } // namespace
 
-/// Whatever sets angle of view and diameter: also where focal length and film distance change with the plane.
 TEST(SharpPoints, NoOtherPlaneBlursLess)
 {
     Random random(1);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Samples spread over their circles of confusion: the circles' positions, and the shares sent and received.
+// Samples spread over their circles of confusion: positions, and shares sent and received.
 
 #include "tilt_lens/reconstruction/padded_spread.h"
 
@@ -194,7 +194,6 @@ TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
     }
 }
 
-/// Circles of all sizes and shapes, at edges of the picture.
 TEST(SpreadSums, AreTheSameWithAndWithoutAvx2)
 {
     if (!HasAvx2())
@@ -324,7 +323,6 @@ TEST(PaddedSpread, VarianceIsThatOfTheReceivedSamples)
             EXPECT_NEAR(received->variance[PaddedBlock::At(x, y)], 3.0 * 0.3 * 0.3, 1e-5) << x << ", " << y;
 }
 
-/// A surface is not brighter where more rays have hit it.
 TEST(PaddedSpread, SamplesOfNeighboursAreScaledToTheBlocksNumber)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tile_results.h
-/// Common to the tests of the sampling loop: simple light, and the results of a tile.
+/// Simple light, and the results of a tile, for the tests of the sampling loop.
 
 #ifndef TILT_LENS_TESTS_TILE_RESULTS_H
 #define TILT_LENS_TESTS_TILE_RESULTS_H
@@ -27,13 +27,11 @@ inline double Noise(const SampleId& id, std::uint32_t salt)
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
 }
 
-/// The sequence point of a sample.
 inline SequencePoint SequencePointOf(const SampleId& id)
 {
     return PixelSampler(id.x, id.y, 0)(id.index);
 }
 
-/// Traces a single sample.
 inline void TraceOne(const Tracer& trace, const SampleId& id, SampleResult& light)
 {
     trace.Trace({id, 1}, &light);
@@ -69,7 +67,6 @@ struct Result
     }
 };
 
-/// Results of the tile's pixels, row by row.
 inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, const Tracer& trace)
 {
     sampler.Run(tile, trace);

@@ -97,7 +97,6 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
 // a picture of 45 by 37 pixels: no multiple of a block
 constexpr std::uint32_t kWidth = 45, kHeight = 37;
 
-/// Minima and kinds of light, with and without the reconstruction.
 struct Way
 {
     std::uint32_t min;

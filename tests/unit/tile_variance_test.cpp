@@ -127,11 +127,11 @@ Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_
     return score;
 }
 
-class VarianceAskedFor : public testing::TestWithParam<double>
+class RequestedVariance : public testing::TestWithParam<double>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(TileSampler, VarianceAskedFor, testing::Values(1e-3, 1e-4, 1e-5));
+INSTANTIATE_TEST_SUITE_P(TileSampler, RequestedVariance, testing::Values(1e-3, 1e-4, 1e-5));
 
 Score ReportedScoreOf(const Picture& picture, double V)
 {
@@ -144,7 +144,7 @@ Score ReportedScoreOf(const Picture& picture, double V)
     return s;
 }
 
-TEST_P(VarianceAskedFor, IsGot)
+TEST_P(RequestedVariance, IsKept)
 {
     const double V = GetParam();
     for (const Picture& picture : kPictures)
@@ -155,14 +155,14 @@ TEST_P(VarianceAskedFor, IsGot)
     }
 }
 
-TEST_P(VarianceAskedFor, IsNotFarExceededForIndependentNoise)
+TEST_P(RequestedVariance, IsNearlyUsedUpByIndependentNoise)
 {
     EXPECT_GE(ReportedScoreOf(kPictures[0], GetParam()).MeanErrorAboveMin(), GetParam() / 4);
 }
 
 // A round doubles the samples. In smooth light that divides the variance by eight, so the last round may be far better than necessary;
 // otherwise it must not be.
-TEST_P(VarianceAskedFor, IsNotFarExceededForStratifiedSamples)
+TEST_P(RequestedVariance, IsNearlyUsedUpByStratifiedSamples)
 {
     for (const Picture& picture : kPictures)
     {
@@ -175,21 +175,21 @@ TEST_P(VarianceAskedFor, IsNotFarExceededForStratifiedSamples)
 }
 
 // The first samples of most pixels and their neighbours miss the lamp, but spread samples reveal it.
-TEST_P(VarianceAskedFor, IsGotWhereOneSampleInAHundredMatters)
+TEST_P(RequestedVariance, IsKeptWhereOneSampleInAHundredMatters)
 {
     const Score s = ReportedScoreOf(kLamp, GetParam());
     EXPECT_LE(s.MeanError(), 1.2 * GetParam());
     EXPECT_LE(s.Beyond(), 0.05);
 }
 
-/// Weak noise, with strong noise in every fourth column.
+/// Strong noise in every fourth column.
 void Columns(const SampleId& id, SampleResult& light)
 {
     light = Grey(0.5 + (id.x % 4 == 0 ? 0.8 : 0.08) * (Noise(id, 1) - 0.5));
 }
 
 // Rays proportional to the standard deviation, not the variance: the same error with fewer rays.
-TEST_P(VarianceAskedFor, NoisyPixelsAmongQuietOnesKeepMoreVariance)
+TEST_P(RequestedVariance, IsExceededByNoisyPixelsAmongQuietOnes)
 {
     const double V = GetParam();
     const Picture columns = {"columns", Columns, Half};

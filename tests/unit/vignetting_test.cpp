@@ -108,7 +108,6 @@ TEST(OpticalVignetting, OpenShareIsTheOverlapOfTwoCircles)
     }
 }
 
-/// Intersects the ray itself with the rim's plane.
 TEST(OpticalVignetting, PassesRaysWithinTheRim)
 {
     const Lens lens = LensOf(6.0, 4.0);

@@ -39,7 +39,6 @@ def seconds(text):
 
 
 def common_options(kind):
-    """Options of all kinds of batches."""
     kind.add_argument("scene", help="the scene file")
     kind.add_argument(
         "--bands",
@@ -73,7 +72,6 @@ def common_options(kind):
 
 
 def course_options(kind):
-    """Options for running and finishing."""
     kind.add_argument(
         "--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)"
     )
@@ -93,7 +91,6 @@ def course_options(kind):
 
 
 def site_options(kind):
-    """Options for Slurm."""
     site = kind.add_argument_group("Slurm")
     for name in ("partition", "time", "account"):
         site.add_argument(f"--{name}", metavar=name.upper(), help=f"as for sbatch --{name}")
@@ -146,7 +143,7 @@ def parser():
 
 
 def finish(work, description):
-    """The last step: puts remaining pictures together and makes the contact sheet. Returns complaints."""
+    """Puts remaining pictures together and makes the contact sheet. Returns complaints."""
     bands = len(description["key"]["bands"])
     complaints = []
     for name in work.names("running"):  # of killed workers: none is running any more
@@ -169,7 +166,6 @@ def finish(work, description):
 
 
 def make_sheet(work, description):
-    """Makes the contact sheet unless it exists."""
     record = work.folder / "sheet.json"
     try:
         with locked(work.folder / "sheet.lock"):
@@ -210,7 +206,7 @@ def work_through(work, description, settings, engine):
 
 
 def tasks_of(description, missing, settings, engine):
-    """Groups units into tasks: short units together, so that a task is worth seconds, but enough tasks for all workers."""
+    """Short units together, so that a task is worth seconds, but enough tasks for all workers."""
     estimate, bands = description["estimate"], len(description["key"]["bands"])
     seconds = estimate["picture"] / bands + estimate["start"]
     parallel = engine.workers(settings, description["threads"])
@@ -245,7 +241,7 @@ def report(work, description, complaints, elapsed):
 
 
 def afterwards(work, description, command):
-    """Runs the user's command after a complete batch; returns 1 if it fails."""
+    """The user's command after a complete batch; returns 1 if it fails."""
     if not command:
         return 0
     names = {"BATCH_OUTPUT": description["output"], "BATCH_WORK": str(work.folder)}
@@ -256,7 +252,6 @@ def afterwards(work, description, command):
 
 
 def batch(settings, words):
-    """One call of the command."""
     if not settings.povray:
         raise UsageError("no program: give --povray PROGRAM, or call ./batch of the repository.")
     begun = time.monotonic()
@@ -299,7 +294,6 @@ def watch(work, jobs, settings):
 
 
 def last_step(folder):
-    """The job that depends on the array."""
     work = Work(folder)
     description = read_json(work.description)
     code = report(work, description, finish(work, description), time.time() - description["begun"])
@@ -308,7 +302,7 @@ def last_step(folder):
 
 
 def main(words):
-    """Runs the command line. A user's mistake is reported in one message."""
+    """A user's mistake is reported in one message."""
     if words[:1] == ["task"]:
         return task.run(words[1], int(words[2]))
     if words[:1] == ["finish"]:

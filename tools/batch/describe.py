@@ -18,7 +18,6 @@ MESSAGE_LINES = 12
 
 
 def say(text):
-    """Prints a remark for the user."""
     print(text, file=sys.stderr)
 
 
@@ -106,7 +105,6 @@ class Request:
         }
 
     def description(self):
-        """The description without the results of the probe."""
         return {
             "key": self.key(),
             "input": keys.Links.UP + self.inputs.file,
@@ -173,7 +171,7 @@ def changed_by_units(work):
 
 
 def begin(work, request, engine):
-    """A new batch: probes the scene and chooses the bands."""
+    """Probes the scene and chooses the bands."""
     description = request.description()
     key = description["key"]
     work.make()
@@ -192,7 +190,7 @@ def begin(work, request, engine):
 
 
 def output_can_be_written(folder):
-    """Checks before hours of rendering rather than after."""
+    """Before hours of rendering rather than after."""
     try:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:
@@ -202,7 +200,6 @@ def output_can_be_written(folder):
 
 
 def lock_of_output(kind, output, pictures):
-    """The lock file beside the pictures."""
     return pathlib.Path(output) / (f".{pictures[0]['name']}.lock" if kind == "still" else ".batch.lock")
 
 
@@ -215,7 +212,8 @@ def has_jobs(folder):
 
 
 def leave_output(work, description):
-    """Removes the lock that a call left for its jobs. Called by the last job; a waiting call removes its lock itself."""
+    """Removes the lock that a call left for its jobs. Called by the last job; a waiting call removes its lock
+    itself."""
     key, own = description["key"], str(work.folder)
     path = lock_of_output(key["kind"], description["output"], key["pictures"])
     if path.exists():
@@ -238,7 +236,7 @@ def output_alone(work, request):
 
 
 def choose_bands(request, probe, size, engine):
-    """Number of bands per picture: as requested, or enough to keep the workers busy while each is worth its start."""
+    """As requested, or enough to keep the workers busy while each band is worth its start."""
     asked, count = request.settings.bands, len(request.pictures)
     if asked == 1:
         return {"picture": 0.0, "start": 0.6}, 1
@@ -271,7 +269,7 @@ def choose_bands(request, probe, size, engine):
 
 
 def refuse_foreign(work):
-    """Refuses a work folder with foreign contents, so that none are overwritten or removed."""
+    """Foreign contents are neither overwritten nor removed."""
     if work.folder.exists():
         foreign = sorted(set(os.listdir(work.folder)) - work.names_in_it())
         if foreign:

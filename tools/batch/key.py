@@ -22,7 +22,6 @@ class Links:
         self.targets = dict(targets)
 
     def make(self, folder):
-        """Makes the links, and replaces those that lead elsewhere."""
         for name, target in self.targets.items():
             link = folder / name
             if link.is_symlink() and os.readlink(link) == target:
@@ -68,8 +67,8 @@ def file_stamp(path):
 
 
 def change_stamps(paths):
-    """Path -> stamp that differs after any change of a file or its name, None for no file. Includes the time of the last change of the
-    directory entry, which cannot be set back even by restoring contents and times."""
+    """Path -> stamp that differs after any change of a file or its name, None for no file. Includes the time of the
+    last change of the directory entry, which even restored contents and times do not set back."""
     stamps = {}
     for path in paths:
         try:
@@ -80,25 +79,23 @@ def change_stamps(paths):
 
 
 def changed_since(path, before, moment):
-    """True if a file may have changed since its stamp was taken; without a stamp, since a moment (seconds of the epoch) by the file
-    system's clock, which may be some milliseconds late."""
+    """True if a file may have changed since its stamp was taken. Without a stamp: since a moment (seconds of the
+    epoch) by the file system's clock, which may be some milliseconds late."""
     if path in before:
         return change_stamps([path]) != {path: before[path]}
     return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9
 
 
 def hashes(paths):
-    """Path -> SHA-256."""
     return {path: sha256(path) for path in sorted(paths)}
 
 
 def key_hash(key):
-    """Hash of the whole key."""
     return hashlib.sha256(json.dumps(key, sort_keys=True).encode()).hexdigest()
 
 
 def changed_files(files, missing):
-    """Changes of files for the user, one line each."""
+    """One line each, for the user."""
     for path, old in sorted(files.items()):
         try:
             new = sha256(path)
@@ -129,7 +126,6 @@ TEXTS = {
 
 
 def short(value):
-    """A value in a message."""
     if value is None:
         return "not set"
     text = value if isinstance(value, str) else json.dumps(value)
@@ -145,7 +141,7 @@ def first_difference(these, those):
 
 
 def changed_settings(old, new):
-    """Changes of the rest of the key, one line each."""
+    """Changes of the other settings, one line each, for the user."""
     for name, text in TEXTS.items():
         if old.get(name) != new.get(name):
             was, now = old.get(name), new.get(name)

@@ -15,18 +15,15 @@ from tools.repository import LAUNCHER
 
 
 def workers(settings, threads):
-    """Number of simultaneous POV-Rays."""
     return settings.workers or max(1, len(os.sched_getaffinity(0)) // threads)
 
 
 def check():
-    """Reports missing programs before anything is started."""
     if shutil.which("parallel") is None:
         raise BatchError("GNU parallel is missing (Debian package parallel).")
 
 
 def invocation(work, description, settings):
-    """Command line and environment of parallel."""
     count = workers(settings, description["threads"])
     # exec makes parallel the worker's parent; names reach the shell through the environment, so that they may contain any characters
     command = [
@@ -54,8 +51,8 @@ def invocation(work, description, settings):
 
 
 def run(work, description, tasks, settings, progress):
-    """Runs the tasks to their end. Every process dies with its parent, down to POV-Ray, so that neither Ctrl-C nor the death of this
-    process leaves any running."""
+    """Every process dies with its parent, down to POV-Ray, so that neither Ctrl-C nor the death of this process
+    leaves any running."""
     command, env = invocation(work, description, settings)
     with open(work.logs / "parallel.log", "ab") as log:
         process = subprocess.Popen(
@@ -78,7 +75,7 @@ def run(work, description, tasks, settings, progress):
 
 
 def end(process):
-    """Ends parallel; the kernel ends its workers and their POV-Rays with it."""
+    """The kernel ends parallel's workers and their POV-Rays with it."""
     process.send_signal(signal.SIGKILL)
     process.wait()
-    time.sleep(0.3)  # lets the last of them end before the user reads that all have stopped
+    time.sleep(0.3)  # until the last of them has ended

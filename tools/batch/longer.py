@@ -21,7 +21,7 @@ IN_INI = re.compile(r"^\s*([+-]K|\w+_Clock|Cyclic_Animation)", re.IGNORECASE | r
 
 
 def single(value):
-    """The number in single precision, as in POV-Ray's options."""
+    """Single precision, as in POV-Ray's options."""
     return struct.unpack("f", struct.pack("f", value))[0]
 
 
@@ -38,7 +38,6 @@ class Clock:
                     setattr(self, name, self.number(found))
 
     def number(self, found):
-        """The value of an option."""
         try:
             return single(float(found.group(1) or found.group(2)))
         except (TypeError, ValueError, OverflowError):
@@ -66,7 +65,6 @@ def code_of(path):
 
 
 def files_of(work, key):
-    """All files that the finished frames have read."""
     files = set(key["files"])
     for name in work.names("done"):
         files |= set((read_json(work.record("done", name)) or {"read": {}})["read"])
@@ -74,7 +72,6 @@ def files_of(work, key):
 
 
 def sets_clock(inputs):
-    """True if an ini file sets the clock."""
     targets = inputs.links.targets
     inis = [targets[name] for name in targets if name.startswith("options")] + [inputs.ini] * bool(inputs.ini)
     return any(IN_INI.search(read_ini(path)) for path in inis)

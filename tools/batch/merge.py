@@ -50,7 +50,7 @@ def band_records(work, key, picture):
 
 
 def join(folder, bands, width, target):
-    """Joins files: crops each band's rows from its full frame and pastes them, all channels, with exact values."""
+    """Crops each band's rows from its full frame and pastes them, all channels, with exact values."""
     words = ["--no-autopremult", "--nosoftwareattrib"]
     for path, (first, last) in bands:
         words += [path, "--crop", f"{width}x{last - first + 1}+0+{first - 1}"]
@@ -76,7 +76,7 @@ def paste(work, key, records, rest, target):
 
 
 def deliver(source, target):
-    """Moves a file to its place in one step, without a copy if that is on the same file system."""
+    """In one step, without a copy if that is on the same file system."""
     target.parent.mkdir(parents=True, exist_ok=True)
     new = target.parent / f".new.{os.getpid()}.{source.name}"
     try:
@@ -134,7 +134,6 @@ def merge_picture(work, description, picture):
 
 
 def free_space(work, key, picture):
-    """Removes the parts of a delivered picture."""
     for band in range(len(key["bands"])):
         shutil.rmtree(
             work.unit(unit_name(picture * len(key["bands"]) + band, len(key["bands"]))), ignore_errors=True
@@ -146,12 +145,11 @@ def free_space(work, key, picture):
 
 @functools.lru_cache(maxsize=None)
 def hash_now(path, *_):
-    """Hash of a file, computed once per process while its stamp stays."""
+    """Computed once per process while the file's stamp stays."""
     return sha256(path)
 
 
 def is_merged(work, description, picture):
-    """True if the picture is in its place, as delivered."""
     told = read_json(work.record("merged", f"{picture:05d}"))
     if not told:
         return False

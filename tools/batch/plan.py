@@ -17,7 +17,7 @@ from tools.batch.store import BatchError, sha256
 BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on their boundaries
 TALL = 256  # rows of a band, if there is a choice: each edge costs 15 to 20 rows in a blurred picture
 POVINC = "povinc"  # link to the folder in the variable POVINC; POV-Ray searches it before those of +L
-MOST_VALUES = 100000  # of a range in --set; each is a picture
+MOST_VALUES = 100000  # of a range in --set
 SECONDS_A_TASK = 5.0  # least worth of a task, ten times the cost of starting POV-Ray
 DEFAULT_INI = (
     "./povray.ini",
@@ -103,7 +103,6 @@ def parse_sets(words):
 
 
 def pictures(kind, stem, extension, frames=1, sets=()):
-    """All pictures of the batch: file name, POV-Ray's options, frame number, label."""
     if kind == "film":
         digits = max(4, len(str(frames)))
         return [
@@ -141,7 +140,6 @@ def cut_bands(height, count):
 
 
 def unit_name(number, bands):
-    """Name of a unit from picture and band."""
     return f"{number // bands:05d}.{number % bands:04d}"
 
 
@@ -214,7 +212,7 @@ class Inputs:
         targets[f"options{i}.ini"] = ini
 
     def write(self, work):
-        """Makes the links, and the ini file that POV-Ray reads first: the user's, after the user's current folder."""
+        """The ini file that POV-Ray reads first: the user's, after the user's current folder."""
         self.links.make(work.inputs)
         text = f'Library_Path="{Links.UP}here"\n'
         if self.ini:

@@ -85,7 +85,6 @@ class PovOptions:
             )
 
     def add_switch(self, word):
-        """An option such as +W640."""
         body = word[1:]
         upper = body.upper()
         for switch, instead in REFUSED_SWITCHES.items():
@@ -105,7 +104,6 @@ class PovOptions:
             self.words.append(word)
 
     def add_named(self, word, name, value):
-        """An option such as Width=640."""
         if name in REFUSED_NAMES and not (
             name == "dither" and value.lower() in ("off", "false", "no", "0")
         ):
@@ -134,7 +132,6 @@ class PovOptions:
         self.words.append(f"+F{value.upper()}")
 
     def set_threads(self, word, value):
-        """Threads of one POV-Ray."""
         if not value.isdigit() or int(value) < 1:
             raise BatchError(f"{word!r}: expected a number of threads, as in +WT1.")
         self.threads = int(value)

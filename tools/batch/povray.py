@@ -19,12 +19,11 @@ STATE_HEADER = 512
 
 
 def ending_with_parent(command):
-    """The command wrapped so that the kernel kills it when this process dies."""
+    """The kernel kills the command when this process dies."""
     return ["setpriv", "--pdeathsig", "KILL", *command]
 
 
 def version(program):
-    """The first lines of `povray --version`."""
     try:
         done = subprocess.run(
             [program, "--version"],
@@ -42,7 +41,7 @@ def version(program):
 
 
 def arguments(description, picture, rows, size=None):
-    """POV-Ray's arguments for some rows of a picture; `size` for a small version of it."""
+    """Arguments for some rows of a picture; `size` for a small version of it."""
     key = description["key"]
     words = [*key["options"], *picture["options"]]
     words += [f"+I{description['input']}", *(f"+L../../inputs/{name}" for name in description["searched"])]
@@ -77,7 +76,6 @@ def environment(links):
 
 
 def state_file(folder):
-    """POV-Ray's state file, or None."""
     return next(iter(sorted(folder.glob(f"{PICTURE}*.pov-state"))), None)
 
 
@@ -104,7 +102,8 @@ def whole_messages(data, trusted):
 
 
 def prepare_state(folder):
-    """Truncates the state file to its reliable part; returns its length in bytes, 0 if there is nothing to continue from."""
+    """Truncates the state file to its reliable part; returns its length in bytes, 0 if there is nothing to continue
+    from."""
     path = state_file(folder)
     if path is None:
         return 0
@@ -173,7 +172,6 @@ def image_info(path):
 
 
 def needed_programs():
-    """Raises an error for a missing program."""
     for name, package in (("setpriv", "util-linux"), ("oiiotool", "openimageio-tools")):
         if shutil.which(name) is None:
             raise BatchError(f"{name} is missing on {os.uname().nodename} (Debian package {package}).")

@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Probes a scene before the batch: does it parse, which files does it read, how large is the picture, how long will it take, and do its
-pixels depend on the rows that are rendered together?
+"""Probes a scene before the batch: parsing, files, size, time, and whether pixels depend on the rows that are rendered
+together.
 
-Only the last question needs more than one small render. Radiosity and stock's jittered area lights depend on the rows; the samples of a
-tilt_lens picture never do."""
+Only the last needs more than one small render. Radiosity and stock's jittered area lights depend on the rows; the
+samples of a tilt_lens picture never do."""
 
 import itertools
 import re
@@ -76,7 +76,7 @@ class Probe:
             print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
     def picture_size(self):
-        """Size of the whole picture, from a render of two pixels, whose file list goes into the key."""
+        """From a render of two pixels, whose file list goes into the key."""
         folder, _, _ = self.render("whole", (1, 2))
         return povray.image_info(self.output(folder))["size"]
 
@@ -129,7 +129,7 @@ def trace_seconds(text):
 
 
 def told(text):
-    """The lines of a failed render's log that tell the reason."""
+    """Lines of a failed render's log with the reason."""
     lines = [line for line in text.replace("\r", "\n").splitlines() if line.strip()]
     errors = [i for i, line in enumerate(lines) if re.search(r"error", line, re.IGNORECASE)]
     first = max(0, errors[0] - 4) if errors else -8

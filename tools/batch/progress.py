@@ -16,7 +16,6 @@ LONG = 600  # seconds after which a running unit deserves a hint
 
 
 def span(seconds):
-    """A duration for people."""
     seconds = int(round(seconds))
     if seconds < 90:
         return f"{seconds} s"
@@ -60,13 +59,11 @@ class Running:
         self.seconds = max(0.0, time.time() - self.since)
 
     def percent(self):
-        """POV-Ray's progress, or None."""
         lines = log_end(self.log, 1, self.begins) if self.log else [""]
         found = re.findall(r"\((\d+)%", lines[0] if lines else "")
         return int(found[-1]) if found else None
 
     def text(self):
-        """For the progress line."""
         percent = self.percent()
         return f"{self.label} ({span(self.seconds)}" + (")" if percent is None else f", {percent}%)")
 

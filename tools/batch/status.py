@@ -5,7 +5,7 @@
     {"kind": "film", "output": "/home/me/film", "complete": false, "done": 1, "running": 1, "failed": 0, "waiting": 46,
      "units": [{"picture": "film0001.png", "rows": [1, 360], "state": "done", "host": "n1", "seconds": 12.5, "log": ...}]}
 
-`state` is waiting, running, done or failed; `percent` (running) is what POV-Ray reported last, `reason` (failed) the message.
+`state` is waiting, running, done or failed; `percent` (running) is POV-Ray's last report, `reason` (failed) the message.
 """
 
 import json
@@ -17,7 +17,6 @@ from tools.batch.store import UsageError, Work, read_json
 
 
 def unit(work, description, state, number):
-    """The entry of one unit."""
     key = description["key"]
     bands = len(key["bands"])
     name = unit_name(number, bands)
@@ -35,7 +34,6 @@ def unit(work, description, state, number):
 
 
 def show(folder):
-    """Prints the JSON; the exit code is 0."""
     folder = os.path.abspath(folder)
     found = [name for name in (folder, folder + ".batch") if read_json(Work(name).description)]
     if not found:

@@ -4,7 +4,7 @@
 
 The work folder:
 
-    batch.json          what this batch is: its key (see key.py), its units and tasks
+    batch.json          the key (see key.py), units and tasks
     lock                held by the front end
     inputs/             links to the scene, its folder and other folders, under names that POV-Ray can take
     units/PPPPP.BBBB/   one folder for band B of picture P: POV-Ray runs in it
@@ -186,7 +186,6 @@ class Work:
         }
 
     def clear(self):
-        """Empties the folder except for the lock that this call holds."""
         for name in self.names_in_it() - {"lock"}:
             path = self.folder / name
             if path.is_dir() and not path.is_symlink():
@@ -199,7 +198,6 @@ class Work:
         return self.units / name
 
     def record(self, state, name):
-        """The file that marks a unit as running, done..."""
         return self.folder / state / f"{name}.json"
 
     def names(self, state):

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs one task: renders its units in turn, checks each, and joins each picture whose last band it has finished. Any number of tasks may
-share a work folder; a unit that is done or locked is not started again. The death of a worker (a kill, a lost node) loses only the current
-tile: POV-Ray dies with it, and its state file is continued."""
+"""Runs one task: renders its units in turn, checks each, and joins each picture whose last band it has finished.
+Tasks may share a work folder; a unit that is done or locked is not started again. The death of a worker (a kill, a
+lost node) loses only the current tile: POV-Ray dies with it, and its state file is continued."""
 
 import contextlib
 import fcntl
@@ -68,7 +68,6 @@ class Unit:
         self.process = None
 
     def say(self, text):
-        """A line in the task's log."""
         with open(self.log, "a", encoding="utf-8", errors="surrogateescape") as stream:
             stream.write(f"--- {time.strftime('%H:%M:%S')} unit {self.name}: {text}\n")
 
@@ -77,7 +76,7 @@ class Unit:
         return {"log": str(self.log), "begins": self.begins}
 
     def do(self):
-        """Renders the unit unless it is done, with a bounded number of tries."""
+        """With a bounded number of tries, unless the unit is done."""
         if self.work.record("done", self.name).exists():
             return True
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -205,7 +204,6 @@ def end_when_asked(unit):
 
 
 def run(folder, task):
-    """Runs a task. The exit code is 0 if every unit has succeeded or failed for good, so that a repetition is useless."""
     work = Work(pathlib.Path(folder))
     description = read_json(work.description)
     if description is None:

@@ -36,7 +36,6 @@ def variants(stem, scene, variable, values, size=SMALL):
 
 
 def same(values):
-    """Names that are the values."""
     return {str(value): value for value in values}
 
 
@@ -69,7 +68,6 @@ ANTIALIASED = {"shift.pov"}  # no aperture, hence one ray per pixel
 
 
 def scenes(folder):
-    """Writes the named scenes of the manual into the folder."""
     text = MANUAL.read_text()
     for example in pages.examples_of(pages.blocks_of(MANUAL.name, text)):
         if example.name:
@@ -83,7 +81,6 @@ def layer_commands():
 
 
 def render(povray, folder, scene, options, size, output):
-    """Renders a scene; returns the program's messages."""
     command = [povray, f"+I{scene}", f"+O{output}", f"+W{size[0]}", f"+H{size[1]}", "-D", "-P",
                f"+L{ROOT / 'scenes' / 'include'}", *options]
     done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -95,7 +92,7 @@ def render(povray, folder, scene, options, size, output):
 
 
 def make_pictures(povray, names):
-    """Renders the pictures of these names, or all pictures if no name is given."""
+    """All pictures if no name is given."""
     unknown = set(names) - set(MADE)
     if unknown:
         sys.exit(f"no such picture: {', '.join(sorted(unknown))}. Known: {', '.join(MADE)}")
@@ -117,7 +114,7 @@ def make_pictures(povray, names):
 
 
 def quality_table(povray):
-    """Measures the table of qualities: samples, the noise that the program reports, CPU time of one thread."""
+    """Samples, noise that the program reports, CPU time of one thread."""
     rows = ["| `Declare=Step=` | samples per pixel: mean, 99%, most | `Standard error` | CPU time, relative |",
             "| --- | --- | --- | --- |"]
     first = 0.0
@@ -138,7 +135,7 @@ def quality_table(povray):
 
 
 def make_drawings(names, folder=DRAWINGS):
-    """Plots the drawings of these names, or all drawings if no name is given; returns their names."""
+    """All drawings if no name is given; returns their names."""
     if shutil.which("gnuplot") is None:
         sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
     scripts = {script.stem: script for script in sorted(SCRIPTS.glob("*.gp")) if script.stem != "common"}

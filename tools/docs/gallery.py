@@ -33,8 +33,6 @@ COLUMNS = ["scene", "width", "height", "cpu_seconds", "samples_per_pixel", "stan
 
 @dataclasses.dataclass
 class Scene:
-    """A scene of the gallery and the options of its command."""
-
     name: str
     options: list
 
@@ -53,7 +51,6 @@ def read_scene(path):
 
 
 def all_scenes():
-    """Every scene of the folder, by name."""
     return {path.stem: read_scene(path) for path in sorted(SCENES.glob("*.pov"))}
 
 
@@ -64,7 +61,6 @@ def small(options):
 
 
 def number(pattern, text, what):
-    """The first group of the pattern, as it was printed."""
     found = re.search(pattern, text)
     if not found:
         sys.exit(f"povray did not report {what}:\n{text[-1500:]}")
@@ -103,7 +99,6 @@ def make_thumbnail(picture, scene):
 
 
 def read_table():
-    """The rows so far, by scene."""
     if not TABLE.exists():
         return {}
     with TABLE.open(newline="") as file:
@@ -111,7 +106,6 @@ def read_table():
 
 
 def write_table(rows):
-    """Writes the rows into the CSV file and into the page."""
     with TABLE.open("w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()

@@ -35,7 +35,6 @@ def lenses():
 
 
 def make(povray, names):
-    """Renders the portraits of these lenses."""
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)

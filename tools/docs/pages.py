@@ -34,8 +34,6 @@ class BadPage(Exception):
 
 @dataclasses.dataclass
 class Block:
-    """Code between fences."""
-
     page: str
     line: int  # of the fence
     language: str
@@ -43,7 +41,6 @@ class Block:
     marker: tuple  # (word, rest) of the comment above, or None
 
     def place(self):
-        """For messages."""
         return f"{self.page}:{self.line}"
 
 
@@ -58,7 +55,6 @@ class Example:
 
 
 def blocks_of(page, text):
-    """All fenced blocks of a page."""
     blocks, lines, number = [], text.split("\n"), 0
     while number < len(lines):
         fence = FENCE.match(lines[number])
@@ -79,7 +75,6 @@ def blocks_of(page, text):
 
 
 def example_of(block):
-    """The example in a ```povray block."""
     whole = re.search(r"^\s*#version", block.text, re.MULTILINE)
     if whole:
         named = re.match(r"//\s*(\w[\w.-]*\.pov)\b", block.text)

@@ -22,7 +22,6 @@ namespace refocus
 
 using Vec3 = std::array<double, 3>;
 
-/// An error that the user can mend.
 struct Mistake : std::runtime_error
 {
     using std::runtime_error::runtime_error;
