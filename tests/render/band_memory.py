@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Layers of a band of a huge picture take memory for the band, not for the picture."""
 
-import os
 import pathlib
 import tempfile
 import unittest
 
 from tests.render import rendering, scenes
+from tools import povray_run
 
 SIZE = {"width": 6000, "height": 3000}
 BAND = ("+SR1000", "+ER1003", "+WT1")
@@ -20,14 +20,8 @@ def memory(*options):
     """Peak memory of POV-Ray, in bytes."""
     job = rendering.Job(SCENE, (*BAND, *options), **SIZE)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        process = job.start(pathlib.Path(name))
-        said = process.stdout.read().decode(errors="replace")
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        process.stdout.close()
-    if process.returncode:
-        raise AssertionError(f"exit code {process.returncode}\n{job.told()}{said[-1500:]}")
-    return 1024 * used.ru_maxrss
+        job.write(pathlib.Path(name))
+        return povray_run.run(job.command(), name).succeeded().memory
 
 
 class BandMemory(unittest.TestCase):

@@ -10,8 +10,8 @@ import re
 import tempfile
 
 from tests.render import rendering, scenes
+from tools.povray_run import INCLUDE
 
-INCLUDE = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "include"
 LENSES = INCLUDE / "lenses"
 WIDTH, HEIGHT = 48, 32
 SIZE = {"width": WIDTH, "height": HEIGHT, "extension": "exr"}

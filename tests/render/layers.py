@@ -3,7 +3,6 @@
 """Output_Layers: the values of the OpenEXR file beside the picture, and its safety against loss and damage."""
 
 import math
-import os
 import pathlib
 import re
 import shlex
@@ -12,7 +11,6 @@ import subprocess
 import tempfile
 
 from tests.render import rendering, scenes
-from tests.waiting import PATIENCE
 from tools.repository import ROOT
 
 SIZE = {"width": 67, "height": 45}
@@ -251,7 +249,7 @@ class Files(rendering.RenderTest):
 
     def test_beside_an_exr_picture(self):
         seen = Rendered(scenes.TILTED, extension="exr")
-        self.assertEqual(seen.files, ["none.ini", "picture.exr", "picture.layers.exr", "scene.pov"])
+        self.assertEqual(seen.files, ["picture.exr", "picture.layers.exr", "scene.pov"])
 
     def test_a_file_for_each_frame(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -270,12 +268,9 @@ class Files(rendering.RenderTest):
             if prepare:
                 prepare(folder)
             job = rendering.Job(scenes.TILTED, ("+N", "+Oout/picture.png", *options))
-            (folder / "scene.pov").write_text(rendering.HEAD + job.scene)
-            (folder / "none.ini").write_text("")
-            done = subprocess.run(job.command(), cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE, check=False,
-                                  env={**os.environ, "POVINI": str(folder / "none.ini")})
-            said = re.sub(r"\s+", " ", done.stderr.decode(errors="replace"))
-            self.assertNotEqual(done.returncode, 0, said)
+            code, said = job.attempt(folder)
+            said = re.sub(r"\s+", " ", said)
+            self.assertNotEqual(code, 0, said)
             self.assertEqual([p.name for p in (folder / "out").iterdir() if p.is_file() and p.suffix != ".pov-state"], [], said)
             return said
 

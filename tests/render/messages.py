@@ -4,10 +4,10 @@
 
 import pathlib
 import re
-import subprocess
 import tempfile
 
 from tests.render import rendering, scenes
+from tools import povray_run
 
 STOCK = f"camera {{ {scenes.VIEW}aperture 0.3 blur_samples 9 }}\n" + scenes.WORLD
 FILM = scenes.camera("film_width 24 shift <3, -2>")
@@ -62,7 +62,7 @@ class Report(rendering.RenderTest):
         self.assertRegex(said, r"of CPU on 1 thread\n")
 
     def test_help_lists_own_options(self):
-        said = subprocess.run([rendering.SETTINGS.povray, "--help"], capture_output=True, text=True, check=True).stderr
+        said = povray_run.run([rendering.SETTINGS.povray, "--help"]).succeeded().said
         for option in ("+N, Output_Layers=on", "+FE32, Bits_Per_Color=32"):
             self.assertIn(option, said)
 

@@ -28,7 +28,7 @@ class Refused(rendering.RenderTest):
                 code, said, files = run(scene, *options)
                 self.assertEqual(code, 1, said)
                 self.assertEqual(said.count(message), 1, said)
-                self.assertEqual(files, ["none.ini", "scene.pov"], said)
+                self.assertEqual(files, ["scene.pov"], said)
 
     def test_end_before_start(self):
         self.check(("+SC50", "+EC20"), "Start_Column=50 and End_Column=20 mean columns 50 to 20 of 64.")
@@ -128,7 +128,7 @@ class Quiet(rendering.RenderTest):
 
     def test_no_settings_of_the_user(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name, unittest.mock.patch.dict(os.environ, {"HOME": name}):
-            for home in (name, f"{name}/none.ini"):  # a folder without settings, and a name that is no folder
+            for home in (name, f"{name}/nothing"):  # a folder without settings, and a name that is no folder
                 with unittest.mock.patch.dict(os.environ, {"HOME": home}):
                     code, said, _ = run(STOCK)
                     self.assertEqual(code, 0, said)

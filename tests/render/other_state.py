@@ -8,26 +8,18 @@ import struct
 import tempfile
 
 from tests.render import rendering, scenes
+from tools.povray_run import STATE_HEADER, whole_messages
 
 SIZE = {"width": 48, "height": 36}
 TABLE = "#declare Red = 0.5;\n"
 SCENE = '#include "table.inc"\n' + scenes.camera(samples="blur_samples 4 variance 0 ") + scenes.WORLD
 STOCK = '#include "table.inc"\ncamera { ' + scenes.VIEW + "}\n" + scenes.WORLD
-HEADER = 512
 
 
 def run(folder, scene, *options, **size):
     """Exit code, and POV-Ray's messages as one line."""
     code, said = rendering.Job(scene, ("+WT1", "+BS8", *options), **{**SIZE, **size}).attempt(folder)
     return code, " ".join(said.split())
-
-
-def messages(data):
-    """Offsets of the messages of a state file, and its end."""
-    at = [HEADER]
-    while at[-1] < len(data):
-        at.append(at[-1] + 20 + struct.unpack(">i", data[at[-1] + 12:at[-1] + 16])[0])
-    return at
 
 
 class OtherState(rendering.RenderTest):
@@ -48,7 +40,7 @@ class OtherState(rendering.RenderTest):
         self.assertNotEqual(code, 0, said)
         shutil.rmtree(self.picture)
         data = self.state.read_bytes()
-        ends = messages(data)
+        ends = whole_messages(data)
         self.state.write_bytes(data[:ends[len(ends) // 2]])
 
     def refused(self, scene, *options, reason, **size):
@@ -117,19 +109,19 @@ class OtherState(rendering.RenderTest):
             self.state.write_bytes(data)
             self.refused(SCENE, reason="is not one of POV-Ray's, or is damaged")
         self.begin(SCENE)
-        self.state.write_bytes(self.state.read_bytes()[:HEADER] + b"x" * 900)
+        self.state.write_bytes(self.state.read_bytes()[:STATE_HEADER] + b"x" * 900)
         self.refused(SCENE, reason="is not one of POV-Ray's, or is damaged")
 
     def test_without_a_key(self):
         self.begin(SCENE)
         data = self.state.read_bytes()
-        self.state.write_bytes(data[:HEADER] + data[messages(data)[1]:])
+        self.state.write_bytes(data[:STATE_HEADER] + data[whole_messages(data)[1]:])
         self.refused(SCENE, reason="does not say which render it belongs to")
 
     def test_no_tile_yet(self):
         self.begin(SCENE)
         data = self.state.read_bytes()
-        for length in (0, 20, HEADER, HEADER + 10, HEADER + 200):
+        for length in (0, 20, STATE_HEADER, STATE_HEADER + 10, STATE_HEADER + 200):
             self.state.write_bytes(data[:length])
             self.continued(SCENE)
 
@@ -137,7 +129,7 @@ class OtherState(rendering.RenderTest):
         for scene in (SCENE, STOCK):
             self.begin(scene)
             data = self.state.read_bytes()
-            at = data.index(b"Righ", messages(data)[2]) + 12
+            at = data.index(b"Righ", whole_messages(data)[2]) + 12
             self.state.write_bytes(data[:at] + struct.pack(">i", 5000) + data[at + 4:])
             self.continued(scene)
 

@@ -5,11 +5,10 @@
 import os
 import pathlib
 import shutil
-import subprocess
 import tempfile
 
 from tests.render import rendering, scenes
-from tests.waiting import PATIENCE
+from tools import povray_run
 from tools.repository import ROOT
 
 LENS = ROOT / "scenes" / "include" / "lenses" / "tronnier_gauss_50.dat"
@@ -119,7 +118,7 @@ class Permissions(rendering.RenderTest):
     def files(self):
         """Everything that a scene could have written, but for what the run itself needs."""
         return {path: path.read_bytes() for path in self.top.rglob("*") if path.is_file()
-                and path.name not in ("scene.pov", "none.ini") and not path.name.startswith("picture.")}
+                and path.name not in ("scene.pov",) and not path.name.startswith("picture.")}
 
     def refused(self, line, deed):
         """The message, after a look at the files."""
@@ -146,10 +145,9 @@ class Permissions(rendering.RenderTest):
     def call(self, folder, line, *options, home=None):
         """Renders a scene with this line from another folder. Exit code and what POV-Ray says, as one line."""
         (self.own / "scene.pov").write_text(rendering.HEAD + scenes.TILTED + self.words(line) + "\n")
-        command = [os.path.abspath(rendering.SETTINGS.povray), f'+I"{self.own}/scene.pov"', "+W8", "+H6", "-D", "-P", *options]
-        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              timeout=PATIENCE, check=False, env={**os.environ, "HOME": str(home or self.top)})
-        return done.returncode, told(done.stdout.decode(errors="replace"))
+        command = povray_run.command(rendering.SETTINGS.povray, self.own / "scene.pov", "", (8, 6), *options)
+        done = povray_run.run(command, folder, povray_run.user_environment(HOME=str(home or self.top)))
+        return done.code, told(done.said)
 
     def test_permitted(self):
         """The scene's folder and those in it, folders of +L, the program's own, and the picture's; names lead there by any way."""

@@ -11,6 +11,8 @@ import sys
 import tempfile
 import unittest
 
+from tools import povray_run
+
 SETTINGS = argparse.Namespace(povray="povray", refocus="refocus")
 SCENE = """#version 3.7;
 global_settings { assumed_gamma 1 }
@@ -40,8 +42,8 @@ class Refocus(unittest.TestCase):
     @classmethod
     def render(cls, name, *words):
         """Renders with layers; returns POV-Ray's messages."""
-        command = [SETTINGS.povray, "s.pov", "+W160", "+H120", "+FE", "+N", "-D", f"+O{name}.exr", *words]
-        return subprocess.run(command, cwd=cls.folder, capture_output=True, text=True, check=True, errors="replace").stderr
+        command = povray_run.command(SETTINGS.povray, "s.pov", f"{name}.exr", (160, 120), "+FE", "+N", *words)
+        return povray_run.run(command, cls.folder).succeeded().said
 
     def refocus(self, *words, code=0):
         command = [SETTINGS.refocus, "sharp.exr", "sharp.layers.exr", "out.exr", *words]

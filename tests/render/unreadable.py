@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 from tests.render import rendering, scenes
+from tools import povray_run
 
 UNREADABLE = {
     '#include "folder"': "Cannot open include file folder",
@@ -55,7 +56,7 @@ class Pictures(unittest.TestCase):
             torn.write_bytes(whole.read_bytes()[:whole.stat().st_size // 2])
             before = job.result(folder)
             for path in (torn, folder / "none.png"):
-                with self.assertRaisesRegex(rendering.UnreadablePicture, path.name):
+                with self.assertRaisesRegex(povray_run.UnreadablePicture, path.name):
                     rendering.read_picture(path, "")
             self.assertEqual(job.result(folder).values, before.values)
 

@@ -2,17 +2,14 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Output that cannot be written: one message, with the name and the reason."""
 
-import os
 import pathlib
 import re
 import resource
-import subprocess
 import tempfile
 import unittest
 
-from tests.batch.harness import held_to_permissions
 from tests.render import rendering, scenes
-from tests.waiting import PATIENCE
+from tools.povray_run import held_to_permissions
 
 
 class Unwritable(unittest.TestCase):
@@ -29,13 +26,8 @@ class Unwritable(unittest.TestCase):
 
     def attempt(self, scene, *options, **settings):
         """Exit code, and POV-Ray's messages, as one line."""
-        job = rendering.Job(scene, options, width=16, height=12)
-        (self.folder / "scene.pov").write_text(rendering.HEAD + job.scene)
-        (self.folder / "none.ini").write_text("")
-        done = subprocess.run([*held_to_permissions(), *job.command()], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False, **settings,
-                              env={**os.environ, "POVINI": str(self.folder / "none.ini")})
-        return done.returncode, " ".join(done.stdout.decode(errors="replace").split())
+        code, said = rendering.Job(scene, options, width=16, height=12).attempt(self.folder, before=held_to_permissions(), **settings)
+        return code, " ".join(said.split())
 
     def assert_once(self, said, *parts):
         """The parts in their order, the first of them once."""
