@@ -15,7 +15,8 @@ import sys
 import tempfile
 import unittest
 
-from tests.waiting import PATIENCE
+from tools import povray_run
+from tools.povray_run import PATIENCE
 from tools.repository import ROOT
 
 EDITORS = ROOT / "editors"
@@ -112,10 +113,8 @@ class Code(unittest.TestCase):
                      f"{text}\nsphere {{ <0, 1, 0>, 1 }}\n")
             with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
                 (pathlib.Path(folder) / "scene.pov").write_text(scene)
-                done = subprocess.run([SETTINGS.povray, "+Iscene.pov", "-F", "+W8", "+H6", "-D", f"+L{ROOT / 'scenes' / 'include'}"],
-                                      cwd=folder, capture_output=True, timeout=PATIENCE, check=False)
-            said = done.stderr.decode(errors="replace")
-            self.assertEqual(done.returncode, 0, f"{name}\n{scene}\n{said[-1500:]}")
+                command = povray_run.command(SETTINGS.povray, "scene.pov", None, (8, 6), library=[povray_run.INCLUDE])
+                said = povray_run.run(command, folder).succeeded().said
             self.assertNotIn("Warning:", said, f"{name}\n{scene}")
 
 

@@ -10,7 +10,7 @@ import tempfile
 
 from tests.docs.macros import INCLUDE, RIGHT, WORLD, Lens, refusal
 from tests.render import rendering
-from tools.repository import ROOT
+from tools.povray_run import INCLUDE as FOLDER
 
 EYE = "<0, 1.6, -6>"
 POINT = f"focal_point Tilt_Lens_Pull_Point(clock, {EYE}) "
@@ -34,7 +34,7 @@ def keys(macro, rows):
 
 def film(before, camera, frames, eye=EYE):
     """The lens of each frame of a film; clock goes from 0 to 1."""
-    rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
+    rendering.SETTINGS.library = [FOLDER]
     scene = f"{INCLUDE}{before}camera {{ {RIGHT}blur_samples 1 location {eye} look_at <0, 1, 2> {camera} }}\n{WORLD}"
     job = rendering.Job(scene, ("-F", "+KFI0", f"+KFF{frames - 1}"), width=8, height=6)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:

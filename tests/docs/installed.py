@@ -10,7 +10,8 @@ import sys
 import tempfile
 import unittest
 
-from tests.waiting import PATIENCE
+from tools import povray_run
+from tools.povray_run import PATIENCE
 from tools.docs import pages
 from tools.repository import ROOT
 
@@ -114,8 +115,8 @@ class Installed(unittest.TestCase):
         """Exit code of the installed program for a scene with this camera."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
             (pathlib.Path(folder) / "scene.pov").write_text(f"#version 3.7;\n{camera}\nsphere {{ 0, 1 }}\n")
-            return subprocess.run([self.prefix / "bin" / "povray", "+Iscene.pov", "-F", "+W8", "+H6", "-D"], cwd=folder,
-                                  capture_output=True, timeout=PATIENCE, check=False).returncode
+            command = povray_run.command(self.prefix / "bin" / "povray", "scene.pov", None, (8, 6))
+            return povray_run.run(command, folder, povray_run.user_environment()).code
 
 
 def main():

@@ -3,15 +3,12 @@
 """The macros of tilt_lens.inc, checked by the lens report and by pictures."""
 
 import math
-import os
 import pathlib
 import re
-import subprocess
 import tempfile
 
-
 from tests.render import rendering
-from tests.waiting import PATIENCE
+from tools import povray_run
 from tools.repository import ROOT
 
 INCLUDE = '#include "tilt_lens.inc"\n'
@@ -59,7 +56,7 @@ def report(camera, before="", size=(32, 18)):
     """The program's messages for a camera."""
     scene = f"{INCLUDE}{before}\ncamera {{ {RIGHT}blur_samples 1 {camera} }}\n{WORLD}"
     library = rendering.SETTINGS.library
-    rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
+    rendering.SETTINGS.library = [povray_run.INCLUDE]
     try:
         return Lens(rendering.render_and_listen(scene, width=size[0], height=size[1])[1])
     finally:
@@ -71,9 +68,9 @@ def refusal(camera, before=""):
     scene = f"#version 3.7;\n{INCLUDE}{before}\ncamera {{ {camera} }}\n{WORLD}"
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
-        done = subprocess.run([os.path.abspath(rendering.SETTINGS.povray), "+Iscene.pov", "-F", "+W8", "+H6", "-D",
-                               f"+L{ROOT / 'scenes' / 'include'}"], cwd=name, capture_output=True, timeout=PATIENCE, check=False)
-    return done.returncode, re.sub(r"\s+", " ", done.stderr.decode(errors="replace"))
+        command = povray_run.command(rendering.SETTINGS.povray, "scene.pov", None, (8, 6), library=[povray_run.INCLUDE])
+        done = povray_run.run(command, name)
+    return done.code, re.sub(r"\s+", " ", done.said)
 
 
 def table(page, heading):
@@ -238,7 +235,7 @@ class Macros(rendering.RenderTest):
         poles = "".join(f"cylinder {{ <{x}, -50, 0>, <{x}, 50, 0>, 0.1 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
                         for x, colour in ((-5, "x"), (5, "z")))
         ball = "sphere { <0, 9, 0>, 0.5 pigment { rgb y } finish { emission 1 } }\n"
-        rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
+        rendering.SETTINGS.library = [povray_run.INCLUDE]
         picture, _ = rendering.render_and_listen(f"{INCLUDE}camera {{ {RIGHT}{camera} }}\n{poles}{ball}", "+A0.01", "+R4",
                                                  width=161, height=121)
         rows = []
@@ -358,7 +355,7 @@ class Macros(rendering.RenderTest):
         """The rectangle fills the picture from any camera, and the whole facade is sharp."""
         corners = "".join(f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
                           for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z")))
-        rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
+        rendering.SETTINGS.library = [povray_run.INCLUDE]
         for eye in ("<4, 5.5, -20>", "<-3, 1.7, -15>", "<10, 8, -12>"):
             camera = f"Tilt_Lens_Facade({eye}, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>, 1000, 0)"
             picture = rendering.render(f"{INCLUDE}camera {{ {RIGHT}{camera} }}\n{corners}", "+A0.01", "+R3", width=160, height=90)
@@ -380,7 +377,7 @@ class Macros(rendering.RenderTest):
 
     def test_facade_in_cameras_of_both_hands(self):
         """The corners are as seen by the camera, for any directions of right and sky."""
-        rendering.SETTINGS.library = [str(ROOT / "scenes" / "include")]
+        rendering.SETTINGS.library = [povray_run.INCLUDE]
         for upward, forward, hand in (("y", "z", "x"), ("y", "-z", "-x"), ("z", "y", "-x"), ("z", "-y", "x")):
             def place(a, b, c, upward=upward, forward=forward):
                 return f"({a}*x + {b}*{upward} + {c}*{forward})"
