@@ -8,11 +8,10 @@ same lens and focus but neither tilt nor shift; it is aimed at the middle of the
 
 import json
 import math
-import os
 import re
-import subprocess
 
-from benchmarks.lab import INCLUDE, SCENES, Failed, digest
+from benchmarks.lab import SCENES, Failed, digest
+from tools import povray_run
 from tools.repository import ROOT
 
 GALLERY = ROOT / "scenes" / "gallery"
@@ -40,15 +39,12 @@ def normalized(vector):
 def told(lab, name, folder):
     """What the program tells of the scene's camera: its record, and its messages."""
     record = folder / "camera.json"
-    command = [lab.ours, f"+I{GALLERY / name}.pov", f"+L{INCLUDE}", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "-D", "-P", "-C", "-A",
-               "+WT1", "+SC2", "+EC2", "+SR2", "+ER2", f"+O{folder / 'pixel.png'}"]
+    command = povray_run.command(lab.ours, GALLERY / f"{name}.pov", folder / "pixel.png", SIZE, "-C", "+WT1", "+SC2", "+EC2", "+SR2", "+ER2",
+                                 library=[povray_run.INCLUDE])
     # the record is that of a preview without aperture, whose messages do not tell the aperture
-    runs = [subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True, errors="replace", check=False,
-                           env={**os.environ, **preview}) for preview in ({"TILT_LENS_PREVIEW": str(record)}, {})]
-    for run in runs:
-        if run.returncode != 0:
-            raise Failed(f"{name}.pov ended with {run.returncode}:\n{run.stderr[-2000:]}")
-    return json.loads(record.read_text())["view"], runs[-1].stderr
+    runs = [povray_run.run(command, folder, povray_run.environment(**preview), limit=None).succeeded()
+            for preview in ({"TILT_LENS_PREVIEW": str(record)}, {})]
+    return json.loads(record.read_text())["view"], runs[-1].said
 
 
 def numbers(messages, words):
