@@ -5,8 +5,8 @@ failures shown with their own logs."""
 
 import shlex
 
-from tests.batch import harness
-from tests.batch.harness import LENS, SETTINGS, BatchTest
+from tests.batch import calls
+from tests.batch.calls import LENS, SETTINGS, BatchTest
 from tests.waiting import PATIENCE
 
 SIZE = ("+W48", "+H40", "+WT1")
@@ -67,7 +67,7 @@ class Results(BatchTest):
         kept = picture.read_bytes()
         picture.write_bytes(kept[:-20] + b"x" * 20)
         self.batch(*words)
-        self.assertEqual(harness.picture(picture)[:2], (48, 40))
+        self.assertEqual(calls.picture(picture)[:2], (48, 40))
         self.assertNotEqual(picture.read_bytes()[-20:], b"x" * 20)
 
     def test_two_batches_into_one_output(self):
@@ -83,4 +83,4 @@ class Results(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

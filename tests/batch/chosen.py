@@ -7,8 +7,8 @@ import os
 import signal
 import subprocess
 
-from tests.batch import harness
-from tests.batch.harness import LENS, BatchTest, picture
+from tests.batch import calls
+from tests.batch.calls import LENS, BatchTest, picture
 from tests.waiting import PATIENCE
 from tools.repository import ROOT
 
@@ -168,4 +168,4 @@ class Texts(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

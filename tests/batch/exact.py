@@ -5,16 +5,16 @@
 import os
 import time
 
-from tests.batch import harness
-from tests.batch.harness import LENS, STOCK, BatchTest, picture
+from tests.batch import calls
+from tests.batch.calls import LENS, STOCK, BatchTest, picture
 
 SIZE = ("+W100", "+H75", "+WT1")
 
-JITTER = harness.STOCK.replace(
+JITTER = calls.STOCK.replace(
     "light_source { <-4, 9, -5>, rgb 1 }",
     "light_source { <-4, 9, -5>, rgb 1 area_light x, z, 3, 3 jitter }",
 )
-RADIOSITY = harness.STOCK.replace("assumed_gamma 1", "assumed_gamma 1 radiosity { count 20 }")
+RADIOSITY = calls.STOCK.replace("assumed_gamma 1", "assumed_gamma 1 radiosity { count 20 }")
 
 
 class Exact(BatchTest):
@@ -64,4 +64,4 @@ class NotCut(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

@@ -4,14 +4,15 @@
 Afterwards the picture equals that of one render."""
 
 import os
+import pathlib
 import resource
 import shlex
 import signal
 import subprocess
 import sys
 
-from tests.batch import harness
-from tests.batch.harness import LENS, SLOW, BatchTest, processes
+from tests.batch import calls
+from tests.batch.calls import LENS, SLOW, BatchTest, processes
 from tests.waiting import PATIENCE
 
 
@@ -84,7 +85,7 @@ class Killed(BatchTest):
         tools.mkdir()
         (tools / "oiiotool").write_text("#!/bin/sh\nexec sleep 1000\n")
         (tools / "oiiotool").chmod(0o755)
-        env = {**self.env, "PATH": f"{tools}:{self.env['PATH']}", "PYTHONPATH": str(harness.ROOT)}
+        env = {**self.env, "PATH": f"{tools}:{self.env['PATH']}", "PYTHONPATH": str(calls.ROOT)}
         for call in ("merge.oiiotool(sys.argv[1], [])", "povray.image_info(pathlib.Path(sys.argv[1], 'a.png'))"):
             with self.subTest(call):
                 program = f"import pathlib, sys; from tools.batch import merge, povray; {call}"
@@ -106,7 +107,7 @@ class Killed(BatchTest):
 def environ(pid):
     """A process's environment as text."""
     try:
-        return harness.pathlib.Path(f"/proc/{pid}/environ").read_bytes().decode(errors="replace")
+        return pathlib.Path(f"/proc/{pid}/environ").read_bytes().decode(errors="replace")
     except OSError:
         return ""
 
@@ -129,7 +130,7 @@ class Failing(BatchTest):
     def test_tries_are_bounded(self):
         # a stand-in that renders, but is killed in the batch proper
         self.stand_in(
-            f"case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(harness.SETTINGS.povray)} \"$@\""
+            f"case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(calls.SETTINGS.povray)} \"$@\""
         )
         words = ("still", self.scene(LENS), "--bands", 1, "--retries", 2, "+W48", "+H40")
         self.assertIn("was ended by signal 9", self.batch(*words, code=1))
@@ -138,25 +139,12 @@ class Failing(BatchTest):
 
     def test_no_room_to_write(self):
         scene = self.scene(LENS)
-        words = self.words("still", scene, "--bands", 2, "--retries", 1, "+FN16", "+W160", "+H120")
-
         def little_room():
             # 40 KB per file: the records fit, the state file of a band does not
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000))
 
-        done = harness.subprocess.run(
-            words,
-            cwd=self.folder,
-            env=self.env,
-            preexec_fn=little_room,
-            stdout=harness.subprocess.PIPE,
-            stderr=harness.subprocess.STDOUT,
-            text=True,
-            check=False,
-            timeout=PATIENCE,
-        )
-        self.assertEqual(done.returncode, 1, done.stdout)
+        self.batch("still", scene, "--bands", 2, "--retries", 1, "+FN16", "+W160", "+H120", code=1, preexec_fn=little_room)
         self.assertFalse((self.folder / "scene.png").exists())
         self.batch("still", scene, "--bands", 2, "+FN16", "+W160", "+H120")
         self.assert_same(
@@ -165,4 +153,4 @@ class Failing(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

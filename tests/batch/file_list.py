@@ -5,11 +5,12 @@
 import os
 import subprocess
 
-from tests.batch import harness
-from tests.batch.harness import SETTINGS, BatchTest
+from tools import povray_run
+from tests.batch import calls
+from tests.batch.calls import SETTINGS, BatchTest
 
 SCENE = (
-    harness.STOCK
+    calls.STOCK
     + """
 #declare Name = concat("cal", "culated.inc");
 #include Name
@@ -25,18 +26,11 @@ class FileList(BatchTest):
         (self.folder / "scene.pov").write_text(SCENE)
         for name in ("calculated.inc", "data.txt"):
             (self.folder / name).write_text("// nothing\n")
-        env = dict(self.env, TILT_LENS_FILE_LIST=list_name)
         subprocess.run(["oiiotool", "--create", "4x4", "3", "-o", "map.png"], cwd=self.folder, check=True)
-        done = subprocess.run(
-            [SETTINGS.povray, "+Iscene.pov", "+Oout.png", "-D", "+W8", "+H8"],
-            cwd=self.folder,
-            env=env,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            check=False,
-        )
-        self.assertEqual(done.returncode, code, done.stderr[-800:])
-        return done.stderr.decode(errors="replace")
+        command = povray_run.command(SETTINGS.povray, "scene.pov", "out.png", (8, 8))
+        done = povray_run.run(command, self.folder, dict(self.env, TILT_LENS_FILE_LIST=list_name))
+        self.assertEqual(done.code, code, done.told())
+        return done.said
 
     def test_read_and_missing_files(self):
         self.render()
@@ -64,4 +58,4 @@ class FileList(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

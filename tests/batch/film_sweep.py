@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Films and sweeps: each picture equals that of a single call; the contact sheet; refused command lines."""
 
-from tests.batch import harness
-from tests.batch.harness import LENS, BatchTest, picture
+from tests.batch import calls
+from tests.batch.calls import LENS, BatchTest, picture
 
 SIZE = ("+W64", "+H48", "+WT1")
 
@@ -92,9 +92,9 @@ class Refused(BatchTest):
 
     def test_a_program_that_lists_no_files(self):
         self.program = "/usr/bin/povray"
-        said = self.batch("still", self.scene(harness.STOCK), code=1)
+        said = self.batch("still", self.scene(calls.STOCK), code=1)
         self.assertIn("not this project's povray", said)
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

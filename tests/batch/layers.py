@@ -5,8 +5,8 @@
 import re
 import subprocess
 
-from tests.batch import harness
-from tests.batch.harness import LENS, BatchTest, picture
+from tests.batch import calls
+from tests.batch.calls import LENS, BatchTest, picture
 
 SIZE = ("+W64", "+H75", "+WT1", "+FE", "Output_Layers=on")
 
@@ -36,4 +36,4 @@ class Layers(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

@@ -7,8 +7,8 @@ import itertools
 import shlex
 import unittest.mock
 
-from tests.batch import harness
-from tests.batch.harness import SETTINGS, STOCK, BatchTest
+from tests.batch import calls
+from tests.batch.calls import SETTINGS, STOCK, BatchTest
 from tools.batch import batch, slurm
 
 WORKERS = 8
@@ -36,9 +36,9 @@ class Many(BatchTest):
         self.assertEqual(list((work / "units").glob("*/picture*")), [], "no parts are left")
 
 
-class Tasks(harness.unittest.TestCase):
+class Tasks(calls.unittest.TestCase):
     def tasks(self, units, seconds, largest, engine=slurm):
-        settings = harness.argparse.Namespace(workers=100, partition=None)
+        settings = calls.argparse.Namespace(workers=100, partition=None)
         description = {
             "estimate": {"picture": seconds, "start": 0.6},
             "key": {"bands": [[1, 9]]},
@@ -60,4 +60,4 @@ class Tasks(harness.unittest.TestCase):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

@@ -7,8 +7,9 @@ import pathlib
 import subprocess
 import tempfile
 
-from tests.batch import harness
-from tests.batch.harness import LENS, SETTINGS, BatchTest, held_to_permissions
+from tests.batch import calls
+from tests.batch.calls import LENS, BatchTest
+from tools.povray_run import held_to_permissions
 
 WEIRD = "a \"b' c\nd $(x) %a ;*"
 RELATIVE = (
@@ -50,16 +51,9 @@ class Names(BatchTest):
         """The reference picture, rendered in the scene's folder."""
         copy = scene.with_name("copy.pov")
         copy.write_text(scene.read_text())
-        subprocess.run(
-            [SETTINGS.povray, "+Icopy.pov", "+Ocopy.png", "--unrestricted", "-D", "+FN", "+W64", "+H64"],
-            cwd=scene.parent,
-            check=True,
-            env=self.env,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-        )
+        picture = self.rendered(copy.name, "copy.png", "--unrestricted", "+FN", "+W64", "+H64", folder=scene.parent)
         copy.unlink()
-        return scene.with_name("copy.png")
+        return picture
 
     def test_anything_in_names(self):
         scene = self.lay_out(WEIRD)
@@ -84,11 +78,11 @@ class Names(BatchTest):
         (self.folder / "more.ini").write_text("Width=48\nHeight=40\n[wide]\nWidth=96\n")
         scene = self.scene(LENS + '#include "deep.inc"\n')
         self.batch("still", scene, "--bands", 1, "+Lin c", "more.ini[wide]")
-        self.assertEqual(harness.picture(self.folder / "scene.png")[:2], (96, 40))
+        self.assertEqual(calls.picture(self.folder / "scene.png")[:2], (96, 40))
         self.env["POVINC"] = "in c"
         words = ("still", scene, "--bands", 1, "--output", "b.png", "+W48", "+H40")
         self.batch(*words)
-        self.assertEqual(harness.picture(self.folder / "b.png")[:2], (48, 40))
+        self.assertEqual(calls.picture(self.folder / "b.png")[:2], (48, 40))
         del self.env["POVINC"]
         self.assertIn("environment variable POVINC: was", self.batch(*words, code=1))
 
@@ -97,7 +91,7 @@ class Names(BatchTest):
         scene = self.scene(LENS)
         for words, size in ((("small.ini", "+W48", "+H40"), (48, 40)), (("+W48", "+H40", "small.ini"), (32, 24))):
             self.batch("still", scene, "--bands", 1, *words, "--anew")
-            self.assertEqual(harness.picture(self.folder / "scene.png")[:2], size, words)
+            self.assertEqual(calls.picture(self.folder / "scene.png")[:2], size, words)
 
     def test_another_first_ini_file(self):
         for name in ("low", "high"):
@@ -118,7 +112,7 @@ class Names(BatchTest):
         said = self.batch("still", scene, "--bands", 1, "+W48", "+H40", code=1)
         self.assertIn("is there now", said)
         self.batch("still", scene, "--bands", 1, "--output", "b.png")
-        self.assertEqual(harness.picture(self.folder / "b.png")[:2], (32, 24))
+        self.assertEqual(calls.picture(self.folder / "b.png")[:2], (32, 24))
 
     def test_read_only_scene_folder(self):
         scene = self.lay_out("fixed")
@@ -136,4 +130,4 @@ class Names(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

@@ -9,8 +9,8 @@ import subprocess
 import sys
 import tempfile
 
-from tests.batch import harness
-from tests.batch.harness import LENS, SETTINGS, SLOW, BatchTest, picture, processes
+from tests.batch import calls
+from tests.batch.calls import LENS, SETTINGS, SLOW, BatchTest, picture, processes
 from tests.waiting import PATIENCE
 from tools.cluster import Cluster, environment_of
 from tools.repository import module_command
@@ -88,7 +88,7 @@ class OnSlurm(BatchTest):
         site = ("--partition", "main", "--time", "17", "--account", "film42", "--sbatch=--nice=5")
         said = self.batch(*words, "--on", "slurm", "--detach", "--workers", 2, *site)
         self.assertIn("Not waiting", said)
-        array = harness.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())[0]
+        array = calls.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())[0]
         told = self.cluster.run("scontrol", "show", "job", array).stdout.split()
         for option in ("Partition=main", "TimeLimit=00:17:00", "Account=film42", "Nice=5"):
             self.assertIn(option, told)
@@ -122,7 +122,7 @@ class OnSlurm(BatchTest):
         self.until("the second call", lambda: "still at work: waiting" in self.said())
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(timeout=PATIENCE), 130)
-        jobs = harness.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())
+        jobs = calls.json.loads((self.folder / "scene.png.batch" / "jobs.json").read_text())
         self.assertIn(f"To end them: scancel {' '.join(jobs)}", self.said())
         process = self.start(*words)
         self.until("the third call", lambda: "still at work: waiting" in self.said())
@@ -185,11 +185,11 @@ def node_of(pid):
 
 def main():
     """As an ordinary user if root may become one that can run the programs under test: a cluster must not need root."""
-    rest = harness.read_settings()
+    rest = calls.read_settings()
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
     program = module_command("tests.batch.on_slurm", "--povray", SETTINGS.povray)
     if os.getuid() != 0 or not can_run([*user, *program, "--help"], [*user, SETTINGS.povray, "--version"]):
-        harness.main()
+        calls.main()
     with tempfile.TemporaryDirectory(prefix="home.") as home:
         os.chown(home, 65534, 65534)
         os.chmod(home, 0o755)  # munge requires that its socket be reachable by all

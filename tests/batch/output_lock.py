@@ -8,7 +8,7 @@ import time
 import unittest
 import unittest.mock
 
-from tests.batch import harness
+from tests.batch import calls
 from tools.batch import describe, progress
 from tools.batch.longer import Clock
 from tools.batch.store import Work, output_lock, write_json
@@ -95,4 +95,4 @@ class Clocks(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

@@ -5,9 +5,10 @@
 
 import os
 import shutil
+import subprocess
 
-from tests.batch import harness
-from tests.batch.harness import LENS, SETTINGS, BatchTest
+from tests.batch import calls
+from tests.batch.calls import LENS, SETTINGS, BatchTest
 from tests.waiting import PATIENCE
 
 SIZE = ("+W48", "+H40", "+WT1")
@@ -19,14 +20,14 @@ class Again(BatchTest):
         self.batch("film", scene, "--frames", 4, *SIZE)
         work, film = self.folder / "scene_film.batch", self.folder / "scene_film"
         times = {path.name: path.stat().st_mtime_ns for path in film.iterdir()}
-        first = harness.picture(film / "scene0002.png")
+        first = calls.picture(film / "scene0002.png")
         self.assertIn("4 of 4 pictures", self.batch("film", scene, "--frames", 4, *SIZE))
         self.assertEqual(
             times, {path.name: path.stat().st_mtime_ns for path in film.iterdir()}, "nothing was made again"
         )
         (film / "scene0002.png").unlink()
         self.batch("film", scene, "--frames", 4, *SIZE)
-        self.assertEqual(harness.picture(film / "scene0002.png"), first)
+        self.assertEqual(calls.picture(film / "scene0002.png"), first)
         self.assertEqual(
             {n for n, t in times.items() if (film / n).stat().st_mtime_ns != t}, {"scene0002.png"}
         )
@@ -42,7 +43,7 @@ class Again(BatchTest):
             (work / "units" / name).mkdir(exist_ok=True)
         (self.folder / "scene.png").unlink()
         (work / "merged" / "00000.json").unlink()
-        record = harness.json.loads((work / "done" / "00000.0000.json").read_text())
+        record = calls.json.loads((work / "done" / "00000.0000.json").read_text())
         size = record["files"][".png"]["bytes"]
         (work / "units" / "00000.0000" / "picture.png").write_bytes(b"\x89PNG".ljust(size, b"x"))
         (work / "done" / "00000.0001.json").unlink()
@@ -74,7 +75,7 @@ class Changed(BatchTest):
         )
         own = self.scene("#declare Own = 1;\n", "parts/own.inc")
         create = ["oiiotool", "--create", "4x4", "3", "-o", "map.png"]
-        harness.subprocess.run(create, cwd=self.folder, check=True)
+        subprocess.run(create, cwd=self.folder, check=True)
         self.batch("still", scene, "--bands", 1, *SIZE)
         for path in (scene, own, self.folder / "map.png"):
             kept = path.read_bytes()
@@ -130,4 +131,4 @@ class Changed(BatchTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

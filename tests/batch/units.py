@@ -16,7 +16,7 @@ import time
 import unittest
 import unittest.mock
 
-from tests.batch import harness
+from tests.batch import calls
 from tools.batch import batch, key, merge, plan, pov_options, povray, progress, slurm, store, task
 from tools.repository import ROOT
 
@@ -139,22 +139,22 @@ class StateFile(unittest.TestCase):
         whole = self.head + message(b"a" * 5000) + message(b"b" * 300)
         cut = message(b"c" * 4000)
         for length in (0, 1, 7, 8, 15, 19, 20, 3000):
-            self.assertEqual(povray.whole_messages(whole + cut[:length], True), len(whole))
-        self.assertEqual(povray.whole_messages(whole + cut, True), len(whole + cut))
+            self.assertEqual(povray.whole_length(whole + cut[:length], True), len(whole))
+        self.assertEqual(povray.whole_length(whole + cut, True), len(whole + cut))
 
     def test_not_a_state_file(self):
-        self.assertEqual(povray.whole_messages(b"", True), 0)
-        self.assertEqual(povray.whole_messages(b"x" * 9000, True), 0)
+        self.assertEqual(povray.whole_length(b"", True), 0)
+        self.assertEqual(povray.whole_length(b"x" * 9000, True), 0)
 
     def test_black_pictures_are_kept_on_the_same_machine(self):
         black = self.head + message(b"\0" * 20000) + message(b"\0" * 20000)
-        self.assertEqual(povray.whole_messages(black, True), len(black))
+        self.assertEqual(povray.whole_length(black, True), len(black))
 
     def test_unwritten_pages_end_it(self):
         first = self.head + message(b"a" * 9000)
         lost = bytearray(first + message(b"b" * 30000) + message(b"c" * 9000))
         lost[12288:16384] = bytes(4096)
-        self.assertEqual(povray.whole_messages(bytes(lost), False), len(first))
+        self.assertEqual(povray.whole_length(bytes(lost), False), len(first))
 
     def test_another_machine_s_file_is_cut(self):
         with tempfile.TemporaryDirectory() as name:
@@ -350,4 +350,4 @@ class Interrupted(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    harness.main()
+    calls.main()

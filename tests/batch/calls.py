@@ -15,7 +15,9 @@ import sys
 import tempfile
 import unittest
 
-from tests.waiting import PATIENCE, WaitingTest
+from tests.waiting import WaitingTest
+from tools import povray_run
+from tools.batch.povray import image_info
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None)
@@ -46,24 +48,6 @@ sphere { 0, 1 pigment { rgbt <0.9, 0.4, 0.1, 0.3> } }
 SLOW = ("+W192", "+H128", "Declare=Samples=400")
 
 
-def environment():
-    """The tests' own environment, without the user's ini files and POVINI."""
-    env = {
-        name: value
-        for name, value in os.environ.items()
-        if name not in ("POVINI", "POVINC", "DISPLAY", "PARALLEL")
-    }
-    return env
-
-
-def held_to_permissions():
-    """Command prefix that subjects even root to the permissions of files and folders."""
-    if os.getuid() != 0:
-        return []
-    powers = "-dac_override,-dac_read_search"
-    return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"]
-
-
 def processes(text):
     """Numbers of running processes whose command line or current folder contains the text."""
     found = []
@@ -83,18 +67,8 @@ def processes(text):
 
 def picture(path):
     """Size, type of values and hash of the decoded pixels."""
-    done = subprocess.run(
-        ["oiiotool", "--info", "--hash", str(path)],
-        capture_output=True,
-        text=True,
-        errors="replace",
-        check=False,
-    )
-    size = re.search(r": *(\d+) x *(\d+), (.*)", done.stdout)
-    digest = re.search(r"SHA-1: ([0-9A-F]{40})", done.stdout)
-    if done.returncode != 0 or not size or not digest:
-        raise AssertionError(f"{path} cannot be read: {done.stdout}{done.stderr}")
-    return int(size.group(1)), int(size.group(2)), size.group(3).strip(), digest.group(1)
+    info = image_info(pathlib.Path(path))
+    return *info["size"], info["form"], info["pixels"]
 
 
 class BatchTest(WaitingTest):
@@ -106,7 +80,8 @@ class BatchTest(WaitingTest):
         scratch = tempfile.TemporaryDirectory(prefix="tilt lens' ")
         self.addCleanup(scratch.cleanup)
         self.folder = pathlib.Path(scratch.name)
-        self.env = environment()
+        self.env = povray_run.user_environment()
+        self.env.pop("PARALLEL", None)
         self.program = SETTINGS.povray
 
     def scene(self, text, name="scene.pov"):
@@ -129,21 +104,11 @@ class BatchTest(WaitingTest):
         self.program.write_text(f"#!/bin/bash\n{script}\n")
         self.program.chmod(0o755)
 
-    def batch(self, *words, code=0, before=()):
-        """Calls ./batch; returns its output."""
-        done = subprocess.run(
-            [*before, *self.words(*words)],
-            cwd=self.folder,
-            env=self.env,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            timeout=PATIENCE,
-            check=False,
-        )
-        said = done.stdout.decode(errors="replace")
-        self.assertEqual(done.returncode, code, f"{words}\n{said}\n{self.evidence()}")
-        return said
+    def batch(self, *words, code=0, before=(), **how):
+        """Calls ./batch; returns its output. `how`: for povray_run.run()"""
+        done = povray_run.run([*before, *self.words(*words)], self.folder, self.env, **how)
+        self.assertEqual(done.code, code, f"{done.told()}\n{self.evidence()}")
+        return done.said
 
     def start(self, *words):
         """Starts ./batch in a process group of its own, as a terminal does."""
@@ -194,17 +159,18 @@ class BatchTest(WaitingTest):
                     found.append(pid)
         return found
 
+    def rendered(self, scene, picture, *options, folder):
+        """The picture of a scene by one call of the program in the folder; the options give its size."""
+        command = povray_run.command(SETTINGS.povray, scene, picture, (64, 64), *options)
+        povray_run.run(command, folder, self.env).succeeded()
+        return folder / picture
+
     def whole(self, scene, target, *words):
         """Renders the reference picture by one call of the program."""
         folder = target.parent / "whole"
         folder.mkdir(exist_ok=True)
         shutil.copy(scene, folder / "scene.pov")
-        command = [SETTINGS.povray, "+Iscene.pov", f"+O{target.name}", "-D", *words]
-        done = subprocess.run(
-            command, cwd=folder, env=self.env, stdin=subprocess.DEVNULL, capture_output=True, check=False
-        )
-        self.assertEqual(done.returncode, 0, done.stderr.decode(errors="replace")[-1500:])
-        return folder / target.name
+        return self.rendered("scene.pov", target.name, *words, folder=folder)
 
     def assert_same(self, path, whole):
         """The same size, type of values and pixels, and not an empty picture."""

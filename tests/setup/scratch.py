@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from tests.waiting import PATIENCE
+from tools.povray_run import PATIENCE, user_environment
 
 REPOSITORY = pathlib.Path(os.environ["REPOSITORY"])
 BUILD = pathlib.Path(os.environ["BUILD"])
@@ -33,9 +33,8 @@ class SetupTest(unittest.TestCase):
 
     def run_command(self, *command, cwd=None, env=None):
         """Runs COMMAND with ENV added to the environment; returns the finished process with its output."""
-        inherited = {name: value for name, value in os.environ.items() if name not in ("POVINI", "POVINC")}
         return subprocess.run([str(word) for word in command], cwd=cwd or self.folder, timeout=PATIENCE,
-                              env={**inherited, **(env or {})}, stdin=subprocess.DEVNULL,
+                              env=user_environment(**(env or {})), stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, errors="replace", check=False)
 
     def assert_succeeds(self, process):
