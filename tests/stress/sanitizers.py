@@ -11,14 +11,14 @@ import pathlib
 import subprocess
 import tempfile
 
-from tests.render import light, scenes
+from tests.render import scenes, test_light
 from tests.stress import reports, results
 from tools import povray_run
 from tools.repository import ROOT, module_command
 
 TUTORIAL = sorted((ROOT / "scenes" / "tutorial").glob("*.pov"))
 MODULES = ("light", "noise")  # of tests/render: radiosity, photons, media, bokeh, all users of random numbers
-LIT = {name: light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
+LIT = {name: test_light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
 
 
 def environment(tool_suppressions=True):
@@ -80,7 +80,7 @@ def lit(povray, threads, work):
 
 def battery(povray, tree, module):
     """A module of the render tests."""
-    return [module_command(f"tests.render.{module}", "--povray", povray, "--compare", tree / "tests" / "tools" / "compare")]
+    return [module_command(f"tests.render.test_{module}", "--povray", povray, "--compare", tree / "tests" / "tools" / "compare")]
 
 
 def parser(povray):
@@ -104,7 +104,7 @@ def groups(tree, tool, threads, work):
             ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
             ("parser battery", parser, f"+WT{threads}"),
             (", ".join(LIT), lambda povray: lit(povray, threads, work), ""),
-            *((f"tests/render/{module}.py", lambda povray, module=module: battery(povray, tree, module), "")
+            *((f"tests/render/test_{module}.py", lambda povray, module=module: battery(povray, tree, module), "")
               for module in MODULES)]
 
 

@@ -3,7 +3,7 @@
 """Points found by focus_on and focus_at are sharp in the picture; sample_seed changes only the noise."""
 
 from tests.render import rendering, scenes
-from tests.render.layers import Rendered
+from tests.render.test_layers import Rendered
 
 BALL = "#declare Ball = sphere { <0.3, 0.6, 0>, 0.6 }\n"
 LENS = "focal_length 40 f_stop 0.2 scene_unit 900 "

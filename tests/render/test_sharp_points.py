@@ -8,7 +8,7 @@ import random
 import re
 
 from tests.render import rendering
-from tests.render.layers import Rendered
+from tests.render.test_layers import Rendered
 
 WIDTH, HEIGHT = 320, 240
 LOCATION = (0.0, 3.0, -6.0)

@@ -187,7 +187,7 @@ def main():
     """As an ordinary user if root may become one that can run the programs under test: a cluster must not need root."""
     rest = calls.read_settings()
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
-    program = module_command("tests.batch.on_slurm", "--povray", SETTINGS.povray)
+    program = module_command("tests.batch.test_on_slurm", "--povray", SETTINGS.povray)
     if os.getuid() != 0 or not can_run([*user, *program, "--help"], [*user, SETTINGS.povray, "--version"]):
         calls.main()
     with tempfile.TemporaryDirectory(prefix="home.") as home:

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The benchmark's parts about the sampler, with numbers whose results are known and with tiny pictures:
-sampler_parts_test.py PROGRAM TOOLS."""
+test_sampler_parts PROGRAM TOOLS."""
 
 import dataclasses
 import pathlib

@@ -8,7 +8,7 @@ import pathlib
 import re
 import tempfile
 
-from tests.docs.macros import INCLUDE, RIGHT, WORLD, Lens, refusal
+from tests.docs.test_macros import INCLUDE, RIGHT, WORLD, Lens, refusal
 from tests.render import rendering
 from tools.povray_run import INCLUDE as FOLDER
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The tool that measures errors, with pictures whose errors are known: noise_test.py TOOL."""
+"""The tool that measures errors, with pictures whose errors are known: test_noise TOOL."""
 
 import json
 import pathlib

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark in miniature: small_run_test.py PROGRAM TOOLS. Checks that all methods of blur approach the same picture, and that
+"""The benchmark in miniature: test_small_run PROGRAM TOOLS. Checks that all methods of blur approach the same picture, and that
 measurements arrive in tables and plots; times are not tested."""
 
 import copy
