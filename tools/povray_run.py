@@ -106,10 +106,15 @@ def run(words, folder=None, env=None, limit=PATIENCE, **how):
     timer = threading.Timer(limit or 0, lambda: (late.set(), process.kill()))
     if limit:
         timer.start()
-    said = process.stdout.read().decode(errors="replace") if process.stdout else ""
-    _, status, usage = os.wait4(process.pid, 0)
+    try:
+        said = process.stdout.read().decode(errors="replace") if process.stdout else ""
+        _, status, usage = os.wait4(process.pid, 0)
+    except BaseException:
+        process.kill()
+        raise
+    finally:
+        timer.cancel()
     process.returncode = os.waitstatus_to_exitcode(status)
-    timer.cancel()
     if process.stdout:
         process.stdout.close()
     code = None if late.is_set() else process.returncode

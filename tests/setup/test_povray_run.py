@@ -52,6 +52,12 @@ class Runs(SetupTest):
         self.assertIsNone(done.code)
         self.assertIn("no end after", done.told())
 
+    def test_an_interrupted_caller_leaves_nothing_running(self):
+        with unittest.mock.patch("os.wait4", side_effect=KeyboardInterrupt), unittest.mock.patch("subprocess.Popen.kill") as kill:
+            with self.assertRaises(KeyboardInterrupt):
+                povray_run.run(["true"])
+        kill.assert_called_once()
+
     def test_a_signal_is_told(self):
         done = povray_run.run(["sh", "-c", "kill -SEGV $$"])
         self.assertEqual(done.code, -11)
