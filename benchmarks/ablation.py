@@ -11,13 +11,13 @@ quarter."""
 
 import json
 import math
-import os
 import re
 import subprocess
 import tempfile
 
 from benchmarks.front import geometric_mean
 from benchmarks.lab import SCENES, TILT_LENS, Failed, digest
+from tools import povray_run
 from tools.repository import BUILD, ROOT
 
 GALLERY = ROOT / "scenes" / "gallery"
@@ -90,14 +90,11 @@ def recording(lab, scene, settings=""):
     path.parent.mkdir(parents=True, exist_ok=True)
     declared = [f"Declare=Form={TILT_LENS}", "Declare=Variance=0.001"] if folder == SCENES else []
     with tempfile.TemporaryDirectory() as folder_of_picture:
-        command = [program, f"+I{folder / scene}.pov", f"+L{folder}", f"+L{ROOT / 'scenes' / 'include'}", f"+W{width}",
-                   f"+H{height}", "-D", "-P", "-C", "-A", "-GA", "+WT1", "+FN", f"+O{folder_of_picture}/picture.png", *declared]
+        command = povray_run.command(program, folder / f"{scene}.pov", f"{folder_of_picture}/picture.png", (width, height), "-C", "-GA", "+WT1",
+                                     "+FN", *declared, library=[folder, povray_run.INCLUDE])
         unfinished = path.with_suffix(".part")
-        done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, cwd=folder_of_picture,
-                              env={**os.environ, "TILT_LENS_RECORD": str(unfinished),
-                                   "TILT_LENS_RECORD_SAMPLES": str(samples), "TILT_LENS_SETTINGS": settings})
-    if done.returncode != 0:
-        raise Failed(f"recording {scene} ended with {done.returncode}:\n{done.stderr[-2000:]}")
+        record = {"TILT_LENS_RECORD": str(unfinished), "TILT_LENS_RECORD_SAMPLES": str(samples), "TILT_LENS_SETTINGS": settings}
+        povray_run.run(command, folder_of_picture, povray_run.environment(**record), limit=None).succeeded()
     unfinished.rename(path)
     return path
 

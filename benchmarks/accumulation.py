@@ -16,10 +16,10 @@ PROCESSES = os.cpu_count() or 1     # more would take the caches from each other
 
 # Frames are OpenEXR: a PNG would clip lights before they are averaged.
 def frames(lab, shot, first, last, count, folder):
-    """Renders the frames from first to last of an animation of `count` frames. Returns CPU seconds of the rays and
-    of the whole process."""
-    command = [lab.stock, *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/f.exr", "+FE",
-               "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"]
+    """Renders the frames from first to last of an animation of `count` frames. Returns the CPU seconds of the rays alone,
+    as the program reports them after each frame, and those of the whole process."""
+    command = shot.command(lab.stock, folder / "f.exr", *lab.gathered_light(shot), "+FE", "+KFI1", f"+KFF{count}", f"+SF{first}",
+                           f"+EF{last}")
     messages, cpu, _ = run_measured(command, folder)
     traced = cpu_of_rays(messages)
     if len(traced) != last - first + 1:

@@ -11,44 +11,39 @@ of the machine before the run is therefore part of the text.
 import argparse
 import os
 import pathlib
-import resource
 import statistics
-import subprocess
 import sys
 import tempfile
 import time
 
+from tools import povray_run
 from tools.cluster import Cluster
 from tools.repository import BUILD, ROOT
 
 BEGIN, END = "<!-- written by benchmarks/batch_scaling.py -->\n", "<!-- end -->\n"
 SCENE = ROOT / "scenes" / "tutorial" / "film.pov"
 POVRAY = BUILD / "bin" / "povray"
-TINY = ("+W16", "+H12", "Declare=Stop=22")
+TINY = (16, 12), "Declare=Stop=22"
 FRAMES = 12  # of the tiny films
-STILL = ("+W640", "+H512", "Declare=Tilt=-8")  # eight bands of 64 rows
+STILL = (640, 512), "Declare=Tilt=-8"  # eight bands of 64 rows
 EIGHT_K = (7680, 4320)
 FILM = 1440  # frames on paper: a minute at 24 a second
 NODES = 1000
 
 
-def measured(command, folder, env=None, code=0):
-    """Elapsed seconds, CPU seconds, and the largest memory of one process in MB, of a command with its child
-    processes."""
-    before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    done = subprocess.run(
-        [str(word) for word in command],
-        cwd=folder,
-        env=env,
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        check=False,
-    )
-    clock, after = time.monotonic() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
-    if done.returncode != code:
-        sys.exit(f"{command} failed:\n{done.stderr.decode(errors='replace')[-2000:]}")
-    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return clock, spent, after.ru_maxrss / 1024
+def measured(command, folder, env=None):
+    """Runs a command with its child processes: elapsed seconds, CPU seconds, and the largest memory of one process
+    in MB."""
+    done = povray_run.run(command, folder, env or povray_run.user_environment(), limit=None)
+    if done.code != 0:
+        sys.exit(done.told())
+    return done.seconds, done.cpu, done.memory / (1 << 20)
+
+
+def words(picture):
+    """Size and options of a picture for ./batch."""
+    (width, height), *options = picture
+    return [f"+W{width}", f"+H{height}", *options]
 
 
 def median(runs, column):
@@ -70,8 +65,8 @@ class Measurements:
         )
 
     def start(self):
-        """Cost of a start: POV-Ray alone on a tiny picture."""
-        command = [POVRAY, f"+I{SCENE}", f"+L{SCENE.parent}", "+Otiny.png", "-D", "+WT1", *TINY]
+        """POV-Ray alone on a tiny picture: what each start costs."""
+        command = povray_run.command(POVRAY, SCENE, "tiny.png", *TINY, "+WT1", library=[SCENE.parent])
         return [measured(command, self.folder) for _ in range(self.repeat)]
 
     def unit(self, *more, env=None):
@@ -79,10 +74,10 @@ class Measurements:
         runs = []
         for _ in range(self.repeat):
             many = self.batch(
-                "film", SCENE, "--frames", FRAMES, "--bands", 1, "--workers", 1, *TINY, *more, env=env
+                "film", SCENE, "--frames", FRAMES, "--bands", 1, "--workers", 1, *words(TINY), *more, env=env
             )
             one = self.batch(
-                "film", SCENE, "--frames", 1, "--bands", 1, "--workers", 1, *TINY, *more, env=env
+                "film", SCENE, "--frames", 1, "--bands", 1, "--workers", 1, *words(TINY), *more, env=env
             )
             runs.append(tuple((a - b) / (FRAMES - 1) for a, b in zip(many, one)))
         return runs
@@ -91,14 +86,14 @@ class Measurements:
         """One still in eight bands with 1, 2 and 4 workers, interleaved, and one POV-Ray with its own
         threads."""
         runs = {}
-        whole = [POVRAY, f"+I{SCENE}", f"+L{SCENE.parent}", "+Owhole.png", "-D", *STILL]
+        whole = povray_run.command(POVRAY, SCENE, "whole.png", *STILL, library=[SCENE.parent])
         for _ in range(self.repeat):
             for threads in (1, 2):
                 runs.setdefault(f"povray +WT{threads}", []).append(
                     measured([*whole, f"+WT{threads}"], self.folder)
                 )
             for workers in (1, 2, 4):
-                run = self.batch("still", SCENE, "--bands", 8, "--workers", workers, *STILL)
+                run = self.batch("still", SCENE, "--bands", 8, "--workers", workers, *words(STILL))
                 runs.setdefault(
                     f"batch, {workers} workers" if workers > 1 else "batch, 1 worker", []
                 ).append(run)
@@ -107,19 +102,9 @@ class Measurements:
     def large(self):
         """An 8K picture: memory of POV-Ray for one band, checking the band, joining two bands."""
         width, height = EIGHT_K
-        size = (f"+W{width}", f"+H{height}", "+FE", "Declare=Stop=22")
-        band = [
-            POVRAY,
-            f"+I{SCENE}",
-            f"+L{SCENE.parent}",
-            "+Oband.exr",
-            "-D",
-            "+WT1",
-            *size,
-            "+SR2145",
-            "+ER2176",
-        ]
-        memory = largest_memory(band, self.folder)
+        band = povray_run.command(POVRAY, SCENE, "band.exr", EIGHT_K, "+WT1", "+FE", "Declare=Stop=22", "+SR2145", "+ER2176",
+                                  library=[SCENE.parent])
+        memory = measured(band, self.folder)[2]
         check = measured(["oiiotool", "--info", "--hash", "band.exr"], self.folder)
         noise = [
             "oiiotool",
@@ -145,21 +130,6 @@ class Measurements:
             "join": join[1],
             "bytes": (self.folder / "band.exr").stat().st_size,
         }
-
-
-def largest_memory(command, folder):
-    process = subprocess.Popen(
-        [str(word) for word in command],
-        cwd=folder,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = status
-    if status != 0:
-        sys.exit(f"{command} failed")
-    return usage.ru_maxrss / 1024
 
 
 def dispatch_rate(repeat):
@@ -219,7 +189,7 @@ def margin(runs, unit):
     whole, bands, rows = (
         median(runs["povray +WT1"], 1),
         median(runs["batch, 1 worker"], 1),
-        int(STILL[1][2:]),
+        STILL[0][1],
     )
     return (
         max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)
@@ -242,7 +212,7 @@ def text(repeat):
         measure = Measurements(repeat, folder)
         start, unit, runs, large = measure.start(), measure.unit(), measure.speed(), measure.large()
     rate = dispatch_rate(repeat)
-    size = [int(word[2:]) for word in STILL[:2]]
+    size = STILL[0]
     here = median(runs["povray +WT1"], 1) / (size[0] * size[1]) * EIGHT_K[0] * EIGHT_K[1] / 3600
     costs = {"unit": median(unit, 0), "check": large["check"], "join": large["join"], "rate": rate}
     costs["margin"] = margin(runs, unit)

@@ -8,11 +8,10 @@ diaphragm is round in all."""
 
 import json
 import math
-import os
 import re
-import subprocess
 
-from benchmarks.lab import INCLUDE, SCENES, Failed, digest
+from benchmarks.lab import SCENES, Failed, digest
+from tools import povray_run
 from tools.repository import ROOT
 
 GALLERY = ROOT / "scenes" / "gallery"
@@ -39,15 +38,12 @@ def normalized(vector):
 def told(lab, name, folder):
     """The program's record of the scene's camera, and its messages."""
     record = folder / "camera.json"
-    command = [lab.ours, f"+I{GALLERY / name}.pov", f"+L{INCLUDE}", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "-D", "-P", "-C", "-A",
-               "+WT1", "+SC2", "+EC2", "+SR2", "+ER2", f"+O{folder / 'pixel.png'}"]
-    # the record is that of a preview without aperture, whose messages do not name the aperture
-    runs = [subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True, errors="replace", check=False,
-                           env={**os.environ, **preview}) for preview in ({"TILT_LENS_PREVIEW": str(record)}, {})]
-    for run in runs:
-        if run.returncode != 0:
-            raise Failed(f"{name}.pov ended with {run.returncode}:\n{run.stderr[-2000:]}")
-    return json.loads(record.read_text())["view"], runs[-1].stderr
+    command = povray_run.command(lab.ours, GALLERY / f"{name}.pov", folder / "pixel.png", SIZE, "-C", "+WT1", "+SC2", "+EC2", "+SR2", "+ER2",
+                                 library=[povray_run.INCLUDE])
+    # the record is that of a preview without aperture, whose messages do not tell the aperture
+    runs = [povray_run.run(command, folder, povray_run.environment(**preview), limit=None).succeeded()
+            for preview in ({"TILT_LENS_PREVIEW": str(record)}, {})]
+    return json.loads(record.read_text())["view"], runs[-1].said
 
 
 def numbers(messages, words):

@@ -10,6 +10,7 @@ import tempfile
 
 from benchmarks import suite
 from benchmarks.lab import PINHOLE, STOCK, Failed, Shot, digest
+from tools import povray_run
 
 SIZE = (64, 48)
 CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
@@ -27,15 +28,14 @@ def count(lab, binary, shot, times=1, within=None):
     if record is None:
         with tempfile.TemporaryDirectory() as folder:
             command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
-                       *([f"--toggle-collect={within}"] if within else []), binary,
-                       *shot.arguments(), *lab.gathered_light(shot), f"+O{folder}/picture.png"]
+                       *([f"--toggle-collect={within}"] if within else []),
+                       *shot.command(binary, f"{folder}/picture.png", *lab.gathered_light(shot))]
             counts = []
             for _ in range(times):
-                done = subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True,
-                                      errors="replace", check=False)
-                found = re.search(r"Collected : (\d+)", done.stderr)
-                if done.returncode != 0 or not found:
-                    raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n{done.stderr[-2000:]}")
+                done = povray_run.run(command, folder, limit=None).succeeded()
+                found = re.search(r"Collected : (\d+)", done.said)
+                if not found:
+                    raise Failed(f"callgrind does not report how many instructions it counted:\n{done.told()}")
                 counts.append(int(found.group(1)))
         record = {"key": key, "repetition": 0, "instructions": min(counts), "all": counts}
         lab.keep(record)

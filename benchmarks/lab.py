@@ -5,23 +5,17 @@
 import dataclasses
 import hashlib
 import json
-import os
 import pathlib
 import re
 import statistics
 import subprocess
-import tempfile
-import time
 
+from tools import povray_run
+from tools.povray_run import INCLUDE, Failed
 from tools.repository import ROOT
 
 SCENES = ROOT / "benchmarks" / "scenes"
-INCLUDE = ROOT / "scenes" / "include"
-PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # form of scenes/camera.inc
-
-
-class Failed(Exception):
-    """A program of the benchmark failed."""
+PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # Form of scenes/camera.inc
 
 
 def digest(*parts):
@@ -33,20 +27,9 @@ def digest(*parts):
 
 
 def run_measured(command, cwd, low_priority=False):
-    """Messages, CPU seconds (user and system) and elapsed seconds of a program."""
-    with tempfile.TemporaryFile() as messages:
-        started = time.monotonic()
-        process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL, stderr=messages, cwd=cwd,
-                                   preexec_fn=(lambda: os.nice(4)) if low_priority else None)
-        _, status, usage = os.wait4(process.pid, 0)
-        seconds = time.monotonic() - started
-        process.returncode = os.waitstatus_to_exitcode(status)
-        messages.seek(0)
-        text = messages.read().decode(errors="replace")
-    if process.returncode != 0:
-        raise Failed(f"{' '.join(map(str, command))}\nended with {process.returncode}:\n{text[-3000:]}")
-    return text, usage.ru_utime + usage.ru_stime, seconds
+    """Runs a program to its end: its messages, CPU seconds (user and system), elapsed seconds."""
+    done = povray_run.run(["nice", "-n4", *command] if low_priority else command, cwd, limit=None).succeeded()
+    return done.said, done.cpu, done.seconds
 
 
 @dataclasses.dataclass(frozen=True)
@@ -71,8 +54,9 @@ class Shot:
     part: Part = None           # the larger picture that this is a part of
     folder: pathlib.Path = SCENES
 
-    def arguments(self):
-        return [f"+I{self.folder / self.scene}.pov", f"+L{SCENES}", f"+L{INCLUDE}", *self.settings()]
+    def command(self, program, picture, *options):
+        return povray_run.command(program, self.folder / f"{self.scene}.pov", picture, self.size, *self.settings(), *options,
+                                  library=[SCENES, INCLUDE])
 
     def settings(self):
         """Arguments that name no file. A part is a picture of its own with a camera that sees nothing else; but
@@ -100,15 +84,9 @@ class Shot:
                      f"+ER{border + height}"))
 
     def sources(self):
-        """Texts of the scene and of the project's files that it includes."""
-        found, wanted = {}, [f"{self.scene}.pov"]
-        while wanted:
-            name = wanted.pop()
-            path = next((folder / name for folder in (self.folder, SCENES, INCLUDE) if (folder / name).is_file()), None)
-            if name not in found and path:
-                found[name] = path.read_bytes()
-                wanted += re.findall(r'#include\s+"([^"]+)"', found[name].decode())
-        return b"".join(found[name] for name in sorted(found))
+        """The texts of the scene and of the files of this project that it includes."""
+        found = povray_run.sources(self.folder / f"{self.scene}.pov", [SCENES, INCLUDE])
+        return b"".join(path.read_bytes() for path in sorted(found, key=lambda path: path.name))
 
 
 @dataclasses.dataclass
@@ -149,8 +127,8 @@ class Lab:
         seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
-        command = [program, *shot.arguments(), *self.gathered_light(shot), f"+O{picture}",
-                   *(["+FE"] if picture.suffix == ".exr" else ["+FN16", "File_Gamma=1.0"])]
+        command = shot.command(program, picture, *self.gathered_light(shot),
+                               *(["+FE"] if picture.suffix == ".exr" else ["+FN16", "File_Gamma=1.0"]))
         result = run_measured(command, picture.parent, low_priority)
         if not picture.is_file():
             raise Failed(f"{shot}: the program ended well but wrote no {picture}")
@@ -164,8 +142,7 @@ class Lab:
         path = self.work / "references" / f"{shot.scene}-{digest(wide.settings(), shot.sources())}.rca"
         if not path.is_file():
             path.parent.mkdir(parents=True, exist_ok=True)
-            run_measured([self.stock, *wide.arguments(), f"+O{path}.png", "+FN", "+RFO", f"+RF{path}.part"],
-                         path.parent)
+            run_measured(wide.command(self.stock, f"{path}.png", "+FN", "+RFO", f"+RF{path}.part"), path.parent)
             path.with_name(path.name + ".png").unlink()
             path.with_name(path.name + ".part").rename(path)
         return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]

@@ -8,11 +8,11 @@ Parts of gallery pictures of 1280 by 720 are recorded and replayed with the same
 replay_samples, which `ninja -C build ablation_tools` builds). Needs oiiotool (Debian: openimageio-tools)."""
 
 import argparse
-import os
 import pathlib
 import subprocess
 import tempfile
 
+from tools import povray_run
 from tools.repository import BUILD, ROOT
 
 GALLERY = ROOT / "scenes" / "gallery"
@@ -28,12 +28,11 @@ SCALE = 3
 
 def record(tools, scene, corner, path):
     (left, top), (width, height) = corner, SIZE
-    command = [tools / "record_samples", f"+I{GALLERY / scene}.pov", f"+L{GALLERY}", f"+L{ROOT / 'scenes' / 'include'}",
-               f"+W{PICTURE[0]}", f"+H{PICTURE[1]}", f"+SC{left + 1}", f"+EC{left + width}", f"+SR{top + 1}",
-               f"+ER{top + height}", "-D", "-P", "-C", "-A", "-GA", "+WT1", "+FN", f"+O{path.with_suffix('.png')}"]
-    subprocess.run([str(part) for part in command], check=True, capture_output=True, cwd=path.parent,
-                   env={**os.environ, "TILT_LENS_RECORD": str(path), "TILT_LENS_RECORD_SAMPLES": str(RECORDED),
-                        "TILT_LENS_SETTINGS": ""})
+    command = povray_run.command(tools / "record_samples", GALLERY / f"{scene}.pov", path.with_suffix(".png"), PICTURE, f"+SC{left + 1}",
+                                 f"+EC{left + width}", f"+SR{top + 1}", f"+ER{top + height}", "-C", "-GA", "+WT1", "+FN",
+                                 library=[GALLERY, povray_run.INCLUDE])
+    record = {"TILT_LENS_RECORD": str(path), "TILT_LENS_RECORD_SAMPLES": str(RECORDED), "TILT_LENS_SETTINGS": ""}
+    povray_run.run(command, path.parent, povray_run.environment(**record), limit=None).succeeded()
 
 
 def replay(tools, samples, rays, prefix):

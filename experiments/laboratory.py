@@ -7,18 +7,15 @@ import dataclasses
 import hashlib
 import json
 import pathlib
-import re
 import shutil
 import subprocess
 
+from tools import povray_run
+from tools.povray_run import Failed
 from tools.repository import ROOT
 
 SCENES = ROOT / "scenes" / "paper"
 OWN_SCENES = ROOT / "experiments" / "scenes"
-
-
-class Failed(Exception):
-    """A program of an experiment failed."""
 
 
 @dataclasses.dataclass
@@ -59,9 +56,10 @@ class Laboratory:
     def tool(self, name):
         return str(self.tools / "tests" / "paper" / "tools" / name)
 
-    def run(self, command, stdin=None, accept=(0,), cwd=None):
+    def run(self, command, stdin=None, accept=(0,)):
+        """Runs a program; its standard output."""
         done = subprocess.run([str(part) for part in command], input=stdin, text=True,
-                              capture_output=True, check=False, cwd=cwd)
+                              capture_output=True, check=False)
         if done.returncode not in accept:
             raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n"
                          f"{done.stderr[-3000:]}")
@@ -75,39 +73,30 @@ class Laboratory:
         scene, picture = pathlib.Path(scene), self.work / output
         picture.parent.mkdir(parents=True, exist_ok=True)
         kind = "N" if picture.suffix == ".png" else "E"
-        command = [self.povray, f"+I{scene}", f"+O{picture}", f"+F{kind}", f"+W{size[0]}",
-                   f"+H{size[1]}", f"+L{scene.parent}", f"+L{SCENES}", "-D", "-V", "-GA", "-P",
-                   "-A", f"+WT{self.threads}",
-                   *[f"Declare={name}={value}" for name, value in declare], *options]
-        # Pictures are kept by program, scene and options, so that an interrupted run continues.
-        key = self.key(command, scene, [scene.parent, SCENES, picture.parent])
+        command = povray_run.command(self.povray, scene, picture, size, f"+F{kind}", "-V", "-GA", f"+WT{self.threads}",
+                                     *[f"Declare={name}={value}" for name, value in declare], *options,
+                                     library=[scene.parent, SCENES])
+        # A picture of the same program, scene and options is kept, so that an interrupted run continues.
+        key = self.key(command, povray_run.sources(scene, [SCENES, picture.parent]))
         note = picture.with_name(picture.name + ".key")
         if picture.is_file() and note.is_file() and note.read_text() == key:
             return picture
         for old in (note, picture, picture.with_name(picture.name + ".pov-state")):
             old.unlink(missing_ok=True)
-        # includes are read from the current folder, and files are written there
-        self.run(command, cwd=picture.parent)
+        # The program reads includes from its current folder, and writes files there.
+        povray_run.run(command, picture.parent, limit=None).succeeded()
         if not picture.is_file():
             raise Failed(f"{scene}: the program ended well but wrote no {picture}")
         note.write_text(key)
         return picture
 
-    def key(self, command, scene, folders):
-        """Hash of the program, the command, the scene, and its includes."""
+    def key(self, command, sources):
+        """A hash of the program, the command, the scene and the files that it includes."""
         if not self.program:
             self.program = hashlib.sha256(self.povray.read_bytes()).hexdigest()
-        found = hashlib.sha256((self.program + json.dumps([str(x) for x in command])).encode())
-        seen, left = set(), [scene]
-        while left:
-            path = left.pop()
-            if path in seen or not path.is_file():      # POV-Ray's own include files are elsewhere
-                continue
-            seen.add(path)
-            text = path.read_text()
-            found.update(text.encode())
-            left += [folder / name for name in re.findall(r'#include "([^"]+)"', text)
-                     for folder in folders]
+        found = hashlib.sha256((self.program + json.dumps(command)).encode())
+        for path in sources:
+            found.update(path.read_bytes())
         return found.hexdigest()
 
     def png(self, picture, *drawing):

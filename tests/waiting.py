@@ -5,8 +5,7 @@
 import time
 import unittest
 
-# Seconds until an expected event counts as missing: far more than any takes on a busy machine.
-PATIENCE = 600
+from tools.povray_run import PATIENCE
 
 
 class WaitingTest(unittest.TestCase):

@@ -7,15 +7,14 @@ import argparse
 import pathlib
 import re
 import shlex
-import subprocess
 import sys
 import tempfile
 
-from tests.waiting import PATIENCE
-from tools.docs import pages
+from tools import povray_run
+from tools.docs import gallery, pages
 from tools.repository import ROOT
 
-SIZE = ("+W32", "+H18")
+SIZE = (32, 18)
 VIEW = "right x*image_width/image_height location <0, 1.6, -6> look_at <0, 0.8, 2>"
 CAMERA_WORDS = re.compile(r"\b(location|look_at)\b|Tilt_Lens_(Real_)?Upright")
 WORLD = """
@@ -43,15 +42,11 @@ def scene_of(example):
     return f"#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n{includes}\n{text}\n{WORLD}"
 
 
-def run(povray, folder, options):
+def run(povray, folder, scene, options=(), library=()):
     """Exit code and output of the program, run as ./render runs it."""
-    command = [povray, "+Opicture.png", "-D", "-P", f"+L{ROOT / 'scenes' / 'include'}", *options]
-    try:
-        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              timeout=PATIENCE, check=False)
-    except subprocess.TimeoutExpired as late:
-        return None, (late.stdout or b"").decode(errors="replace")
-    return done.returncode, done.stdout.decode(errors="replace")
+    command = povray_run.command(povray, scene, "picture.png", SIZE, *options, library=[povray_run.INCLUDE, *library])
+    done = povray_run.run(command, folder, povray_run.user_environment())
+    return done.code, done.said
 
 
 def plain(text):
@@ -62,7 +57,7 @@ def plain(text):
 def wrong_with(example, code, said, picture):
     fails = bool(example.expected["fails"])
     if code is None:
-        yield "it did not end within 110 s"
+        yield f"it did not end within {povray_run.PATIENCE} s"
     elif fails != (code != 0):
         yield f"exit code {code}"
     elif fails == picture:
@@ -81,7 +76,7 @@ def check_example(povray, example, folder, index):
     name = example.name or f"example_{index}.pov"
     (folder / name).write_text(scene_of(example))
     (folder / "picture.png").unlink(missing_ok=True)
-    code, said = run(povray, folder, [f"+I{name}", *SIZE])
+    code, said = run(povray, folder, name)
     wrong = list(wrong_with(example, code, said, (folder / "picture.png").exists()))
     tail = said[said.find("[Parsing"):][:1500]
     return [f"{example.block.place()}: {text}\n--- {name}\n{(folder / name).read_text()}--- messages\n{tail}" for text in wrong]
@@ -96,7 +91,7 @@ def check_output(povray, block, folder):
     path = name if (folder / name).exists() else ROOT / name
     # one pixel is enough for messages before the render; those after it need the whole picture
     part = [] if "Samples per pixel" in block.text else ["+SC1", "+EC1", "+SR1", "+ER1"]
-    code, said = run(povray, folder, [f"+I{path}", *options, *part])
+    code, said = run(povray, folder, path, [*options, *part])
     if code != 0:
         return [f"{block.place()}: {name} ends with exit code {code}\n{said[-1500:]}"]
     heard, at = [line.rstrip() for line in said.split("\n")], 0
@@ -134,7 +129,9 @@ def check_command(povray, place, command, names, folder):
         return []  # needs files that another command fetches
     if not scene.is_file():
         return [f"{place}: {command}: there is no scene {wanted[0]}"]
-    code, said = run(povray, folder, [f"+I{scene}", f"+L{scene.parent}", *options, *SIZE])
+    if scene.parent == gallery.SCENES and not options:
+        return []  # the tests of the gallery render it, and larger
+    code, said = run(povray, folder, scene, options, [scene.parent])
     return [] if code == 0 else [f"{place}: {command}: exit code {code}\n{said[-1500:]}"]
 
 

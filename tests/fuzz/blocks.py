@@ -8,7 +8,7 @@ import os
 import subprocess
 
 from tests.fuzz import grammar
-from tests.waiting import PATIENCE
+from tools.povray_run import PATIENCE, WITHOUT_LEAKS
 
 BATCH = 500
 
@@ -25,7 +25,7 @@ def parse(parser, texts):
     answers = []
     while len(answers) < len(texts):
         data = b"".join(text.encode() + b"\0" for text in texts[len(answers):])
-        settings = {"ASAN_OPTIONS": "detect_leaks=0", **os.environ}
+        settings = {**WITHOUT_LEAKS, **os.environ}
         done = subprocess.run([parser], input=data, capture_output=True, check=False, timeout=PATIENCE, env=settings)
         answers += done.stdout.decode(errors="replace").splitlines()
         if len(answers) < len(texts):

@@ -3,11 +3,12 @@
 """Renders accepted blocks as the frames of an animation, many in one process: each must become a picture with finite
 values."""
 
-import os
 import pathlib
 import re
 import subprocess
 import tempfile
+
+from tools import povray_run
 
 BATCH = 250
 SCENE = """#version 3.7; global_settings { assumed_gamma 1 }
@@ -25,15 +26,14 @@ CAMERA = ("camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aper
 def _animate(povray, folder, first, last):
     """Renders frames until one fails; returns the messages, or "" if none failed."""
     # one frame more than there are blocks: a single one would be no animation
-    command = [os.path.abspath(povray), "+Iscene.pov", "+Oframe.exr", "+FE", "+W8", "+H6", "-D", "-P", "-A", "+WT1", "+KFI1",
-               f"+KFF{last + 1}", f"+SF{first}", f"+EF{last}", "-C"]
-    settings = {"ASAN_OPTIONS": "detect_leaks=0", "POVINI": str(folder / "none.ini"), **os.environ}
-    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False, env=settings)
-    if done.returncode == 0:
+    command = povray_run.command(povray, "scene.pov", "frame.exr", (8, 6), "+FE", "+WT1", "+KFI1", f"+KFF{last + 1}", f"+SF{first}",
+                                 f"+EF{last}", "-C")
+    done = povray_run.run(command, folder, povray_run.environment(**povray_run.WITHOUT_LEAKS))
+    if done.code == 0:
         return ""
-    said = done.stderr.decode(errors="replace").strip().splitlines()
+    said = done.said.strip().splitlines()
     telling = [line for line in said if "ERROR" in line or "rror:" in line] or said[-1:]
-    return f"exit code {done.returncode}: {' '.join(telling[:2])[:300]}"
+    return f"exit code {done.code}: {' '.join(telling[:2])[:300]}"
 
 
 def _not_finite(pictures):
@@ -53,7 +53,6 @@ def _render_batch(povray, texts):
     wrong = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
-        (folder / "none.ini").write_text("")
         (folder / "scene.pov").write_text(SCENE)
         for number, text in enumerate(texts, 1):
             (folder / f"block{number}.inc").write_text(CAMERA.format(text))

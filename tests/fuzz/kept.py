@@ -11,6 +11,8 @@ import pathlib
 import subprocess
 import tempfile
 
+from tools.povray_run import WITHOUT_LEAKS
+
 HERE = pathlib.Path(__file__).resolve().parent
 BYTES = (lambda data: base64.b64encode(data).decode(), base64.b64decode)
 FORMS = {"solver": BYTES, "prescription": BYTES, "parser": (bytes.decode, str.encode)}
@@ -40,5 +42,5 @@ def minimise(name, program, found):
     """Reduces all inputs to the kept corpus: the fewest that reach the same code."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
         subprocess.run([str(program), "-set_cover_merge=1", folder, str(found)], capture_output=True, check=True,
-                       env={"ASAN_OPTIONS": "detect_leaks=0", **os.environ})
+                       env={**WITHOUT_LEAKS, **os.environ})
         save("corpus", name, [path.read_bytes() for path in pathlib.Path(folder).iterdir()])

@@ -8,15 +8,13 @@
 
 import argparse
 import math
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
 from tests.render import rendering
-from tests.waiting import PATIENCE
+from tools import povray_run
 from tools.docs import gallery
 from tools.repository import ROOT
 
@@ -32,16 +30,13 @@ def warnings(said):
 def check_scene(path, povray):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
-        (folder / "none.ini").write_text("")
-        command = [os.path.abspath(povray), f"+I{path}", "+Opicture.exr", "+FE", f"+W{WIDTH}", f"+H{HEIGHT}", "-D", "-P", "-A",
-                   f"+L{ROOT / 'scenes/include'}", "Declare=Samples=4"]
-        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, errors="replace", timeout=PATIENCE, check=False,
-                              env={**os.environ, "POVINI": str(folder / "none.ini")})
-        if done.returncode != 0:
-            return [f"exit code {done.returncode}: {' '.join(command)}\n{done.stdout[-1500:]}"]
-        faults = [f"it warns: {line}" for line in warnings(done.stdout)]
-        taken = re.search(r"Samples per pixel\.+mean ([\d.]+)", done.stdout)
+        command = povray_run.command(povray, path, "picture.exr", (WIDTH, HEIGHT), "+FE", "Declare=Samples=4",
+                                     library=[povray_run.INCLUDE])
+        done = povray_run.run(command, folder)
+        if done.code != 0:
+            return [done.told()]
+        faults = [f"it warns: {line}" for line in warnings(done.said)]
+        taken = re.search(r"Samples per pixel\.+mean ([\d.]+)", done.said)
         if not taken or float(taken.group(1)) > 4:
             faults.append("Declare=Samples=4 does not limit the samples to 4 a pixel"
                           + (f": {taken.group(1)} were taken" if taken else ""))

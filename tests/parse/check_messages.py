@@ -7,15 +7,13 @@ code must not be zero, and there must be no picture. Without an expected error t
 must be those expected."""
 
 import argparse
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
 from tests.parse import cases_file
-from tests.waiting import PATIENCE
+from tools import povray_run
 
 PICTURE = "picture.png"
 # POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The renderer's messages follow their place
@@ -50,19 +48,10 @@ def has_parts(text, parts):
 
 
 def run(povray, case, folder, library):
-    """Exit code (None: it did not end) and output of POV-Ray."""
+    """The finished run of POV-Ray."""
     for name, text in case.files.items():
         (folder / name).write_text(text)
-    (folder / "none.ini").write_text("")
-    command = [povray, f"+I{cases_file.SCENE}", f"+O{PICTURE}", "+W8", "+H6", "-D", "-P", "+WT1",
-               *[f"+L{path}" for path in library], *case.options]
-    try:
-        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=PATIENCE, check=False,
-                              env={**os.environ, "POVINI": str(folder / "none.ini")})
-        return command, done.returncode, done.stdout.decode(errors="replace")
-    except subprocess.TimeoutExpired as late:
-        return command, None, (late.stdout or b"").decode(errors="replace")
+    return povray_run.run(povray_run.command(povray, cases_file.SCENE, PICTURE, (8, 6), "+WT1", *case.options, library=library), folder)
 
 
 def compare_messages(case, found, kind):
@@ -83,15 +72,16 @@ def check(povray, case, library):
     """The faults, and a readable report; an empty list if there is none."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
-        command, code, output = run(povray, case, folder, library)
+        done = run(povray, case, folder, library)
         picture = (folder / PICTURE).exists()
+    code, output = done.code, done.said
     found = messages_of(output)
     wrong = [*compare_messages(case, found, "error"), *compare_messages(case, found, "warning")]
     said = re.sub(r"\s+", " ", output)
     wrong += ["nowhere said: " + " | ".join(parts) for parts in case.parts("says") if not has_parts(said, parts)]
     refused = bool(case.parts("error"))
     if code is None:
-        wrong.append("it did not end within 60 s")
+        wrong.append(f"it did not end within {povray_run.PATIENCE} s")
     elif code < 0:
         wrong.append(f"it crashed: signal {-code}")
     elif refused != (code != 0):
@@ -102,7 +92,7 @@ def check(povray, case, library):
         return wrong, ""
     files = "".join(f"--- {file}\n{text}" for file, text in case.files.items())
     tail = output[output.find("[Parsing"):] if "[Parsing" in output else output[-1500:]
-    return wrong, f"{' '.join(command)}\n{files}--- messages\n{tail.strip()[:1200]}\n"
+    return wrong, f"{' '.join(done.command)}\n{files}--- messages\n{tail.strip()[:1200]}\n"
 
 
 def main():
@@ -120,7 +110,7 @@ def main():
         sys.exit(f"{args.cases.name}: no case named {args.only}")
     failed = 0
     for case in cases:
-        wrong, report = check(os.path.abspath(args.povray), case, args.library)
+        wrong, report = check(args.povray, case, args.library)
         if wrong:
             failed += 1
             print(f"FAILED {args.cases.stem}: {case.name}")

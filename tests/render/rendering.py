@@ -4,28 +4,21 @@
 
 import argparse
 import array
-import atexit
 import dataclasses
 import math
-import os
 import pathlib
 import shutil
 import struct
-import subprocess
 import sys
 import tempfile
-import threading
 import time
 import unittest
 
-from tests.waiting import PATIENCE
+from tools import povray_run
+from tools.povray_run import PATIENCE
 
 SETTINGS = argparse.Namespace(povray="povray", compare="compare", library=[])
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-
-
-class UnreadablePicture(Exception):
-    """The comparison tool cannot decode a picture."""
 
 
 @dataclasses.dataclass
@@ -52,34 +45,9 @@ class Picture:
         return self.values[self.names.index(name)::len(self.names)]
 
 
-class Reader:
-    """A process of the comparison tool that reads all pictures of a test, because its start takes long. A lock
-    keeps each thread's question and answer together."""
-
-    def __init__(self):
-        self.lock = threading.Lock()
-        self.process = None
-
-    def ask(self, path):
-        """The header line and the values of a picture. Raises UnreadablePicture."""
-        with self.lock:
-            if self.process is None or self.process.poll() is not None:
-                self.process = subprocess.Popen([SETTINGS.compare, "pixels"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-                atexit.register(self.process.communicate)
-            self.process.stdin.write(os.fsencode(os.path.abspath(path)) + b"\n")
-            self.process.stdin.flush()
-            size = self.process.stdout.readline()
-            if not size.strip().isdigit():
-                raise UnreadablePicture(size.decode(errors="replace") or f"{path}: the comparison tool ended")
-            return self.process.stdout.read(int(size)).split(b"\n", 1)
-
-
-READER = Reader()
-
-
 def read_pixels(path):
-    """Width, height, type of values, names of the channels, and the values as stored."""
-    head, data = READER.ask(path)
+    """Width, height, type of values and names of the channels, and the values as stored."""
+    head, data = povray_run.pixels(SETTINGS.compare, path).split(b"\n", 1)
     width, height, _, form, *names = head.decode().split()
     return int(width), int(height), form, names, data
 
@@ -106,31 +74,31 @@ class Job:
     def command(self):
         """The command line, run in a folder of its own."""
         kind = {"png": "+FN16", "exr": "+FE"}[self.extension]
-        return [os.path.abspath(SETTINGS.povray), "+Iscene.pov", f"+Opicture.{self.extension}", kind, f"+W{self.width}",
-                f"+H{self.height}", "-D", "-P", "-A", "File_Gamma=1.0", *[f"+L{path}" for path in SETTINGS.library],
-                *self.options]
+        return povray_run.command(SETTINGS.povray, "scene.pov", f"picture.{self.extension}", (self.width, self.height), kind,
+                                  "File_Gamma=1.0", *self.options, library=SETTINGS.library)
 
     def told(self):
         """The command and the scene, for messages."""
         return f"{' '.join(self.command())}\n{HEAD}{self.scene.strip()}\n"
 
+    def write(self, folder):
+        """Writes the scene into the folder."""
+        (folder / "scene.pov").write_text(HEAD + self.scene)
+
     def start(self, folder):
         """Starts POV-Ray in the folder."""
-        (folder / "scene.pov").write_text(HEAD + self.scene)
-        (folder / "none.ini").write_text("")
-        return subprocess.Popen(self.command(), cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, env={**os.environ, "POVINI": str(folder / "none.ini")})
+        self.write(folder)
+        return povray_run.start(self.command(), folder)
 
-    def attempt(self, folder):
-        """Exit code and messages of POV-Ray in the folder, even if it refuses. Fails a test if it does not end."""
-        process = self.start(folder)
-        try:
-            said = process.communicate(timeout=PATIENCE)[0].decode(errors="replace")
-        except subprocess.TimeoutExpired:
-            process.kill()
-            said = process.communicate()[0].decode(errors="replace")
-            raise AssertionError(f"no end after {PATIENCE} s\n{self.told()}{said[-1500:]}") from None
-        return process.returncode, said
+    def attempt(self, folder, before=(), **how):
+        """Exit code and messages of POV-Ray in the folder, even if it refuses. Fails a test if it does not end.
+        @param before  words of a command that starts POV-Ray
+        @param how     for povray_run.run()"""
+        self.write(folder)
+        done = povray_run.run([*before, *self.command()], folder, **how)
+        if done.code is None:
+            raise AssertionError(f"{done.told()}\n{self.told()}")
+        return done.code, done.said
 
     def stop(self, folder, number, kept):
         """Starts POV-Ray in the folder, and ends it by a signal when its state file holds more than `kept` bytes."""

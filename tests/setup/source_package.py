@@ -8,7 +8,7 @@ import json
 import os
 import tarfile
 
-from tests.setup.harness import CMAKE, REPOSITORY, SetupTest
+from tests.setup.scratch import CMAKE, REPOSITORY, SetupTest
 
 TARBALL = "povray_1.orig.tar.gz"
 PACKAGING = "povray_1-2.debian.tar.xz"

@@ -4,7 +4,7 @@
 
 import unittest
 
-from tests.setup.harness import REPOSITORY, SetupTest
+from tests.setup.scratch import REPOSITORY, SetupTest
 
 FETCH = REPOSITORY / "cmake" / "fetch-debian-source"
 CODENAME = next(line.split("=", 1)[1].strip().strip('"')

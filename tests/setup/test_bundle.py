@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import unittest
 
-from tests.setup.harness import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
+from tests.setup.scratch import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
 
 GLIBC = re.compile(r"(linux-vdso|ld-linux[\w-]*|libc|libm|libdl|librt|libpthread)\.so\.\d")
 

@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import unittest
 
-from tests.setup.harness import REPOSITORY, SetupTest
+from tests.setup.scratch import REPOSITORY, SetupTest
 from tests.waiting import PATIENCE
 
 STAND_IN = r"""#!/bin/bash

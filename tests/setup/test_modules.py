@@ -6,7 +6,7 @@ import re
 import sys
 import unittest
 
-from tests.setup.harness import REPOSITORY, SetupTest
+from tests.setup.scratch import REPOSITORY, SetupTest
 
 PACKAGES = ("benchmarks", "experiments", "tests", "tools")
 

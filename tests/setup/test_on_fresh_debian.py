@@ -5,7 +5,7 @@
 import os
 import unittest
 
-from tests.setup.harness import REPOSITORY, SetupTest
+from tests.setup.scratch import REPOSITORY, SetupTest
 
 SCRIPT = REPOSITORY / "tests" / "setup" / "on_fresh_debian"
 

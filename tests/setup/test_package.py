@@ -10,7 +10,7 @@ import subprocess
 import tarfile
 import unittest
 
-from tests.setup.harness import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
+from tests.setup.scratch import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
 
 CPACK = pathlib.Path(CMAKE).with_name("cpack")
 MAINTAINER = {"DEBFULLNAME": "A tester", "DEBEMAIL": "tester@example.org"}

@@ -6,7 +6,7 @@ import hashlib
 import shutil
 import unittest
 
-from tests.setup.harness import BUILD, CMAKE, POVRAY, REPOSITORY, SCENE, SetupTest
+from tests.setup.scratch import BUILD, CMAKE, POVRAY, REPOSITORY, SCENE, SetupTest
 
 
 class ProgramTest(SetupTest):

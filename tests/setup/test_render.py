@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from tests.setup.harness import BUILD, REPOSITORY, SetupTest
+from tests.setup.scratch import BUILD, REPOSITORY, SetupTest
 from tests.waiting import PATIENCE
 
 SCENE = """#version 3.7;

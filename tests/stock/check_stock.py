@@ -8,11 +8,12 @@ those given here."""
 
 import argparse
 import hashlib
-import os
 import pathlib
 import shutil
 import subprocess
 import sys
+
+from tools import povray_run
 
 
 def arguments():
@@ -39,29 +40,20 @@ def render(program, args, folder):
     for neighbour in scene.parent.iterdir():
         if neighbour.is_file():
             shutil.copyfile(neighbour, folder / neighbour.name)
-    settings = folder / "none.ini"
-    settings.write_text("")
     picture = folder / "picture.png"
     # the unpatched program does not know the word; the fork lets no scene write in the build folder, as one of these does
     unrestricted = ["--unrestricted"] if folder.name == "fork" else []
-    command = [program, *unrestricted, f"+I{scene.name}", f"+O{picture.name}", "+FN16",
-               f"+W{args.width}", f"+H{args.height}", f"+L{args.includes}",
-               "-D", "-V", "-GA", "-P", "+WT1", *(args.options or ["-A"])]
-    log = folder / "messages.txt"
-    with log.open("wb") as messages:
-        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=messages,
-                              stderr=subprocess.STDOUT, check=False,
-                              env={**os.environ, "POVINI": str(settings)})
-    if done.returncode != 0 or not picture.is_file():
-        end = "\n".join(log.read_text(errors="replace").splitlines()[-12:])
-        raise SystemExit(f"{program} made no picture of {args.scene} "
-                         f"(exit code {done.returncode}):\n{end}")
+    command = povray_run.command(program, scene.name, picture.name, (args.width, args.height), *unrestricted, "+FN16", "-V", "-GA", "+WT1",
+                                 *args.options, library=[args.includes])
+    done = povray_run.run(command, folder, limit=None)
+    if done.code != 0 or not picture.is_file():
+        raise SystemExit(f"{program} made no picture of {args.scene}:\n{done.told()}")
     return picture
 
 
 def pixels(compare, picture):
-    done = subprocess.run([compare, "pixels", str(picture)], capture_output=True, check=True)
-    head, data = done.stdout.split(b"\n", 1)
+    """Size, type and hash of the decoded pixels."""
+    head, data = povray_run.pixels(compare, picture).split(b"\n", 1)
     return head.decode(), hashlib.sha256(data).hexdigest()
 
 
@@ -71,13 +63,12 @@ def main():
         print(f"there is no {args.examples / args.scene}: is povray-examples installed?",
               file=sys.stderr)
         return 1
-    # absolute, because the programs run in other folders
     stock, fork = shutil.which(args.stock), shutil.which(args.fork)
     if stock is None or fork is None:
         print(f"no such program: {args.stock if stock is None else args.fork}", file=sys.stderr)
         return 1
     work = args.work.absolute()
-    pictures = [render(os.path.abspath(program), args, work / name)
+    pictures = [render(program, args, work / name)
                 for program, name in ((stock, "stock"), (fork, "fork"))]
     of_stock, of_fork = (pixels(args.compare, picture) for picture in pictures)
     if of_stock == of_fork:

@@ -12,7 +12,7 @@ import tempfile
 import time
 
 from tests.render import rendering, scenes
-from tests.waiting import PATIENCE
+from tools import povray_run
 
 KILLS = 50
 SIZE = {"width": 96, "height": 72}
@@ -30,27 +30,18 @@ def use(setup):
 
 
 def run(folder, scene, *options, through=(), **how):
-    """Exit code and messages; `command` starts another, Popen gets the extra arguments."""
+    """Exit code and messages of a render in a folder, optionally through a command that starts others. `how`: for povray_run.run()"""
     job = rendering.Job(scene, options, **how.pop("size", SIZE))
-    (folder / "scene.pov").write_text(rendering.HEAD + scene)
-    (folder / "none.ini").write_text("")
-    settings = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, **how}
-    process = subprocess.Popen([*through, *job.command()], cwd=folder, env={**os.environ, "POVINI": str(folder / "none.ini")}, **settings)
-    try:
-        said = process.communicate(timeout=PATIENCE)[0]
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
-        return None, "it did not end"
-    lines = (said or b"").decode(errors="replace").splitlines()
+    job.write(folder)
+    done = povray_run.run([*through, *job.command()], folder, **how)
     # a remark at every start if the user has no settings
-    return process.returncode, "\n".join(line for line in lines if "configuration file" not in line)
+    return done.code, "\n".join(line for line in done.said.splitlines() if "configuration file" not in line)
 
 
 def is_whole(path, whole):
     try:
         found = rendering.read_picture(path, "")
-    except rendering.UnreadablePicture:
+    except povray_run.UnreadablePicture:
         return False
     return rendering.difference(found, whole)[1] == 0.0
 
@@ -173,11 +164,8 @@ def _small_files():
 
 
 def read_only(folder, whole):
-    """An output folder without write permission. Root first drops that power without changing user, because another user might not be able
-    to read the program."""
-    powers = "-dac_override,-dac_read_search"
-    through = ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.geteuid() == 0 else []
-    code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", through=through)
+    """An output folder without write permission."""
+    code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", through=povray_run.held_to_permissions())
     return case("read-only output folder", code, said, whole, folder, ("cannot", "denied", "not permitted", "failed"))
 
 

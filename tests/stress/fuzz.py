@@ -8,7 +8,8 @@ import re
 import subprocess
 
 from tests.fuzz import blocks, frames, grammar as grammar_of_blocks, kept, seeds
-from tests.stress import harness
+from tests.stress import results
+from tools.povray_run import WITHOUT_LEAKS
 from tools.repository import ROOT
 
 BLOCKS, SHARD, SECONDS = 20_000, 1000, 600
@@ -32,7 +33,7 @@ def libfuzzer(name, program, corpus, length, runs, seconds):
     words.write_text("".join(f'"{word}"\n' for word in (*grammar_of_blocks.WORDS, "rgb", "<", ">", "{", "}", ", ", "1e309")))
     ends = [f"-runs={runs}", "-seed=1"] if runs else [f"-max_total_time={seconds}"]
     dictionary = [f"-dict={words}"] if name == "parser" else []
-    settings = {"ASAN_OPTIONS": "detect_leaks=0", **os.environ}
+    settings = {**WITHOUT_LEAKS, **os.environ}
     done = subprocess.run([str(program), *ends, *dictionary, f"-max_len={length}", "-rss_limit_mb=4000", "-timeout=60",
                            f"-artifact_prefix={corpus}-finding-", str(corpus)], capture_output=True, text=True, check=False,
                           env=settings)
@@ -56,10 +57,10 @@ def grammar(setup, work, tree, count):
         return {**blocks.tally(outcomes), "pictures": len(accepted), "bad_pictures": frames.render(povray, accepted)}
 
     def once(seed):
-        return harness.once(work, f"blocks-{count}-{seed}", [povray, parser, *SCRIPTS], lambda: shard(seed),
+        return results.once(work, f"blocks-{count}-{seed}", [povray, parser, *SCRIPTS], lambda: shard(seed),
                             lambda tally: tally["bad"] + tally["bad_pictures"])
 
-    tallies = harness.in_parallel(4 * setup.jobs, once, range(1, 1 + max(1, count // SHARD)))
+    tallies = results.in_parallel(4 * setup.jobs, once, range(1, 1 + max(1, count // SHARD)))
     total = {"blocks": 0, "pictures": 0, "counts": {}, "bad": [], "sanitized": tree != setup.build}
     for tally in tallies:
         total["blocks"] += tally["blocks"]
@@ -87,7 +88,7 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
         return libfuzzer(name, program, work / name, length, count_, seconds)
 
     present = [target for target in targets if target[1].is_file()]
-    found.update(zip([target[0] for target in present], harness.in_parallel(setup.jobs, fuzz, present)))
+    found.update(zip([target[0] for target in present], results.in_parallel(setup.jobs, fuzz, present)))
     return found
 
 

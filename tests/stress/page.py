@@ -4,7 +4,7 @@
 
 import subprocess
 
-from tests.stress import harness, rays, reports, soak
+from tests.stress import rays, reports, results, soak
 from tools.repository import ROOT
 
 TITLES = {
@@ -117,7 +117,7 @@ def plot(name, label, powers, spreads):
     lines = ["\n".join(f"{power} {spread['by_power'].get(str(power), 0) / max(1, spread['count'])}" for power in powers)
              for _, spread in spreads]
     plots = ", ".join(f"'-' with linespoints lw 2 title '{title}'" for title, _ in spreads)
-    script = ("set terminal svg size 720,480 dynamic background 'white'\nset output '" + str(harness.RESULTS / name) + "'\n"
+    script = ("set terminal svg size 720,480 dynamic background 'white'\nset output '" + str(results.RESULTS / name) + "'\n"
               "set logscale y\nset yrange [1e-7:2]\nset format y '10^{%T}'\n"
               f"set xlabel '{label}'\nset ylabel 'share of rays'\nset key outside below maxcols 1 Left reverse width -30\n"
               f"plot {plots}\n" + "\ne\n".join(lines) + "\ne\n")
@@ -242,7 +242,7 @@ SECTIONS = {"rays": rays_section, "sampler": sampler_section, "pictures": pictur
 def write():
     text, missing = HEAD, []
     for name, section in SECTIONS.items():
-        result = harness.load(name)
+        result = results.load(name)
         if result is None:
             missing.append(name)
         else:

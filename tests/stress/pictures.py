@@ -10,11 +10,11 @@ import math
 import pathlib
 import random
 import statistics
-import subprocess
 import tempfile
 
 from tests.render import rendering
-from tests.stress import harness
+from tests.stress import results
+from tools import povray_run
 
 FURNACES, WIDTH, HEIGHT = 200, 48, 36
 GLOW = "#default { finish { ambient 1 diffuse 0 } }\n"
@@ -72,12 +72,8 @@ def furnaces(setup, count, work):
         folder = work / f"furnace{ball}"
         folder.mkdir(exist_ok=True)
         (folder / "scene.pov").write_text(scene)
-        command = [str(setup.povray.resolve()), "+Iscene.pov", "+Op.png", "+FN16", "+W12", "+H9", "-D", "-P", "-A",
-                   "File_Gamma=1.0", "+WT1", "+KFI1", f"+KFF{count}", f"Declare=Ball={ball}"]
-        with open(folder / "said.txt", "wb") as said:
-            done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=said, stderr=said, check=False)
-        if done.returncode != 0:
-            raise RuntimeError(f"furnace: exit code {done.returncode}\n{(folder / 'said.txt').read_text()[-800:]}")
+        povray_run.run(povray_run.command(setup.povray, "scene.pov", "p.png", (12, 9), "+FN16", "File_Gamma=1.0", "+WT1", "+KFI1",
+                                          f"+KFF{count}", f"Declare=Ball={ball}"), folder, limit=None).succeeded()
         pictures = sorted(folder.glob("p*.png"))
         if len(pictures) != count:
             raise RuntimeError(f"furnace: {len(pictures)} pictures, not {count}")
@@ -103,7 +99,7 @@ def picture(scene, batch=0):
 
 def independent(scene_of, count, jobs):
     """`count` independent pictures: scene_of(batch) has a frame that is wider by `batch`."""
-    return harness.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
+    return results.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
 
 
 def block_scores(left, right, flip):
@@ -169,7 +165,7 @@ def moved_worlds(setup, count):
         moved = picture(GLOW + camera(lens, tail=tail) + f"union {{ {FLOOR}{BOX} {tail} }}\n" + SKY)
         return rendering.difference(still, moved)[0]
 
-    found = harness.in_parallel(setup.jobs, rms, jobs)
+    found = results.in_parallel(setup.jobs, rms, jobs)
     return {"cameras": count, "worst_rms": max(found)}
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Solver and rays against 50 digits: ten million random cameras, and each extreme."""
 
-from tests.stress import harness
+from tests.stress import results
 
 RANDOM, SHARD, EXTREME = 10_000_000, 100_000, 20_000
 SETS = ("corners", "tilt", "parallel", "through_view", "behind", "far_focus", "far_camera", "farther_camera", "scale",
@@ -38,10 +38,10 @@ def measure(setup, cameras=RANDOM, extreme=EXTREME, shard=SHARD):
 
     def run(job):
         name, count, seed = job
-        return harness.once(work, f"{name}-{count}-{seed}", [tool], lambda: harness.output([tool, name, count, seed]),
+        return results.once(work, f"{name}-{count}-{seed}", [tool], lambda: results.output([tool, name, count, seed]),
                             lambda tally: faults({name: merge([tally])}))
 
-    tallies = harness.in_parallel(setup.jobs, run, jobs)
+    tallies = results.in_parallel(setup.jobs, run, jobs)
     result = {"random": merge([t for j, t in zip(jobs, tallies) if j[0] == "random"])}
     for job, tally in zip(jobs, tallies):
         if job[0] != "random":

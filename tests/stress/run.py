@@ -13,7 +13,7 @@ import shutil
 import sys
 import tempfile
 
-from tests.stress import harness, page
+from tests.stress import page, results
 from tools.repository import BUILD
 
 PARTS = ("rays", "sampler", "pictures", "sanitizers", "fuzz", "faults", "soak", "scale", "shortly")
@@ -49,7 +49,7 @@ def at_length(setup, names):
         result = part.measure(setup)
         found = part.faults(result)
         if not found:
-            harness.save(name, result)
+            results.save(name, result)
         broken += [f"{name}: {fault}" for fault in found]
     return broken
 
@@ -69,7 +69,7 @@ def main():
     missing = [tool for part, tool in TOOLS.items() if part in names and not shutil.which(tool)]
     if missing and not (settings.quick or settings.page):
         parser.error(f"missing: apt-get install {' '.join(missing)}")
-    setup = harness.Setup(settings.build.resolve(), settings.jobs)
+    setup = results.Setup(settings.build.resolve(), settings.jobs)
     if settings.quick:
         broken = quickly(setup, names)
     else:

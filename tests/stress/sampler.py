@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The sampler at length: projections, period, overflow, discrepancy, neighbours."""
 
-from tests.stress import harness
+from tests.stress import results
 
 
 def measure(setup, log2_samples=20):
     tool = setup.tool("stress_sampler")
-    return harness.once(setup.work("sampler"), str(log2_samples), [tool], lambda: harness.output([tool, log2_samples]), faults)
+    return results.once(setup.work("sampler"), str(log2_samples), [tool], lambda: results.output([tool, log2_samples]), faults)
 
 
 def faults(result):

@@ -11,13 +11,14 @@ import pathlib
 import subprocess
 import tempfile
 
-from tests.render import light, scenes
-from tests.stress import harness, reports
+from tests.render import scenes, test_light
+from tests.stress import reports, results
+from tools import povray_run
 from tools.repository import ROOT, module_command
 
 TUTORIAL = sorted((ROOT / "scenes" / "tutorial").glob("*.pov"))
 MODULES = ("light", "noise")  # of tests/render: radiosity, photons, media, bokeh, all users of random numbers
-LIT = {name: light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
+LIT = {name: test_light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
 
 
 def environment(tool_suppressions=True):
@@ -50,19 +51,19 @@ def build(setup, preset):
 def watched(what, tool, commands, folder, work, suppressions=True):
     """Runs commands, which mostly wait, with the logs in a folder; returns a row."""
     def run(command):
-        done = subprocess.run(command, cwd=work, env=environment(suppressions), stdin=subprocess.DEVNULL, check=False,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        return done.returncode and f"exit code {done.returncode}: {done.stdout.decode(errors='replace')[-1500:]}"
+        done = povray_run.run(command, work, environment(suppressions), limit=None)
+        return "" if done.code == 0 else done.told()
 
-    failed = [words for words in harness.in_parallel(4, run, commands) if words]
+    failed = [words for words in results.in_parallel(4, run, commands) if words]
     ours, others, met = reports.findings(folder, suppressions)
     return {"what": what, "tool": tool, "runs": len(commands), "failed": len(failed), "ours": len(ours), "others": len(others),
             "known": met, "first": (ours + others)[:3], "said": failed[:3]}
 
 
 def tutorial(povray, threads):
-    return [[str(povray), f"+I{scene}", f"+O{scene.stem}.png", "+W48", "+H36", "-D", "-P", "-A", f"+WT{threads}", "+BS8",
-             f"+L{ROOT / 'scenes' / 'include'}"] for scene in TUTORIAL]
+    """Each tutorial scene, small."""
+    return [povray_run.command(povray, scene, f"{scene.stem}.png", (48, 36), f"+WT{threads}", "+BS8", library=[povray_run.INCLUDE])
+            for scene in TUTORIAL]
 
 
 def lit(povray, threads, work):
@@ -72,12 +73,13 @@ def lit(povray, threads, work):
         scene = work / f"{name}.pov"
         scene.write_text("#version 3.7; global_settings { assumed_gamma 1 }\n" +
                          scenes.camera("tilt 4 swing 2", samples="blur_samples 16, 64 ") + world + scenes.WORLD)
-        commands.append([str(povray), f"+I{scene}", f"+O{name}.png", "+W64", "+H48", "-D", "-P", "-A", f"+WT{threads}", "+BS8"])
+        commands.append(povray_run.command(povray, scene, f"{name}.png", (64, 48), f"+WT{threads}", "+BS8"))
     return commands
 
 
 def battery(povray, tree, module):
-    return [module_command(f"tests.render.{module}", "--povray", povray, "--compare", tree / "tests" / "tools" / "compare")]
+    """A module of the render tests."""
+    return [module_command(f"tests.render.test_{module}", "--povray", povray, "--compare", tree / "tests" / "tools" / "compare")]
 
 
 def parser(povray):
@@ -99,7 +101,7 @@ def groups(tree, tool, threads, work):
             ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
             ("parser battery", parser, f"+WT{threads}"),
             (", ".join(LIT), lambda povray: lit(povray, threads, work), ""),
-            *((f"tests/render/{module}.py", lambda povray, module=module: battery(povray, tree, module), "")
+            *((f"tests/render/test_{module}.py", lambda povray, module=module: battery(povray, tree, module), "")
               for module in MODULES)]
 
 
@@ -112,7 +114,7 @@ def program_rows(setup, tree, tool, threads):
                 povray = listener(program, folder, options)
                 return watched(what, tool, commands(povray), folder, folder, suppressions=number > 0)
 
-        rows.append(harness.once(setup.work("sanitizers"), f"{tree.name}{number}",
+        rows.append(results.once(setup.work("sanitizers"), f"{tree.name}{number}",
                                 [program, __file__, reports.__file__, *sorted(reports.SUPPRESSIONS.iterdir())], run,
                                 lambda row: faults({"rows": [row]})))
     return rows

@@ -9,24 +9,23 @@ import statistics
 import tempfile
 
 from tests.render import scenes
-from tests.stress import watch
+from tools import povray_run
 
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 FULL = {"rows": (4, 8, 16, 32, 64), "samples": (100, 1000, 10_000), "objects": (10_000, 100_000, 1_000_000), "width": 16384}
 QUICK = {"rows": (4, 8, 16), "samples": (100, 1000), "objects": (2000, 20_000), "width": 4096}
 
 
-def render(setup, scene, *options):
+def render(setup, scene, size, *options):
     """Processor seconds, tests of rays against shapes and boxes, and peak memory of a render."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
-        folder = pathlib.Path(name)
-        (folder / "scene.pov").write_text(HEAD + scene)
-        watched = watch.watch([str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "+WT2", *options],
-                              folder / "said.txt", 0.5, cwd=folder)
-    tests = re.findall(r"^[A-Z][\w ]+?  +(\d+) +\d+ +[\d.]+$", watched.said, re.MULTILINE)
-    if watched.returncode != 0 or not tests:
-        raise RuntimeError(f"exit code {watched.returncode}\n{watched.said[-800:]}")
-    return {"processor_seconds": round(watched.cpu, 2), "tests": sum(map(int, tests)), "peak_mib": round(watched.peak / 1024)}
+        (pathlib.Path(name) / "scene.pov").write_text(HEAD + scene)
+        done = povray_run.run(povray_run.command(setup.povray, "scene.pov", "picture.png", size, "+WT2", *options), name,
+                              limit=None).succeeded()
+    tests = re.findall(r"^[A-Z][\w ]+?  +(\d+) +\d+ +[\d.]+$", done.said, re.MULTILINE)
+    if not tests:
+        raise RuntimeError(f"no statistics\n{done.told()}")
+    return {"processor_seconds": round(done.cpu, 2), "tests": sum(map(int, tests)), "peak_mib": round(done.memory / (1 << 20))}
 
 
 def spheres(count):
@@ -48,13 +47,13 @@ def measure(setup, size="full"):
     found = {"width": width, "rows": [], "samples": [], "objects": []}
     for rows in sizes["rows"]:
         middle = width // 2
-        found["rows"].append({"rows": rows, **render(setup, few + scenes.WORLD, f"+W{width}", f"+H{width}",
+        found["rows"].append({"rows": rows, **render(setup, few + scenes.WORLD, (width, width),
                                                      f"+SR{middle}", f"+ER{middle + rows - 1}")})
     for samples in sizes["samples"]:
         camera = scenes.camera(samples=f"blur_samples {samples} variance 0 ")
-        found["samples"].append({"samples": samples, **render(setup, camera + scenes.WORLD, "+W64", "+H48")})
+        found["samples"].append({"samples": samples, **render(setup, camera + scenes.WORLD, (64, 48))})
     for objects in sizes["objects"]:
-        found["objects"].append({"objects": objects, **render(setup, few + spheres(objects), "+W160", "+H120")})
+        found["objects"].append({"objects": objects, **render(setup, few + spheres(objects), (160, 120))})
     found["slopes"] = {key: slope(found[key], key, "processor_seconds") for key in ("rows", "samples", "objects")}
     found["work_slopes"] = {key: slope(found[key], key, "tests") for key in ("rows", "samples", "objects")}
     return found

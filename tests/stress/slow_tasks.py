@@ -5,12 +5,12 @@ must not read the parser's list of lights meanwhile; its progress must neither f
 
     python3 -m tests.stress.slow_tasks PROGRAM"""
 
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
+
+from tools import povray_run
 
 SCENE = """#version 3.7; global_settings { assumed_gamma 1 }
 camera { location -4*z look_at 0 aperture 0.3 blur_samples 4 tilt_lens { tilt 3 } }
@@ -23,18 +23,15 @@ def main():
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(SCENE)
-        (folder / "none.ini").write_text("")
-        done = subprocess.run([os.path.abspath(sys.argv[1]), "+Iscene.pov", "+Op.png", "+W32", "+H24", "-D", "-P", "+WT2", "+BS4", "+V"], cwd=folder,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              env={**os.environ, "POVINI": str(folder / "none.ini")}, check=False)
+        done = povray_run.run(povray_run.command(sys.argv[1], "scene.pov", "p.png", (32, 24), "+WT2", "+BS4", "+V"), folder)
         made = (folder / "p.png").is_file()
-    copied = re.findall(r"Bounding has copied (\d+) light sources", done.stdout)
+    copied = re.findall(r"Bounding has copied (\d+) light sources", done.said)
     rendered = [(int(pixels), int(percent)) for pixels, percent in
-                re.findall(r"Rendered (\d+) of 768 pixels \((\d+)% of the work\)", done.stdout)]
+                re.findall(r"Rendered (\d+) of 768 pixels \((\d+)% of the work\)", done.said)]
     if len(rendered) < 24 or rendered != sorted(rendered) or rendered[-1] != (768, 100):
         sys.exit(f"(pixels, per cent) as told: {rendered}")
-    if done.returncode != 0 or not made or copied != ["0"]:
-        sys.exit(f"exit code {done.returncode}, picture {made}, lights copied while the scene was parsed: {copied}\n{done.stdout[-2000:]}")
+    if done.code != 0 or not made or copied != ["0"]:
+        sys.exit(f"picture {made}, lights copied while the scene was parsed: {copied}\n{done.told()}")
 
 
 if __name__ == "__main__":

@@ -7,14 +7,12 @@ the count at the end by at least the smallest block for each.
 """
 
 import json
-import os
 import pathlib
-import subprocess
 import tempfile
 
 from tests.render import scenes
-from tests.stress import harness
-from tests.waiting import PATIENCE
+from tests.stress import results
+from tools import povray_run
 
 FRAMES, ROWS = (250, 500), (1536, 12288)
 SMALLEST = 8  # bytes of jemalloc's smallest block
@@ -53,17 +51,15 @@ def counts(said):
     return found
 
 
-def render(setup, scene, *options):
+def render(setup, scene, size, *options):
     """Allocated bytes at the program's end, and their peak."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
-        command = [str(setup.povray.resolve()), "+Iscene.pov", "+Opicture.png", "-D", "-P", "-A", "-V", "-GA", *options]
-        done = subprocess.run(command, cwd=name, env={**os.environ, "MALLOC_CONF": COUNTS}, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=PATIENCE, check=False)
-    said = done.stderr.decode(errors="replace")
-    found = counts(said)
-    if done.returncode != 0 or not found:
-        raise RuntimeError(f"{' '.join(command)}: exit code {done.returncode}, {len(found)} counts\n{said[-1500:]}")
+        command = povray_run.command(setup.povray, "scene.pov", "picture.png", size, "-V", "-GA", *options)
+        done = povray_run.run(command, name, povray_run.environment(MALLOC_CONF=COUNTS)).succeeded()
+    found = counts(done.said)
+    if not found:
+        raise RuntimeError(f"no counts\n{done.told()}")
     return {"kept": found[-1], "most": max(found)}
 
 
@@ -72,13 +68,13 @@ def measure(setup, frames=FRAMES, rows=ROWS):
     faster."""
     work = setup.work("soak")
 
-    def made(name, number, scene, *options):
-        result = harness.once(work, f"{name}-{number}", [setup.povray, __file__, scenes.__file__], lambda: render(setup, scene, *options),
+    def made(name, number, scene, size, *options):
+        result = results.once(work, f"{name}-{number}", [setup.povray, __file__, scenes.__file__], lambda: render(setup, scene, size, *options),
                               lambda result: [])
         return {name: number, **result}
 
-    return {"frames": [made("frames", n, MOVING, "+WT2", "+W16", "+H12", f"+KFF{n}", "+KF6.28") for n in frames],
-            "rows": [made("rows", n, LARGE, "+WT1", f"+W{WIDTH}", f"+H{n}", f"+BS{TILE}") for n in rows]}
+    return {"frames": [made("frames", n, MOVING, (16, 12), "+WT2", f"+KFF{n}", "+KF6.28") for n in frames],
+            "rows": [made("rows", n, LARGE, (WIDTH, n), "+WT1", f"+BS{TILE}") for n in rows]}
 
 
 def faults(result):

@@ -11,6 +11,7 @@ import json
 import pathlib
 
 from tests.tools import pictures
+from tools.povray_run import sources
 from tools.repository import ROOT
 
 FOLDER = ROOT / "reference-images"
@@ -58,7 +59,7 @@ class Entry:
         """Hashes of the files that the reference depends on, by path: for the oracle its case and the objects, but
         not the fork's scene, which is under test."""
         files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] \
-            if self.case else pictures.sources(self.scene)
+            if self.case else sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
 
 

@@ -6,11 +6,10 @@ import dataclasses
 import hashlib
 import json
 import pathlib
-import re
 import shutil
 import subprocess
 
-from tests.waiting import PATIENCE
+from tools import povray_run
 
 OUTCOMES = {
     "same": 0,
@@ -47,21 +46,9 @@ class Render:
     options: list = dataclasses.field(default_factory=list)
 
 
-def sources(scene):
-    """The scene and the files of its own folder that it includes, in order of appearance."""
-    found = [scene]
-    for path in found:
-        for name in re.findall(r'#include\s+"([^"]+)"', path.read_text()):
-            included = scene.parent / name
-            if included.is_file() and included not in found:
-                found.append(included)
-    return found
-
-
 def command_of(job, output):
     """The command line, run in the folder that holds copies of the scene's files."""
-    return [job.povray, "+I" + job.scene.name, "+O" + output, f"+W{job.width}", f"+H{job.height}",
-            "-D", "-V", "-GA", "-P", "-A", "+WT1", *job.options]
+    return povray_run.command(job.povray, job.scene.name, output, (job.width, job.height), "-V", "-GA", "+WT1", *job.options)
 
 
 def render(job, folder, output):
@@ -70,33 +57,23 @@ def render(job, folder, output):
     POV-Ray may always read and write in its working folder, whatever its permissions for others, so the scene's files are copied there.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    for source in sources(job.scene):
+    for source in povray_run.sources(job.scene):
         shutil.copyfile(source, folder / source.name)
     picture = folder / output
     picture.unlink(missing_ok=True)
     (folder / (output + ".pov-state")).unlink(missing_ok=True)
     command = command_of(job, output)
-    log = folder / (output + ".log")
     try:
-        with log.open("wb") as messages:
-            done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=messages,
-                                  stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
-    except subprocess.TimeoutExpired:
-        reason = f"no picture after {PATIENCE} s; messages in {log}"
-        raise Trouble("timeout", reason) from None
+        done = povray_run.run(command, folder)
     except OSError as error:
         raise Trouble("failure", f"cannot run {job.povray}: {error.strerror}") from None
-    if done.returncode != 0:
-        code = done.returncode
-        how = f"signal {-code}" if code < 0 else f"exit code {code}"
-        raise Trouble("crash", f"{job.povray} ended with {how}; messages in {log}:\n{tail(log)}")
+    if done.code is None:
+        raise Trouble("timeout", f"no picture: {done.told()}")
+    if done.code != 0:
+        raise Trouble("crash", done.told())
     if not picture.is_file():
-        raise Trouble("no output", f"the program ended well but wrote no {picture}; see {log}")
+        raise Trouble("no output", f"the program ended well but wrote no {picture}: {done.told()}")
     return command
-
-
-def tail(log, lines=12):
-    return "\n".join("  " + line for line in log.read_text(errors="replace").splitlines()[-lines:])
 
 
 def compare(program, picture, reference, comparison):
@@ -118,10 +95,10 @@ def compare(program, picture, reference, comparison):
 
 def pixel_hash(program, picture):
     """SHA-256 of the decoded pixels, independent of the file around them."""
-    done = subprocess.run([str(program), "pixels", str(picture)], capture_output=True, check=False)
-    if done.returncode != 0:
-        raise Trouble("unreadable", done.stderr.decode(errors="replace").strip())
-    return hashlib.sha256(done.stdout).hexdigest()
+    try:
+        return hashlib.sha256(povray_run.pixels(program, picture)).hexdigest()
+    except povray_run.UnreadablePicture as error:
+        raise Trouble("unreadable", str(error).strip()) from None
 
 
 def file_hash(path):

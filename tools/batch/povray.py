@@ -6,16 +6,16 @@ import os
 import re
 import shutil
 import signal
-import struct
 import subprocess
 
+from tools import povray_run
 from tools.batch.plan import POVINC
 from tools.batch.store import BatchError, boot, read_json, write_json
+from tools.povray_run import STATE_HEADER
 
 PICTURE = "picture"  # stem of POV-Ray's files in a unit's folder
 KILLED = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU)  # signals from outside, not faults of the program
 PAGE = 4096
-STATE_HEADER = 512
 
 
 def ending_with_parent(command):
@@ -67,19 +67,15 @@ def arguments(description, picture, rows, size=None):
 
 def environment(links):
     """The user's environment with the batch's ini file, include folder and file list."""
-    env = dict(os.environ, POVINI="../../inputs/povray.ini", TILT_LENS_FILE_LIST="files")
-    env.pop("DISPLAY", None)
-    env.pop("POVINC", None)
-    if POVINC in links:
-        env["POVINC"] = f"../../inputs/{POVINC}"
-    return env
+    included = {"POVINC": f"../../inputs/{POVINC}"} if POVINC in links else {}
+    return povray_run.user_environment(POVINI="../../inputs/povray.ini", TILT_LENS_FILE_LIST="files", **included)
 
 
 def state_file(folder):
     return next(iter(sorted(folder.glob(f"{PICTURE}*.pov-state"))), None)
 
 
-def whole_messages(data, trusted):
+def whole_length(data, trusted):
     """Length in bytes of the complete messages of a state file. If the machine stopped since (not `trusted`), pages that never reached the
     disk read as zeros; the first such page ends the result."""
     end = len(data)
@@ -90,15 +86,7 @@ def whole_messages(data, trusted):
             if not any(data[max(at, STATE_HEADER) : at + PAGE])
         )
         end = next(pages, end)
-    if end < STATE_HEADER or not data.startswith(b"POV-Ray Render State File"):
-        return 0
-    at = STATE_HEADER
-    while at + 20 <= end and data[at : at + 8] == b"POVRAYMS":
-        size = struct.unpack(">i", data[at + 12 : at + 16])[0]
-        if size <= 0 or at + 20 + size > end:
-            break
-        at += 20 + size
-    return at
+    return max(povray_run.whole_messages(data, end), default=0)
 
 
 def prepare_state(folder):
@@ -108,7 +96,7 @@ def prepare_state(folder):
     if path is None:
         return 0
     data = path.read_bytes()
-    whole = whole_messages(data, read_json(folder / "boot.json") == boot())
+    whole = whole_length(data, read_json(folder / "boot.json") == boot())
     if whole <= STATE_HEADER:
         path.unlink()
         return 0

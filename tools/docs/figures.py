@@ -20,6 +20,7 @@ import subprocess
 import sys
 import tempfile
 
+from tools import povray_run
 from tools.docs import pages
 from tools.repository import BUILD, ROOT
 
@@ -81,14 +82,12 @@ def layer_commands():
 
 
 def render(povray, folder, scene, options, size, output):
-    command = [povray, f"+I{scene}", f"+O{output}", f"+W{size[0]}", f"+H{size[1]}", "-D", "-P",
-               f"+L{ROOT / 'scenes' / 'include'}", *options]
-    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          check=False)
-    said = done.stdout.decode(errors="replace")
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\n{said[-2000:]}")
-    return said
+    """Renders a scene; returns the program's messages."""
+    try:
+        command = povray_run.command(povray, scene, output, size, *options, library=[povray_run.INCLUDE])
+        return povray_run.run(command, folder, limit=None).succeeded().said
+    except povray_run.Failed as error:
+        sys.exit(str(error))
 
 
 def make_pictures(povray, names):

@@ -16,10 +16,10 @@ import dataclasses
 import os
 import pathlib
 import re
-import resource
 import subprocess
 import sys
 
+from tools import povray_run
 from tools.repository import BUILD, ROOT
 
 SCENES = ROOT / "scenes/gallery"
@@ -40,6 +40,11 @@ class Scene:
     def path(self):
         return SCENES / f"{self.name}.pov"
 
+    @property
+    def size(self):
+        """Width and height."""
+        return tuple(next(int(option[2:]) for option in self.options if option.startswith(letter)) for letter in ("+W", "+H"))
+
 
 def read_scene(path):
     """The scene with the options that its comment names."""
@@ -54,36 +59,29 @@ def all_scenes():
     return {path.stem: read_scene(path) for path in sorted(SCENES.glob("*.pov"))}
 
 
-def small(options):
-    """The options with the size of the thumbnail."""
-    size = {key: int(option[2:]) for option in options for key in "WH" if option.startswith(f"+{key}")}
-    return [f"+W{WIDTH}", f"+H{size['H'] * WIDTH // size['W']}"]
+def small(scene):
+    """The options for the size of the thumbnail."""
+    width, height = scene.size
+    return [f"+W{WIDTH}", f"+H{height * WIDTH // width}"]
 
 
 def number(pattern, text, what):
+    """The groups of the pattern, as they were printed."""
     found = re.search(pattern, text)
     if not found:
         sys.exit(f"povray did not report {what}:\n{text[-1500:]}")
-    return found.group(1)
+    return found.groups()
 
 
 def render(scene, arguments):
     """Renders the picture; returns its file and its line of the table."""
     picture = arguments.output / f"{scene.name}{'_small' if arguments.small else ''}.png"
-    command = [arguments.povray, f"+I{scene.path}", f"+O{picture}", "+FN8", "-D", "-P", "-A",
-               f"+L{ROOT / 'scenes/include'}", *scene.options, *(small(scene.options) if arguments.small else []), *arguments.option]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          errors="replace", check=False)
-    spent = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\nexit code {done.returncode}\n{done.stdout[-1500:]}")
-    size = re.search(r"Image Resolution\D*(\d+) x (\d+)", done.stdout)
-    if not size:
-        sys.exit(f"povray did not report the picture's size:\n{done.stdout[-1500:]}")
-    row = [scene.name, size.group(1), size.group(2), f"{spent:.0f}",
-           number(r"Samples per pixel\.+mean ([\d.]+)", done.stdout, "the samples"),
-           number(r"Standard error\.+([\d.e-]+)", done.stdout, "the standard error")]
+    command = povray_run.command(arguments.povray, scene.path, picture, scene.size, "+FN8", *scene.options, *(small(scene) if arguments.small else []),
+                                 *arguments.option, library=[povray_run.INCLUDE])
+    done = povray_run.run(command, limit=None).succeeded()
+    row = [scene.name, *number(r"Image Resolution\D*(\d+) x (\d+)", done.said, "the picture's size"), f"{done.cpu:.0f}",
+           *number(r"Samples per pixel\.+mean ([\d.]+)", done.said, "the samples"),
+           *number(r"Standard error\.+([\d.e-]+)", done.said, "the standard error")]
     return picture, dict(zip(COLUMNS, row))
 
 
@@ -140,7 +138,10 @@ def main():
     arguments.output.mkdir(parents=True, exist_ok=True)
     THUMBNAILS.mkdir(parents=True, exist_ok=True)
     for name in arguments.scene or scenes:
-        picture, row = render(scenes[name], arguments)
+        try:
+            picture, row = render(scenes[name], arguments)
+        except povray_run.Failed as error:
+            sys.exit(str(error))
         thumbnail = make_thumbnail(picture, scenes[name])
         write_table({**read_table(), name: row})
         print(f"{name}: {row['cpu_seconds']} CPU seconds; {picture}, {thumbnail}", flush=True)

@@ -1,0 +1,87 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Output that cannot be written: one message, with the name and the reason."""
+
+import pathlib
+import re
+import resource
+import tempfile
+import unittest
+
+from tests.render import rendering, scenes
+from tools.povray_run import held_to_permissions
+
+
+class Unwritable(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="tilt_lens.")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def refused(self, *options, **settings):
+        """POV-Ray's messages, as one line."""
+        code, said = self.attempt(scenes.TILTED, *options, **settings)
+        self.assertNotEqual(code, 0, said)
+        return said
+
+    def attempt(self, scene, *options, **settings):
+        """Exit code, and POV-Ray's messages, as one line."""
+        code, said = rendering.Job(scene, options, width=16, height=12).attempt(self.folder, before=held_to_permissions(), **settings)
+        return code, " ".join(said.split())
+
+    def assert_once(self, said, *parts):
+        self.assertRegex(said, ".*".join(map(re.escape, parts)))
+        self.assertEqual(said.count(parts[0]), 1, said)
+
+    def test_missing_folder(self):
+        said = self.refused("+Onowhere/a.png")
+        self.assert_once(said, "Cannot write '", "nowhere/a.pov-state' (No such file or directory)", "nothing was rendered")
+        self.assertNotIn("Rendered", said)
+
+    def test_folder_without_permission(self):
+        (self.folder / "locked").mkdir(mode=0o555)
+        self.assert_once(self.refused("+Olocked/a.png"), "Cannot write '", "locked/a.pov-state' (Permission denied)")
+
+    def test_folder_in_place_of_the_picture(self):
+        (self.folder / "picture.png").mkdir()
+        (self.folder / "picture.png" / "used").touch()
+        self.assert_once(self.refused(), "Cannot write the picture '", "picture.png'", "directory)", "+C")
+
+    def test_ini_file(self):
+        self.assert_once(self.refused("+GInowhere/a.ini"), "Cannot write the INI file 'nowhere/a.ini' (No such file or directory)", "+GI")
+
+    def test_state_file_beyond_the_size_limit(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+        said = self.refused("+W64", "+H64", "+BS8", "+WT1", preexec_fn=limit)
+        self.assertRegex(said, r"Cannot write the state file '[^']*picture\.pov-state' \(File too large\)\. Make room there, then continue with \+C")
+        self.assertNotIn("Cannot access data in file", said)
+        self.assertEqual(said.count("Cannot write the state file"), 1, said)
+        state = self.folder / "picture.pov-state"
+        self.assertLessEqual(state.stat().st_size, 4096)
+        again = rendering.Job(scenes.TILTED, ("+W64", "+H64", "+BS8", "+C"), width=16, height=12).attempt(self.folder)
+        self.assertEqual(again[0], 0, again[1])
+
+    def test_text_file_beyond_the_size_limit(self):
+        """Closed by the scene, and left open; longer than a buffer, and shorter."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+        for count, reason in ((300, "File too large"), (3000, "not all of it was taken; is the disk full?")):
+            for close, kind in (("#fclose F", "Parse Error"), ("", "Possible Parse Error")):
+                with self.subTest(count=count, close=close):
+                    scene = f'#fopen F "text" write #for (I, 1, {count}) #write (F, "0123456789 0123456789 012345678\\n") #end\n{close}\n'
+                    code, said = self.attempt(scenes.TILTED + scene, preexec_fn=limit)
+                    self.assert_once(said, f"{kind}: Cannot write the file 'text' ({reason})")
+                    self.assertEqual(said.count("Cannot write"), 1, said)
+                    self.assertEqual(code, 1 if close else 0, said)
+        code, said = self.attempt(scenes.TILTED + scene)
+        self.assertNotIn("Cannot write", said)
+        self.assertEqual((self.folder / "text").stat().st_size, 32 * count)
+
+    def test_refused_state_file(self):
+        (self.folder / "picture.pov-state").write_bytes(b"garbage" * 100)
+        self.assert_once(self.refused("+C"), "is not one of POV-Ray's")
+
+
+if __name__ == "__main__":
+    rendering.main()
