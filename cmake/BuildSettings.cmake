@@ -29,7 +29,11 @@ add_compile_options(-Wno-psabi)
 set(TILT_LENS_CHECK_STACK)
 if(NOT TILT_LENS_SANITIZE)
     set(TILT_LENS_CHECK_STACK -fstack-protector-strong)
-    add_compile_options($<$<CONFIG:Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=3>)
+    set(level 3)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
+        set(level 2)    # all that it has; glibc's headers would warn in every file
+    endif()
+    add_compile_options($<$<CONFIG:Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=${level}>)
     add_link_options(LINKER:-z,relro,-z,now)
 endif()
 

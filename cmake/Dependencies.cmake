@@ -24,6 +24,9 @@ find_package(TIFF QUIET)
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenEXR CONFIG QUIET)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
+if(TARGET OpenEXR::IlmImf AND NOT TARGET OpenEXR::OpenEXR)
+    add_library(OpenEXR::OpenEXR ALIAS OpenEXR::IlmImf)  # OpenEXR 2 calls it by this name
+endif()
 find_package(SDL 1.2 QUIET)
 find_package(nlohmann_json QUIET)
 find_library(JEMALLOC_LIBRARY NAMES libjemalloc.a jemalloc)  # static where it can be had: one library less to load at start

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
 # Makes the bundle's folder WORK/NAME (Bundle.cmake calls this). Debian's tools tell which packages the libraries are from.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 
 set(folder "${WORK}/${NAME}")
 set(program "${folder}/bin/povray")

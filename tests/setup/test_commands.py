@@ -350,10 +350,17 @@ class SetupStep(CommandTest):
 
     def test_old_cmake(self):
         self.have_all_packages()
-        self.tool("cmake", "echo cmake version 3.22.1")
+        self.tool("cmake", "echo cmake version 3.21.9")
         process = self.command(self.copy / "render")
-        self.assert_fails_saying(process, "lacks what the build needs: CMake 3.25 or later (found is 3.22.1)", "bundle")
+        self.assert_fails_saying(process, "lacks what the build needs: CMake 3.22 or later (found is 3.21.9)", "bundle")
         self.assertFalse((self.copy / "build" / "build.ninja").exists())
+
+    def test_oldest_cmake(self):
+        self.have_all_packages()
+        self.tool("cmake", f"""[ "$1" != --version ] || {{ echo cmake version 3.22.1; exit; }}
+            echo "$@" > "{self.folder}/cmake.log"; exit 1""")
+        self.assert_fails_saying(self.command(self.copy / "render"), "the configuration failed")
+        self.assertIn("--preset release", (self.folder / "cmake.log").read_text(encoding="utf-8"))
 
     def test_moved_repository_is_built_anew(self):
         self.have_all_packages()

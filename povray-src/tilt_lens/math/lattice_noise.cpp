@@ -5,6 +5,13 @@
 
 #include <cstring>
 
+/// Four of the eight numbers of two registers, by their places. GCC 11 has a function of its own for it.
+#if __has_builtin(__builtin_shufflevector)
+#define TILT_LENS_CHOOSE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+#define TILT_LENS_CHOOSE(a, b, ...) __builtin_shuffle(a, b, LongMask4{__VA_ARGS__})
+#endif
+
 namespace tilt_lens
 {
 
@@ -67,10 +74,10 @@ TILT_LENS_FOR_AVX2 double LatticeNoise::At(const double* point, bool wide) const
             return corner;
         };
         const Double4 a = numbers(0), b = numbers(1), c = numbers(2), d = numbers(3);
-        const Double4 ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-        const Double4 cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-        const Double4 first = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5), second = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-        const Double4 third = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7), fourth = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+        const Double4 ab0 = TILT_LENS_CHOOSE(a, b, 0, 4, 2, 6), ab1 = TILT_LENS_CHOOSE(a, b, 1, 5, 3, 7);
+        const Double4 cd0 = TILT_LENS_CHOOSE(c, d, 0, 4, 2, 6), cd1 = TILT_LENS_CHOOSE(c, d, 1, 5, 3, 7);
+        const Double4 first = TILT_LENS_CHOOSE(ab0, cd0, 0, 1, 4, 5), second = TILT_LENS_CHOOSE(ab1, cd1, 0, 1, 4, 5);
+        const Double4 third = TILT_LENS_CHOOSE(ab0, cd0, 2, 3, 6, 7), fourth = TILT_LENS_CHOOSE(ab1, cd1, 2, 3, 6, 7);
         const Double4 corners = cell.weights[level] * (first * 0.5 + second * x + third * y + fourth * z);
         sum = level == 0 ? corners[0] : sum + corners[0];
         sum = sum + corners[1] + corners[2] + corners[3];

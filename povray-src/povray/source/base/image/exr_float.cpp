@@ -13,6 +13,8 @@
 #include <ImfStringAttribute.h>
 #include <ImfVecAttribute.h>
 
+#include <utility>
+
 #include "base/image/encoding.h"
 #include "base/image/metadata.h"
 
@@ -27,6 +29,9 @@ namespace OpenEXR
 namespace
 {
 
+/// A place in a file: OpenEXR 2 has a type of its own for it, OpenEXR 3 uint64_t.
+using Place = decltype(std::declval<Imf::OStream&>().tellp());
+
 /// Adapter from POV-Ray's file to OpenEXR's.
 class FloatStream : public Imf::OStream
 {
@@ -39,9 +44,9 @@ class FloatStream : public Imf::OStream
             throw POV_EXCEPTION(kFileDataErr, "Error while writing EXR output (is the disk full?)");
     }
 
-    uint64_t tellp() { return file.tellg(); }
+    Place tellp() { return file.tellg(); }
 
-    void seekp(uint64_t position)
+    void seekp(Place position)
     {
         if (!file.seekg(position))
             throw POV_EXCEPTION(kFileDataErr, "Error while writing EXR output");
