@@ -25,7 +25,7 @@ OF_BENCHMARK = ("checks", "foliage", "town", "glass", "lights", "shadows", "land
 OF_GALLERY = tuple(path.stem for path in sorted(GALLERY.glob("*.pov")))
 WITH_LAMPS = ("lights", "city_lights")
 VARIANCES = (4e-3, 1e-3, 2.5e-4)
-LEAST_KEPT = 1e-3           # the recorded samples suffice for this variance, in every scene but the following
+LEAST_KEPT = 1e-3  # the recorded samples suffice for this variance, in every scene but the following
 TOO_FEW_SAMPLES = ("chess_at_night",)
 NEVER, ALWAYS = "1e30", "0"
 
@@ -90,8 +90,18 @@ def recording(lab, scene, settings=""):
     path.parent.mkdir(parents=True, exist_ok=True)
     declared = [f"Declare=Form={TILT_LENS}", "Declare=Variance=0.001"] if folder == SCENES else []
     with tempfile.TemporaryDirectory() as folder_of_picture:
-        command = povray_run.command(program, folder / f"{scene}.pov", f"{folder_of_picture}/picture.png", (width, height), "-C", "-GA", "+WT1",
-                                     "+FN", *declared, library=[folder, povray_run.INCLUDE])
+        command = povray_run.command(
+            program,
+            folder / f"{scene}.pov",
+            f"{folder_of_picture}/picture.png",
+            (width, height),
+            "-C",
+            "-GA",
+            "+WT1",
+            "+FN",
+            *declared,
+            library=[folder, povray_run.INCLUDE],
+        )
         unfinished = path.with_suffix(".part")
         record = {"TILT_LENS_RECORD": str(unfinished), "TILT_LENS_RECORD_SAMPLES": str(samples), "TILT_LENS_SETTINGS": settings}
         povray_run.run(command, folder_of_picture, povray_run.environment(**record), limit=None).succeeded()
@@ -101,9 +111,23 @@ def recording(lab, scene, settings=""):
 
 def replay(lab, path, lines):
     (width, height), samples = size_and_samples(lab.quick)
-    done = subprocess.run([str(lab.tools / "replay_samples"), path, str(width), str(height), str(samples), "--variances",
-                           ",".join(map(str, VARIANCES)), "--denoise", "0,1"], input="".join(line + "\n" for line in lines),
-                          capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [
+            str(lab.tools / "replay_samples"),
+            path,
+            str(width),
+            str(height),
+            str(samples),
+            "--variances",
+            ",".join(map(str, VARIANCES)),
+            "--denoise",
+            "0,1",
+        ],
+        input="".join(line + "\n" for line in lines),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     if done.returncode != 0:
         raise Failed(f"replay_samples {path} ended with {done.returncode}:\n{done.stderr[-2000:]}")
     found = {}
@@ -123,20 +147,20 @@ def work_for(curve, mse):
         return math.exp(points[-1][1] + points[-1][0] - wanted)
     for (x, y), (u, v) in zip(points, points[1:]):
         if wanted <= u:
-            return math.exp(y + (v - y)*(wanted - x)/(u - x)) if u > x else math.exp(min(y, v))
+            return math.exp(y + (v - y) * (wanted - x) / (u - x)) if u > x else math.exp(min(y, v))
     return None
 
 
 def ratio(base, other):
     """Work without a rule over work with it: geometric mean over the errors reached without it."""
-    logs = [math.log(record["samples"]/work_for(base, record["mse"])) for record in other if record["mse"] > 0]
-    return math.exp(sum(logs)/len(logs)) if logs else 1.0
+    logs = [math.log(record["samples"] / work_for(base, record["mse"])) for record in other if record["mse"] > 0]
+    return math.exp(sum(logs) / len(logs)) if logs else 1.0
 
 
 def kept(records):
     """Figures that the contract limits: mean square error over V, and the share of pixels that are far off."""
     records = [record for record in records if record["variance"] >= LEAST_KEPT]
-    return max(record["mse"]/record["variance"] for record in records), max(record["beyond"] for record in records)
+    return max(record["mse"] / record["variance"] for record in records), max(record["beyond"] for record in records)
 
 
 def worst(found, name):
@@ -148,9 +172,13 @@ def worst(found, name):
 def summary(rule, found):
     """One row for a rule: means over its scenes, and the worst scenes."""
     name, section, settings = rule
-    return {"rule": name, "section": section, "settings": settings,
-            "means": [geometric_mean(row["ratio"] for row in found if row["denoise"] == on) for on in (False, True)],
-            **{figure: worst(found, figure) for figure in ("ratio", "error", "beyond")}}
+    return {
+        "rule": name,
+        "section": section,
+        "settings": settings,
+        "means": [geometric_mean(row["ratio"] for row in found if row["denoise"] == on) for on in (False, True)],
+        **{figure: worst(found, figure) for figure in ("ratio", "error", "beyond")},
+    }
 
 
 def measure(lab):
@@ -169,13 +197,20 @@ def measure(lab):
             for on in (False, True):
                 if (settings, on) in found:
                     error, beyond = (None, None) if scene in TOO_FEW_SAMPLES else kept(found[settings, on])
-                    rows[rule].append({"scene": scene, "denoise": on, "ratio": ratio(found["", on], found[settings, on]),
-                                       "error": error, "beyond": beyond})
+                    rows[rule].append(
+                        {
+                            "scene": scene,
+                            "denoise": on,
+                            "ratio": ratio(found["", on], found[settings, on]),
+                            "error": error,
+                            "beyond": beyond,
+                        }
+                    )
     return {"size": [width, height], "samples": samples, "rules": [summary(rule, rows[rule]) for rule in rules]}
 
 
 def settings_of_header(text):
     """Names of the numbers in settings.h."""
-    body = text[text.index("struct Settings"):]
+    body = text[text.index("struct Settings") :]
     lines = re.findall(r"^ +(?:double|float|std::uint32_t) (.*);$", body, re.MULTILINE)
     return [part.split(" = ")[0] for line in lines for part in line.split(", ")]

@@ -11,15 +11,16 @@ import shutil
 
 from benchmarks.lab import ACCUMULATE, TILT_LENS, Failed, cpu_of_rays, digest, run_measured
 
-PROCESSES = os.cpu_count() or 1     # more would take the caches from each other, and longer
+PROCESSES = os.cpu_count() or 1  # more would take the caches from each other, and longer
 
 
 # Frames are OpenEXR: a PNG would clip lights before they are averaged.
 def frames(lab, shot, first, last, count, folder):
     """Renders the frames from first to last of an animation of `count` frames. Returns the CPU seconds of the rays alone,
     as the program reports them after each frame, and those of the whole process."""
-    command = shot.command(lab.stock, folder / "f.exr", *lab.gathered_light(shot), "+FE", "+KFI1", f"+KFF{count}", f"+SF{first}",
-                           f"+EF{last}")
+    command = shot.command(
+        lab.stock, folder / "f.exr", *lab.gathered_light(shot), "+FE", "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"
+    )
     messages, cpu, _ = run_measured(command, folder)
     traced = cpu_of_rays(messages)
     if len(traced) != last - first + 1:
@@ -28,16 +29,15 @@ def frames(lab, shot, first, last, count, folder):
 
 
 def cpu_of_frames(lab, shot, count, folder):
-    step = math.ceil(count/PROCESSES)
+    step = math.ceil(count / PROCESSES)
     with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
-        parts = [pool.submit(frames, lab, shot, first, min(count, first + step - 1), count, folder)
-                 for first in range(1, count + 1, step)]
+        parts = [pool.submit(frames, lab, shot, first, min(count, first + step - 1), count, folder) for first in range(1, count + 1, step)]
         return [sum(sums) for sums in zip(*(part.result() for part in parts))]
 
 
 def frames_of(lab, scene, tilted):
     """Greatest number of frames; fewer where the accumulation buffer is only drawn, untilted."""
-    return min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames//4
+    return min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames // 4
 
 
 def measure(lab, scene, tilted):
@@ -57,10 +57,26 @@ def measure(lab, scene, tilted):
         counts = [2**k for k in range(3, count.bit_length())]
         lines = lab.tool("noise", "prefixes", reference, *pictures, "--counts", ",".join(map(str, counts)))
         shutil.rmtree(folder)
-        record = {"key": key, "repetition": 0, "rays": rays, "cpu": cpu, "frames": count,
-                  "errors": [[line["count"], line["mse"]] for line in lines]}
+        record = {
+            "key": key,
+            "repetition": 0,
+            "rays": rays,
+            "cpu": cpu,
+            "frames": count,
+            "errors": [[line["count"], line["mse"]] for line in lines],
+        }
         lab.keep(record)
-    seconds, whole = record["rays"]/count, record["cpu"]/count
-    return [{"program": "accumulation", "scene": scene.name, "tilted": tilted, "setting": str(used),
-             "cpu": used*seconds, "start_up": used*(whole - seconds), "mse": mse, "rmse": math.sqrt(mse)}
-            for used, mse in record["errors"]]
+    seconds, whole = record["rays"] / count, record["cpu"] / count
+    return [
+        {
+            "program": "accumulation",
+            "scene": scene.name,
+            "tilted": tilted,
+            "setting": str(used),
+            "cpu": used * seconds,
+            "start_up": used * (whole - seconds),
+            "mse": mse,
+            "rmse": math.sqrt(mse),
+        }
+        for used, mse in record["errors"]
+    ]

@@ -58,11 +58,7 @@ class Measurements:
     def batch(self, *words, env=None):
         self.count += 1
         output = self.folder / f"out{self.count}{'.png' if words[0] == 'still' else ''}"
-        return measured(
-            [ROOT / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"],
-            self.folder,
-            env,
-        )
+        return measured([ROOT / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"], self.folder, env)
 
     def start(self):
         """POV-Ray alone on a tiny picture: what each start costs."""
@@ -73,12 +69,8 @@ class Measurements:
         """Cost of a unit: a film of tiny frames, less a film of one."""
         runs = []
         for _ in range(self.repeat):
-            many = self.batch(
-                "film", SCENE, "--frames", FRAMES, "--bands", 1, "--workers", 1, *words(TINY), *more, env=env
-            )
-            one = self.batch(
-                "film", SCENE, "--frames", 1, "--bands", 1, "--workers", 1, *words(TINY), *more, env=env
-            )
+            many = self.batch("film", SCENE, "--frames", FRAMES, "--bands", 1, "--workers", 1, *words(TINY), *more, env=env)
+            one = self.batch("film", SCENE, "--frames", 1, "--bands", 1, "--workers", 1, *words(TINY), *more, env=env)
             runs.append(tuple((a - b) / (FRAMES - 1) for a, b in zip(many, one)))
         return runs
 
@@ -89,47 +81,27 @@ class Measurements:
         whole = povray_run.command(POVRAY, SCENE, "whole.png", *STILL, library=[SCENE.parent])
         for _ in range(self.repeat):
             for threads in (1, 2):
-                runs.setdefault(f"povray +WT{threads}", []).append(
-                    measured([*whole, f"+WT{threads}"], self.folder)
-                )
+                runs.setdefault(f"povray +WT{threads}", []).append(measured([*whole, f"+WT{threads}"], self.folder))
             for workers in (1, 2, 4):
                 run = self.batch("still", SCENE, "--bands", 8, "--workers", workers, *words(STILL))
-                runs.setdefault(
-                    f"batch, {workers} workers" if workers > 1 else "batch, 1 worker", []
-                ).append(run)
+                runs.setdefault(f"batch, {workers} workers" if workers > 1 else "batch, 1 worker", []).append(run)
         return runs
 
     def large(self):
         """An 8K picture: memory of POV-Ray for one band, checking the band, joining two bands."""
         width, height = EIGHT_K
-        band = povray_run.command(POVRAY, SCENE, "band.exr", EIGHT_K, "+WT1", "+FE", "Declare=Stop=22", "+SR2145", "+ER2176",
-                                  library=[SCENE.parent])
+        band = povray_run.command(
+            POVRAY, SCENE, "band.exr", EIGHT_K, "+WT1", "+FE", "Declare=Stop=22", "+SR2145", "+ER2176", library=[SCENE.parent]
+        )
         memory = measured(band, self.folder)[2]
         check = measured(["oiiotool", "--info", "--hash", "band.exr"], self.folder)
-        noise = [
-            "oiiotool",
-            "--pattern",
-            "noise",
-            f"{width}x{height}",
-            "3",
-            "-d",
-            "half",
-            "--compression",
-            "zip",
-        ]
+        noise = ["oiiotool", "--pattern", "noise", f"{width}x{height}", "3", "-d", "half", "--compression", "zip"]
         for name in ("a", "b"):
             measured([*noise, "-o", f"{name}.exr"], self.folder)
         half = height // 2
         cut = ["a.exr", "--crop", f"{width}x{half}+0+0", "b.exr", "--crop", f"{width}x{half}+0+{half}"]
-        join = measured(
-            ["oiiotool", *cut, "--paste:all=1:mergeroi=1", "+0+0", "-o", "joined.exr"], self.folder
-        )
-        return {
-            "memory": memory,
-            "check": check[1],
-            "join": join[1],
-            "bytes": (self.folder / "band.exr").stat().st_size,
-        }
+        join = measured(["oiiotool", *cut, "--paste:all=1:mergeroi=1", "+0+0", "-o", "joined.exr"], self.folder)
+        return {"memory": memory, "check": check[1], "join": join[1], "bytes": (self.folder / "band.exr").stat().st_size}
 
 
 def dispatch_rate(repeat):
@@ -164,11 +136,7 @@ def table(head, rows):
 def cost_rows(start, unit, large, rate):
     return [
         ("a start of POV-Ray, tiny picture", f"{median(start, 0):.2f}", f"{median(start, 1):.2f}"),
-        (
-            "a unit of a batch, tiny picture (start, check, record)",
-            f"{median(unit, 0):.2f}",
-            f"{median(unit, 1):.2f}",
-        ),
+        ("a unit of a batch, tiny picture (start, check, record)", f"{median(unit, 0):.2f}", f"{median(unit, 1):.2f}"),
         ("checking one 8K OpenEXR band", "", f"{large['check']:.1f}"),
         ("joining an 8K OpenEXR picture of noise from two", "", f"{large['join']:.1f}"),
         ("a task of Slurm, on the private cluster of three nodes", f"{1 / rate:.2f}", ""),
@@ -177,23 +145,14 @@ def cost_rows(start, unit, large, rate):
 
 def speed_rows(runs):
     first = median(runs["povray +WT1"], 0)
-    return [
-        (name, f"{median(found, 0):.1f}", f"{median(found, 1):.1f}", f"{first / median(found, 0):.2f}")
-        for name, found in runs.items()
-    ]
+    return [(name, f"{median(found, 0):.1f}", f"{median(found, 1):.1f}", f"{first / median(found, 0):.2f}") for name, found in runs.items()]
 
 
 def margin(runs, unit):
     """Rows beyond each edge of a band that are sampled, too: from the time of eight bands beyond that of the whole
     picture and of the units."""
-    whole, bands, rows = (
-        median(runs["povray +WT1"], 1),
-        median(runs["batch, 1 worker"], 1),
-        STILL[0][1],
-    )
-    return (
-        max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)
-    )  # 10: with two small renders
+    whole, bands, rows = (median(runs["povray +WT1"], 1), median(runs["batch, 1 worker"], 1), STILL[0][1])
+    return max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)  # 10: with two small renders
 
 
 def paper_rows(costs, here):
@@ -234,19 +193,14 @@ def text(repeat):
         f"**Calculated from these costs**: {FILM} frames of 8K on {NODES} nodes of one core each. The last rows use the cost per",
         "frame of the scene above.",
         "",
-        *table(
-            ("core-hours per frame", "bands", "waves of units", "elapsed hours", "speed-up over one core"),
-            paper_rows(costs, here),
-        ),
+        *table(("core-hours per frame", "bands", "waves of units", "elapsed hours", "speed-up over one core"), paper_rows(costs, here)),
         "",
     ]
     return "\n".join(lines)
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--write", action="store_true")
     settings = parser.parse_args()

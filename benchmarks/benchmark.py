@@ -40,12 +40,46 @@ from benchmarks import (
 from benchmarks.lab import Failed, Lab
 from tools.repository import BUILD
 
-PARTS = ("stock", "tilted", "display", "lamps", "cycles", "preview", "reading", "denoise", "pan", "tilt", "instructions", "samples", "glass",
-         "loops", "growth", "contract", "crops", "builds", "ablation", "found_lamps", "allocation",
-         "threads")
+PARTS = (
+    "stock",
+    "tilted",
+    "display",
+    "lamps",
+    "cycles",
+    "preview",
+    "reading",
+    "denoise",
+    "pan",
+    "tilt",
+    "instructions",
+    "samples",
+    "glass",
+    "loops",
+    "growth",
+    "contract",
+    "crops",
+    "builds",
+    "ablation",
+    "found_lamps",
+    "allocation",
+    "threads",
+)
 NAMES = [*[scene.name for scene in suite.SCENES], *found_lamps.NAMES, *suite.DISPLAY]
 # Parts whose short form is shown in the pages, too, with the size of its pictures.
-SHORT = {"stock", "tilted", "contract", "display", "lamps", "cycles", "preview", "crops", "ablation", "found_lamps", "allocation", "threads"}
+SHORT = {
+    "stock",
+    "tilted",
+    "contract",
+    "display",
+    "lamps",
+    "cycles",
+    "preview",
+    "crops",
+    "ablation",
+    "found_lamps",
+    "allocation",
+    "threads",
+}
 
 
 def chosen(text, names, what, parser):
@@ -60,27 +94,36 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="fewer settings: some CPU minutes")
     parser.add_argument("--full", dest="quick", action="store_false", help="all settings (default)")
-    parser.add_argument("--scenes", help=f"of {', '.join(NAMES)}; all if not given, with --quick of the last nine only "
-                        + ",".join(suite.QUICK_DISPLAY))
+    parser.add_argument(
+        "--scenes", help=f"of {', '.join(NAMES)}; all if not given, with --quick of the last nine only " + ",".join(suite.QUICK_DISPLAY)
+    )
     parser.add_argument("--parts", help=f"of {', '.join(PARTS)}; all if not given, with --quick only stock,tilted")
     parser.add_argument("--ours", type=pathlib.Path, default=BUILD / "bin" / "povray", help="the patched program")
     parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray", help="the unpatched program")
-    parser.add_argument("--unpatched", type=pathlib.Path, default=BUILD / "stock" / "bin" / "povray",
-                        help="the same source built as ours, without the patches (for part instructions)")
-    parser.add_argument("--fast", type=pathlib.Path, default=BUILD / "fast" / "bin" / "povray",
-                        help="the patched program as cmake/build-fast makes it (for part builds)")
+    parser.add_argument(
+        "--unpatched",
+        type=pathlib.Path,
+        default=BUILD / "stock" / "bin" / "povray",
+        help="the same source built as ours, without the patches (for part instructions)",
+    )
+    parser.add_argument(
+        "--fast",
+        type=pathlib.Path,
+        default=BUILD / "fast" / "bin" / "povray",
+        help="the patched program as cmake/build-fast makes it (for part builds)",
+    )
     parser.add_argument("--before", type=pathlib.Path, help="the patched program of before a change (for part samples)")
     parser.add_argument("--tools", type=pathlib.Path, default=BUILD / "tests" / "benchmarks" / "tools")
     parser.add_argument("--work", type=pathlib.Path, default=BUILD / "benchmarks")
-    parser.add_argument("--fresh", action="store_true",
-                        help="measure again what an earlier run has measured (references are kept)")
-    parser.add_argument("--update-docs", action="store_true", help="keep the results in docs/benchmarks and show them in the pages of docs/")
+    parser.add_argument("--fresh", action="store_true", help="measure again what an earlier run has measured (references are kept)")
+    parser.add_argument(
+        "--update-docs", action="store_true", help="keep the results in docs/benchmarks and show them in the pages of docs/"
+    )
     parser.add_argument("--pages", action="store_true", help="measure nothing; write the pages from docs/benchmarks")
     args = parser.parse_args()
     usual = args.scenes is None
     args.scenes = NAMES if usual else chosen(args.scenes, NAMES, "scene", parser)
-    args.display = [name for name in suite.DISPLAY
-                    if name in (suite.QUICK_DISPLAY if usual and args.quick else args.scenes)]
+    args.display = [name for name in suite.DISPLAY if name in (suite.QUICK_DISPLAY if usual and args.quick else args.scenes)]
     args.parts = chosen(args.parts or ("stock,tilted" if args.quick else ",".join(PARTS)), PARTS, "part", parser)
     if args.update_docs and args.quick and not {*args.parts} <= SHORT:
         parser.error(f"--update-docs takes --quick only with --parts {','.join(sorted(SHORT))}")
@@ -90,8 +133,13 @@ def arguments():
         parser.error(f"part display needs one of the scenes {', '.join(suite.DISPLAY)}")
     if args.pages:
         return args
-    programs = [args.ours, args.stock, *[args.unpatched] * ("instructions" in args.parts), *[args.fast] * ("builds" in args.parts),
-                *[args.before] * bool(args.before)]
+    programs = [
+        args.ours,
+        args.stock,
+        *[args.unpatched] * ("instructions" in args.parts),
+        *[args.fast] * ("builds" in args.parts),
+        *[args.before] * bool(args.before),
+    ]
     for path in programs:
         if not path.is_file():
             parser.error(f"no such program: {path}")
@@ -117,7 +165,7 @@ def measure_scenes(lab, args, results, runs):
 def measure(lab, args):
     done = subprocess.run([lab.ours, "--version"], capture_output=True, text=True, check=False)
     version = next((line.strip() for line in (done.stdout + done.stderr).splitlines() if "patch series" in line), "?")
-    version += f", program {lab.hashes[lab.ours][:12]}"    # the same patches may be built with other sources
+    version += f", program {lab.hashes[lab.ours][:12]}"  # the same patches may be built with other sources
     results, runs = {}, []
     if {"stock", "tilted"} & set(args.parts):
         measure_scenes(lab, args, results, runs)
@@ -158,8 +206,7 @@ def measure(lab, args):
     if "contract" in args.parts:
         results["contract"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt)]
     if "crops" in args.parts:
-        results["crops"] = [row for scene in scenes for tilt in (0, 1)
-                            for row in contract.measure(lab, scene, tilt, contract.CROP)]
+        results["crops"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt, contract.CROP)]
     if "builds" in args.parts:
         results["builds"] = builds.measure(lab, scenes, args.fast.resolve())
     if "ablation" in args.parts:

@@ -17,6 +17,13 @@ def measure(lab, scenes, fast):
         reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
         shot = scene.shot(TILT_LENS, declare=EVEN)
         usual, other = lab.interleaved([(lab.ours, shot), (fast, shot)], 3 if lab.quick else 7, reference)
-        rows.append({"scene": scene.name, "usual": usual["cpu"], "fast": other["cpu"],
-                     "times": other["cpu"]/usual["cpu"], "same": usual["mse"] == other["mse"]})
+        rows.append(
+            {
+                "scene": scene.name,
+                "usual": usual["cpu"],
+                "fast": other["cpu"],
+                "times": other["cpu"] / usual["cpu"],
+                "same": usual["mse"] == other["mse"],
+            }
+        )
     return rows

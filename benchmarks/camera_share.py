@@ -18,9 +18,18 @@ def measure(lab, count=instructions.count):
     lab.say("share of camera and sampler in the cost of a ray")
     rows = []
     for scene in SCENES[:1] if lab.quick else SCENES:
-        both = [[count(lab, lab.ours, Shot(scene, TILT_LENS, size=SIZE, declare=declare), within=function)
-                 for function in (ALL, RAYS)] for declare in SETTINGS]
-        rays = SAMPLES*SIZE[0]*SIZE[1]
-        rows.append({"scene": scene, "instructions": both[0][0]/rays, "camera": (both[0][0] - both[0][1])/rays,
-                     "share": 1 - both[0][1]/both[0][0], "share_judged": 1 - both[1][1]/both[1][0]})
+        both = [
+            [count(lab, lab.ours, Shot(scene, TILT_LENS, size=SIZE, declare=declare), within=function) for function in (ALL, RAYS)]
+            for declare in SETTINGS
+        ]
+        rays = SAMPLES * SIZE[0] * SIZE[1]
+        rows.append(
+            {
+                "scene": scene,
+                "instructions": both[0][0] / rays,
+                "camera": (both[0][0] - both[0][1]) / rays,
+                "share": 1 - both[0][1] / both[0][0],
+                "share_judged": 1 - both[1][1] / both[1][0],
+            }
+        )
     return rows

@@ -14,7 +14,7 @@ def compare(lab, scenes):
         for line in lines:
             lab.say(f"  as stock with {line['target']}: {tables.ratio_cell(line)}")
         # with far fewer frames than stock has samples, the accumulation buffer is far from the error
-        errors = {line["target"]: line["rmse"] for line in lines if line["target"] <= 2*accumulation.frames_of(lab, scene, 1)}
+        errors = {line["target"]: line["rmse"] for line in lines if line["target"] <= 2 * accumulation.frames_of(lab, scene, 1)}
         leaning = tilted.measure(lab, scene, errors)
         found["untilted"][scene.name], found["tilted"][scene.name] = lines, tilted.compare(leaning, errors)
         runs += [*untilted, *leaning]

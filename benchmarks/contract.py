@@ -13,7 +13,7 @@ CROP = Part(608, 336, 1280, 720)
 # variance: independent pictures, since one has too few pixels that take more samples
 PICTURES = {1e-2: 16, 1e-3: 16, 1e-4: 16, 1e-5: 4, 1e-6: 2}
 QUICK = {1e-2: 8, 1e-3: 8, 1e-4: 4}
-LEAST, MOST = 4, 262144         # samples; no pixel should need the largest number
+LEAST, MOST = 4, 262144  # samples; no pixel should need the largest number
 
 
 def claims(lab, shot, reference, first, count, variance):
@@ -22,13 +22,14 @@ def claims(lab, shot, reference, first, count, variance):
     record = lab.runs.get((key, 0))
     if record is None:
         pictures = [lab.work / "claims" / f"{key}-{number}.png" for number in range(count)]
-        spent = [samples_spent(lab.render(lab.ours, shot.independent(first + number), picture)[0])
-                 for number, picture in enumerate(pictures)]
-        found, = lab.tool("noise", "claims", reference, *pictures, "--variance", variance, "--more-than", LEAST)
+        spent = [
+            samples_spent(lab.render(lab.ours, shot.independent(first + number), picture)[0]) for number, picture in enumerate(pictures)
+        ]
+        (found,) = lab.tool("noise", "claims", reference, *pictures, "--variance", variance, "--more-than", LEAST)
         for picture in pictures:
             picture.unlink()
             picture.with_suffix(".layers.exr").unlink()
-        record = {"key": key, "repetition": 0, "samples": sum(samples.get("samples", 0.0) for samples in spent)/count, **found}
+        record = {"key": key, "repetition": 0, "samples": sum(samples.get("samples", 0.0) for samples in spent) / count, **found}
         lab.keep(record)
     return record
 
@@ -37,14 +38,25 @@ def measure(lab, scene, tilted, part=None):
     lab.say(f"{scene.name}{' tilted' if tilted else ''}{', cropped' if part else ''}: is the requested variance kept")
     batches, samples = scene.reference
     kept = {"size": SIZE, "part": part}
-    times = max(4, scene.contract//4) if lab.quick else scene.contract     # for the smallest V of PICTURES, a hundredth of that of QUICK
-    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, times*samples)
+    times = max(4, scene.contract // 4) if lab.quick else scene.contract  # for the smallest V of PICTURES, a hundredth of that of QUICK
+    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, times * samples)
     rows = []
     for variance, count in (QUICK if lab.quick else PICTURES).items():
         shot = scene.shot(TILT_LENS, tilted, declare=suite.limits(LEAST, MOST, variance), options=("+N",), **kept)
         found = claims(lab, shot, reference, batches + 1, count, variance)
-        rows.append({"scene": scene.name, "tilted": tilted, "variance": variance,
-                     "share": found["mse"]/variance, "more": found["share_more"], "share_of_more": found["mse_more"]/variance,
-                     "beyond": found["beyond"], "reference_mse": found["reference_mse"], "samples": found["samples"],
-                     "estimated": found["estimated"], "true": found["true"]})
+        rows.append(
+            {
+                "scene": scene.name,
+                "tilted": tilted,
+                "variance": variance,
+                "share": found["mse"] / variance,
+                "more": found["share_more"],
+                "share_of_more": found["mse_more"] / variance,
+                "beyond": found["beyond"],
+                "reference_mse": found["reference_mse"],
+                "samples": found["samples"],
+                "estimated": found["estimated"],
+                "true": found["true"],
+            }
+        )
     return rows

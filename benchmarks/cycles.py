@@ -29,28 +29,53 @@ def scene_told(lab):
     """Camera and spheres as the scene itself reports them."""
     shot = SCENE.shot(PINHOLE, declare=(("Tell", 1),))
     messages, _, _ = lab.render(lab.ours, lab.one_pixel(shot), lab.work / "cycles" / "told.png")
+
     def lines(word):
         return [list(map(float, line.split())) for line in re.findall(rf"^{word}: (.+)$", messages, re.MULTILINE)]
+
     (camera,), (focus,) = lines("Camera"), lines("Focus")
-    return {"eye": camera[:3], "axis": camera[3:], "angle": focus[0], "focus": focus[1], "radius": focus[2],
-            "spheres": lines("Sphere"), "size": SCENE.size}
+    return {
+        "eye": camera[:3],
+        "axis": camera[3:],
+        "angle": focus[0],
+        "focus": focus[1],
+        "radius": focus[2],
+        "spheres": lines("Sphere"),
+        "size": SCENE.size,
+    }
 
 
 def settings(quick):
     """(name, samples, threshold, least samples); a threshold of 0 turns adaptive sampling off."""
     return [(str(samples), samples, 0, 0) for samples in (TARGETS[:3] if quick else TARGETS)] + [
-        (f"{least},{most} {threshold:g}", most, threshold, least) for most, threshold, least in (ADAPTIVE[:4] if quick else ADAPTIVE)]
+        (f"{least},{most} {threshold:g}", most, threshold, least) for most, threshold, least in (ADAPTIVE[:4] if quick else ADAPTIVE)
+    ]
 
 
 def render_all(lab, folder, repetitions):
     """CPU seconds of each setting for each repetition, without the start of Blender; the pictures of the first one
     stay."""
     (folder / "scene.json").write_text(json.dumps({**scene_told(lab), "settings": settings(lab.quick), "repetitions": repetitions}))
-    done = subprocess.run([installed(), "--background", "--factory-startup", "--python-exit-code", "1", "--python",
-                           str(ROOT / "benchmarks" / "cycles_scene.py"), "--", str(folder / "scene.json")], cwd=folder,
-                          capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run(
+        [
+            installed(),
+            "--background",
+            "--factory-startup",
+            "--python-exit-code",
+            "1",
+            "--python",
+            str(ROOT / "benchmarks" / "cycles_scene.py"),
+            "--",
+            str(folder / "scene.json"),
+        ],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        check=False,
+    )
     found = [json.loads(line) for line in re.findall(r"^Cycles: (.+)$", done.stdout, re.MULTILINE)]
-    if done.returncode != 0 or len(found) != repetitions*len(settings(lab.quick)):
+    if done.returncode != 0 or len(found) != repetitions * len(settings(lab.quick)):
         raise Failed(f"Blender ended with {done.returncode}:\n{(done.stdout + done.stderr)[-3000:]}")
     return found
 
@@ -63,8 +88,14 @@ def measure(lab):
     lab.say("checks: Cycles and tilt_lens")
     reference = lab.reference(SCENE.shot(TILT_LENS), *SCENE.reference)
     version = subprocess.run([installed(), "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
-    key = digest("cycles", version, (ROOT / "benchmarks" / "cycles_scene.py").read_text(), SCENE.shot(TILT_LENS).sources(),
-                 settings(lab.quick), reference.name)
+    key = digest(
+        "cycles",
+        version,
+        (ROOT / "benchmarks" / "cycles_scene.py").read_text(),
+        SCENE.shot(TILT_LENS).sources(),
+        settings(lab.quick),
+        reference.name,
+    )
     record = lab.runs.get((key, 0))
     if record is None:
         folder = lab.work / "cycles"
@@ -72,10 +103,20 @@ def measure(lab):
         found = render_all(lab, folder, 1 if lab.quick else 3)
         pictures = [folder / f"{number}.exr" for number in range(len(settings(lab.quick)))]
         errors = lab.tool("noise", "errors", reference, *pictures)
-        record = {"key": key, "repetition": 0, "version": version, "runs": [
-            {"setting": name, "mse": figures["mse"], "mean": figures["mean"],
-             "cpu": statistics.median(line["cpu"] for line in found if line["setting"] == name)}
-            for (name, *_), figures in zip(settings(lab.quick), errors)]}
+        record = {
+            "key": key,
+            "repetition": 0,
+            "version": version,
+            "runs": [
+                {
+                    "setting": name,
+                    "mse": figures["mse"],
+                    "mean": figures["mean"],
+                    "cpu": statistics.median(line["cpu"] for line in found if line["setting"] == name),
+                }
+                for (name, *_), figures in zip(settings(lab.quick), errors)
+            ],
+        }
         lab.keep(record)
     cycles = [{**run, "program": "cycles", "scene": "checks", "rmse": math.sqrt(run["mse"])} for run in record["runs"]]
     ours = [run for run in versus_stock.measure(lab, SCENE) if run["program"] == "tilt_lens"]
@@ -88,6 +129,13 @@ def compare(cycles, ours):
     for run in cycles:
         if run["setting"].isdigit():
             theirs, took = (seconds_for(front, run["rmse"]) for front in fronts)
-            lines.append({"target": int(run["setting"]), "rmse": run["rmse"], "cycles": theirs, "tilt_lens": took,
-                          "ratio": theirs/took if took else None})
+            lines.append(
+                {
+                    "target": int(run["setting"]),
+                    "rmse": run["rmse"],
+                    "cycles": theirs,
+                    "tilt_lens": took,
+                    "ratio": theirs / took if took else None,
+                }
+            )
     return lines

@@ -14,7 +14,7 @@ import sys
 try:
     import bpy
     import mathutils
-except ImportError:     # outside of Blender it can only be read
+except ImportError:  # outside of Blender it can only be read
     bpy = mathutils = None
 
 # Edges of this sphere are within 2e-4 of its radius.
@@ -63,7 +63,7 @@ def build(scene, told):
     first = bpy.context.object
     first.data.materials.append(emitting("spheres", colour_of_object))
     for number, (*centre, red, green, blue) in enumerate(told["spheres"]):
-        sphere = first if number == 0 else first.copy()     # they share one mesh
+        sphere = first if number == 0 else first.copy()  # they share one mesh
         sphere.location, sphere.color = exchanged(centre), (red, green, blue, 1)
         if number:
             scene.collection.objects.link(sphere)
@@ -78,7 +78,7 @@ def place_camera(scene, told):
     camera.angle = math.radians(told["angle"])
     camera.clip_end = 1e6
     camera.dof.use_dof, camera.dof.focus_distance = True, told["focus"]
-    camera.dof.aperture_fstop = camera.lens*1e-3/(2*told["radius"])
+    camera.dof.aperture_fstop = camera.lens * 1e-3 / (2 * told["radius"])
     holder = bpy.data.objects.new("camera", camera)
     holder.location = exchanged(told["eye"])
     holder.rotation_euler = mathutils.Vector(exchanged(told["axis"])).to_track_quat("-Z", "Y").to_euler()
@@ -92,7 +92,7 @@ def adjust(scene, size):
     scene.render.threads_mode, scene.render.threads = "FIXED", 1
     scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
     scene.cycles.device, scene.cycles.use_denoising, scene.cycles.max_bounces = "CPU", False, 0
-    scene.cycles.pixel_filter_type = "BOX"      # a pixel is the mean over its square, as in POV-Ray
+    scene.cycles.pixel_filter_type = "BOX"  # a pixel is the mean over its square, as in POV-Ray
     scene.cycles.filter_width = 1.0
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
 

@@ -14,24 +14,35 @@ from benchmarks.lab import TILT_LENS, Shot, digest, samples_spent
 FOLDER = SCENE_FOLDER / "found_lamps"
 SIZE, QUICK_SIZE = (320, 240), (160, 120)
 SEEDS = (1, 2, 3)
-FIRST_SEED = 101            # of the references; no picture shares them
-BATCHES = 4                 # pictures of a reference
-LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024      # of each of their pixels
-GREATEST_NOISE = 0.1        # of a reference, in the MSE that is measured with it
-VARIANCE = 1e-4             # of the default settings
+FIRST_SEED = 101  # of the references; no picture shares them
+BATCHES = 4  # pictures of a reference
+LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024  # of each of their pixels
+GREATEST_NOISE = 0.1  # of a reference, in the MSE that is measured with it
+VARIANCE = 1e-4  # of the default settings
 
 
 @dataclasses.dataclass(frozen=True)
 class Scene:
     name: str
     title: str
-    radii: tuple = (None,)      # of the lamps, where the scene knows them
-    quick: tuple = ()           # radii of the short form, if not all: the smaller, the finer the reference
+    radii: tuple = (None,)  # of the lamps, where the scene knows them
+    quick: tuple = ()  # radii of the short form, if not all: the smaller, the finer the reference
 
     def shots(self, quick):
-        return [(radius, Shot(self.name, TILT_LENS, size=QUICK_SIZE if quick else SIZE, folder=FOLDER, threads=2,
-                              declare=(("Radius", radius),) if radius else ()))
-                for radius in quick and self.quick or self.radii]
+        return [
+            (
+                radius,
+                Shot(
+                    self.name,
+                    TILT_LENS,
+                    size=QUICK_SIZE if quick else SIZE,
+                    folder=FOLDER,
+                    threads=2,
+                    declare=(("Radius", radius),) if radius else (),
+                ),
+            )
+            for radius in quick and self.quick or self.radii
+        ]
 
 
 SCENES = [
@@ -66,8 +77,9 @@ class Reference:
             return path
         batches = [folder / f"{stem}-{number}.exr" for number in range(BATCHES)]
         for number, batch in enumerate(batches):
-            self.lab.render(self.lab.ours, declared(self.shot, Samples=samples, Variance=0, Seed=FIRST_SEED + number), batch,
-                            low_priority=True)
+            self.lab.render(
+                self.lab.ours, declared(self.shot, Samples=samples, Variance=0, Seed=FIRST_SEED + number), batch, low_priority=True
+            )
         unfinished = path.with_suffix(".part.exr")
         self.lab.tool("noise", "reference", unfinished, *batches, "--unclipped", "--size", *self.shot.size)
         unfinished.rename(path)
@@ -83,24 +95,29 @@ class Reference:
             path = self.of(samples)
             errors = [mean(self.lab.tool("noise", "errors", path, *pictures)) for pictures in sets]
             least = max(1e-12, min(error["mse"] for error in errors))
-            finer = errors[0]["reference_mse"]/(GREATEST_NOISE*least)
+            finer = errors[0]["reference_mse"] / (GREATEST_NOISE * least)
             if finer <= 1.0 or samples >= most:
                 return path, errors
             # the noise may fall more steeply than the samples grow
-            samples = min(most, samples*2**max(1, min(3, round(math.log2(finer)))))
+            samples = min(most, samples * 2 ** max(1, min(3, round(math.log2(finer)))))
 
 
 def mean(records):
-    return {name: sum(record[name] for record in records)/len(records)
-            for name, value in records[0].items() if isinstance(value, (int, float))}
+    return {
+        name: sum(record[name] for record in records) / len(records)
+        for name, value in records[0].items()
+        if isinstance(value, (int, float))
+    }
 
 
 def pictures(lab, shot, folder, **values):
     """A picture for each seed, and their mean number of rays a pixel."""
     made = [folder / f"{values.get('Samples', 'default')}-{seed}.exr" for seed in SEEDS]
-    messages = [lab.render(lab.ours, dataclasses.replace(declared(shot, **values, Seed=seed), options=("+N",)), picture)[0]
-                for seed, picture in zip(SEEDS, made)]
-    return made, sum(samples_spent(text)["samples"] for text in messages)/len(SEEDS)
+    messages = [
+        lab.render(lab.ours, dataclasses.replace(declared(shot, **values, Seed=seed), options=("+N",)), picture)[0]
+        for seed, picture in zip(SEEDS, made)
+    ]
+    return made, sum(samples_spent(text)["samples"] for text in messages) / len(SEEDS)
 
 
 def compared(lab, shot):
@@ -111,19 +128,29 @@ def compared(lab, shot):
     reference, (error, uniform_error) = Reference(lab, shot).fine_enough(default, uniform)
     without = Reference(lab, declared(shot, Lamps=0)).of(LEAST_SAMPLES)
     kept, uniform_kept = (mean(lab.tool("noise", "lamps", reference, without, *made)) for made in (default, uniform))
-    claims, = lab.tool("noise", "claims", reference, *default, "--variance", VARIANCE, "--more-than", 4)
+    (claims,) = lab.tool("noise", "claims", reference, *default, "--variance", VARIANCE, "--more-than", 4)
     for made in default + uniform:
         made.unlink()
         made.with_suffix(".layers.exr").unlink()
-    return {"samples": samples, "fixed": fixed, "mse": error["mse"], "fixed_mse": uniform_error["mse"],
-            "reference_mse": error["reference_mse"], "kept": kept["kept"], "fixed_kept": uniform_kept["kept"],
-            "dark": kept["dark"], "fixed_dark": uniform_kept["dark"], "disc_pixels": kept["disc_pixels"],
-            "estimated": claims["estimated"], "true": claims["true"]}
+    return {
+        "samples": samples,
+        "fixed": fixed,
+        "mse": error["mse"],
+        "fixed_mse": uniform_error["mse"],
+        "reference_mse": error["reference_mse"],
+        "kept": kept["kept"],
+        "fixed_kept": uniform_kept["kept"],
+        "dark": kept["dark"],
+        "fixed_dark": uniform_kept["dark"],
+        "disc_pixels": kept["disc_pixels"],
+        "estimated": claims["estimated"],
+        "true": claims["true"],
+    }
 
 
 def work(row):
     """MSE times rays, over that of fixed sampling."""
-    return row["mse"]*row["samples"]/(row["fixed_mse"]*row["fixed"])
+    return row["mse"] * row["samples"] / (row["fixed_mse"] * row["fixed"])
 
 
 def measure(lab, names=NAMES):
@@ -137,7 +164,9 @@ def measure(lab, names=NAMES):
                 lab.keep(record)
             row = {"scene": scene.name, "radius": radius, "size": list(shot.size)}
             row |= {name: float(f"{value:.4g}") for name, value in record.items() if name not in ("key", "repetition")}
-            lab.say(f"{scene.name}{f' {radius}' if radius else ''}: work {work(row):.2f}, {100*row['kept']:.1f} % of the light,"
-                    f" {100*row['dark']:.2f} % dark")
+            lab.say(
+                f"{scene.name}{f' {radius}' if radius else ''}: work {work(row):.2f}, {100*row['kept']:.1f} % of the light,"
+                f" {100*row['dark']:.2f} % dark"
+            )
             rows.append(row)
     return rows

@@ -24,8 +24,8 @@ def seconds_for(points, error):
         return front[0][0]
     for (fast, rough), (slow, fine) in zip(front, front[1:]):
         if fine <= error:
-            share = math.log(rough/error)/math.log(rough/fine) if fine > 0 else 1.0
-            return fast*(slow/fast)**share
+            share = math.log(rough / error) / math.log(rough / fine) if fine > 0 else 1.0
+            return fast * (slow / fast) ** share
     raise AssertionError("a front that ends below the error crosses it")
 
 
@@ -37,10 +37,10 @@ def error_after(points, seconds):
         return None
     for (fast, rough), (slow, fine) in zip(front, front[1:]):
         if seconds <= slow:
-            return rough*(fine/rough)**(math.log(seconds/fast)/math.log(slow/fast))
+            return rough * (fine / rough) ** (math.log(seconds / fast) / math.log(slow / fast))
     return front[-1][1]
 
 
 def geometric_mean(values):
     values = list(values)
-    return math.exp(sum(map(math.log, values))/len(values)) if values else None
+    return math.exp(sum(map(math.log, values)) / len(values)) if values else None

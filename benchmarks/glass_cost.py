@@ -16,11 +16,12 @@ SIZE = instructions.SIZE
 def measure(lab, count=instructions.count):
     """Instructions of a ray, those of camera and sampler among them, and their share."""
     lab.say("cost of a lens of glass")
-    rows, rays = [], SAMPLES*SIZE[0]*SIZE[1]
+    rows, rays = [], SAMPLES * SIZE[0] * SIZE[1]
     for scene in SCENES[:1] if lab.quick else SCENES:
         for lens, stop in LENSES.items():
             shot = Shot(scene, TILT_LENS, size=SIZE, declare=(*suite.limits(SAMPLES, SAMPLES, 0), ("Glass", stop)))
             whole, traced = (count(lab, lab.ours, shot, within=function) for function in (ALL, RAYS))
-            rows.append({"scene": scene, "lens": lens, "instructions": whole/rays, "camera": (whole - traced)/rays,
-                         "share": 1 - traced/whole})
+            rows.append(
+                {"scene": scene, "lens": lens, "instructions": whole / rays, "camera": (whole - traced) / rays, "share": 1 - traced / whole}
+            )
     return rows

@@ -15,14 +15,26 @@ def series(lab, name, unit, points):
     lab.say(f"growth with {name}")
     programs = {"tilt_lens": lab.ours, "stock": lab.stock}
     runs = lab.interleaved([(programs[program], shot) for _, program, shot in points], 1 if lab.quick else 3)
-    return [{"series": name, "unit": unit, "x": x, "program": program, "cpu": run["cpu"], "seconds": run["seconds"],
-             "samples": run.get("samples"), "start_up": lab.start_up(programs[program], shot)}
-            for (x, program, shot), run in zip(points, runs)]
+    return [
+        {
+            "series": name,
+            "unit": unit,
+            "x": x,
+            "program": program,
+            "cpu": run["cpu"],
+            "seconds": run["seconds"],
+            "samples": run.get("samples"),
+            "start_up": lab.start_up(programs[program], shot),
+        }
+        for (x, program, shot), run in zip(points, runs)
+    ]
 
 
 def both(scene, x, size=(200, 150), declare=()):
-    return [(x, "tilt_lens", Shot(scene, TILT_LENS, size=size, declare=(*declare, *ASKED))),
-            (x, "stock", Shot(scene, STOCK, size=size, declare=(*declare, *STOCK_ASKED)))]
+    return [
+        (x, "tilt_lens", Shot(scene, TILT_LENS, size=size, declare=(*declare, *ASKED))),
+        (x, "stock", Shot(scene, STOCK, size=size, declare=(*declare, *STOCK_ASKED))),
+    ]
 
 
 def measure(lab):
@@ -31,13 +43,20 @@ def measure(lab):
     counts = (10, 1000, 10000) if lab.quick else (10, 100, 1000, 10000, 100000)
     threads = sorted({1, 2, 4, os.cpu_count()} & set(range(1, os.cpu_count() + 1)))
     return [
-        *series(lab, "picture size", "pixels", [point for width in widths
-                                                for point in both("town", width*width*3//4, (width, width*3//4))]),
-        *series(lab, "blur", "times the scene's aperture", [
-            point for blur in blurs for point in both("town", blur, declare=(("Blur", blur),))]),
-        *series(lab, "objects", "spheres", [
-            point for count in counts for point in both("many", count, declare=(("Count", count),))]),
-        *series(lab, "threads", "threads", [
-            (count, "tilt_lens", Shot("town", TILT_LENS, size=(400, 300), declare=ASKED, threads=count))
-            for count in threads]),
+        *series(
+            lab,
+            "picture size",
+            "pixels",
+            [point for width in widths for point in both("town", width * width * 3 // 4, (width, width * 3 // 4))],
+        ),
+        *series(
+            lab, "blur", "times the scene's aperture", [point for blur in blurs for point in both("town", blur, declare=(("Blur", blur),))]
+        ),
+        *series(lab, "objects", "spheres", [point for count in counts for point in both("many", count, declare=(("Count", count),))]),
+        *series(
+            lab,
+            "threads",
+            "threads",
+            [(count, "tilt_lens", Shot("town", TILT_LENS, size=(400, 300), declare=ASKED, threads=count)) for count in threads],
+        ),
     ]

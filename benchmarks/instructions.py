@@ -13,11 +13,13 @@ from benchmarks.lab import PINHOLE, STOCK, Failed, Shot, digest
 from tools import povray_run
 
 SIZE = (64, 48)
-CASES = [("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
-         ("town, +A", Shot("town", PINHOLE, size=SIZE, options=("+A0.1", "+AM2", "+R3"))),
-         ("town, stock focal blur", Shot("town", STOCK, size=SIZE, declare=suite.limits(16, 16, 0))),
-         ("mirrors and glass, pinhole", Shot("glass", PINHOLE, size=SIZE)),
-         ("area light, pinhole", Shot("shadows", PINHOLE, size=SIZE))]
+CASES = [
+    ("town, pinhole", Shot("town", PINHOLE, size=SIZE)),
+    ("town, +A", Shot("town", PINHOLE, size=SIZE, options=("+A0.1", "+AM2", "+R3"))),
+    ("town, stock focal blur", Shot("town", STOCK, size=SIZE, declare=suite.limits(16, 16, 0))),
+    ("mirrors and glass, pinhole", Shot("glass", PINHOLE, size=SIZE)),
+    ("area light, pinhole", Shot("shadows", PINHOLE, size=SIZE)),
+]
 
 
 def count(lab, binary, shot, times=1, within=None):
@@ -27,9 +29,13 @@ def count(lab, binary, shot, times=1, within=None):
     record = lab.runs.get((key, 0))
     if record is None:
         with tempfile.TemporaryDirectory() as folder:
-            command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
-                       *([f"--toggle-collect={within}"] if within else []),
-                       *shot.command(binary, f"{folder}/picture.png", *lab.gathered_light(shot))]
+            command = [
+                "valgrind",
+                "--tool=callgrind",
+                "--callgrind-out-file=/dev/null",
+                *([f"--toggle-collect={within}"] if within else []),
+                *shot.command(binary, f"{folder}/picture.png", *lab.gathered_light(shot)),
+            ]
             counts = []
             for _ in range(times):
                 done = povray_run.run(command, folder, limit=None).succeeded()
@@ -47,7 +53,7 @@ def measure(lab, unpatched):
     rows = []
     for name, shot in CASES[:2] if lab.quick else CASES:
         plain, patched = count(lab, unpatched, shot, 3), count(lab, lab.ours, shot, 3)
-        rows.append({"case": name, "unpatched": plain, "patched": patched, "more": patched/plain - 1})
+        rows.append({"case": name, "unpatched": plain, "patched": patched, "more": patched / plain - 1})
     return rows
 
 
@@ -61,8 +67,11 @@ def inner_loops(lab):
     if record is None:
         command = [program, "--benchmark_format=json", "--benchmark_repetitions=5", f"--benchmark_min_time={seconds}"]
         done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=True)
-        medians = {entry["run_name"]: {name: entry[name] for name in ("cpu_time", "per_sample") if name in entry}
-                   for entry in json.loads(done.stdout)["benchmarks"] if entry.get("aggregate_name") == "median"}
+        medians = {
+            entry["run_name"]: {name: entry[name] for name in ("cpu_time", "per_sample") if name in entry}
+            for entry in json.loads(done.stdout)["benchmarks"]
+            if entry.get("aggregate_name") == "median"
+        }
         record = {"key": key, "repetition": 0, "medians": medians}
         lab.keep(record)
     medians = record["medians"]
@@ -72,12 +81,22 @@ def inner_loops(lab):
         return medians[name]["cpu_time"] - (empty if arguments_drawn else 0.0)
 
     def tile(most, denoise):
-        return 1e9*medians[f"TilePerSample/samples:{most}/denoise:{denoise}"]["per_sample"]
+        return 1e9 * medians[f"TilePerSample/samples:{most}/denoise:{denoise}"]["per_sample"]
 
-    return [("ray from film point and lens point (MakeRay)", call("Ray")),
-            ("sample of lens and pixel (PixelSampler)", call("SamplePoint", False)),
-            ("a pixel's sampler made anew", call("NewPixel", False)),
-            ("round aperture", call("Map/disc")), ("aperture of 7 blades", call("Map/polygon")),
-            ("aperture from a picture", call("Map/picture")),
-            *[(f"bookkeeping a sample, {most} samples a pixel, denoise {'on' if denoise else 'off'} (TileSampler, without"
-               " samples and rays)", tile(most, denoise)) for most in (64, 1024) for denoise in (0, 1)]]
+    return [
+        ("ray from film point and lens point (MakeRay)", call("Ray")),
+        ("sample of lens and pixel (PixelSampler)", call("SamplePoint", False)),
+        ("a pixel's sampler made anew", call("NewPixel", False)),
+        ("round aperture", call("Map/disc")),
+        ("aperture of 7 blades", call("Map/polygon")),
+        ("aperture from a picture", call("Map/picture")),
+        *[
+            (
+                f"bookkeeping a sample, {most} samples a pixel, denoise {'on' if denoise else 'off'} (TileSampler, without"
+                " samples and rays)",
+                tile(most, denoise),
+            )
+            for most in (64, 1024)
+            for denoise in (0, 1)
+        ],
+    ]

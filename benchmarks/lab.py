@@ -15,7 +15,7 @@ from tools.povray_run import INCLUDE, Failed
 from tools.repository import ROOT
 
 SCENES = ROOT / "benchmarks" / "scenes"
-PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)     # Form of scenes/camera.inc
+PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)  # Form of scenes/camera.inc
 
 
 def digest(*parts):
@@ -48,15 +48,16 @@ class Shot:
     form: int
     tilted: int = 0
     size: tuple = (200, 150)
-    declare: tuple = ()         # (name, value) pairs
-    options: tuple = ()         # further options
+    declare: tuple = ()  # (name, value) pairs
+    options: tuple = ()  # further options
     threads: int = 1
-    part: Part = None           # the larger picture that this is a part of
+    part: Part = None  # the larger picture that this is a part of
     folder: pathlib.Path = SCENES
 
     def command(self, program, picture, *options):
-        return povray_run.command(program, self.folder / f"{self.scene}.pov", picture, self.size, *self.settings(), *options,
-                                  library=[SCENES, INCLUDE])
+        return povray_run.command(
+            program, self.folder / f"{self.scene}.pov", picture, self.size, *self.settings(), *options, library=[SCENES, INCLUDE]
+        )
 
     def settings(self):
         """Arguments that name no file. A part is a picture of its own with a camera that sees nothing else; but
@@ -68,8 +69,17 @@ class Shot:
             width, height = part.columns, part.rows
         elif part:
             settings += (("Columns", part.columns), ("Rows", part.rows), ("Left", part.left), ("Top", part.top))
-        return [f"+W{width}", f"+H{height}", "-D", "-P", "-C", "-A", f"+WT{self.threads}",
-                *[f"Declare={name}={value}" for name, value in settings], *options]
+        return [
+            f"+W{width}",
+            f"+H{height}",
+            "-D",
+            "-P",
+            "-C",
+            "-A",
+            f"+WT{self.threads}",
+            *[f"Declare={name}={value}" for name, value in settings],
+            *options,
+        ]
 
     def place(self):
         """Place of the picture in the program's output, as options of the tool `noise`."""
@@ -77,11 +87,13 @@ class Shot:
 
     def independent(self, number):
         """The same picture with independent samples for each number from 1 on: the inner part of a larger picture."""
-        border, (width, height) = 8*number, self.size
+        border, (width, height) = 8 * number, self.size
         return dataclasses.replace(
-            self, size=(width + 2*border, height + 2*border), declare=(*self.declare, ("Batch", border)),
-            options=(*self.options, f"+SC{border + 1}", f"+EC{border + width}", f"+SR{border + 1}",
-                     f"+ER{border + height}"))
+            self,
+            size=(width + 2 * border, height + 2 * border),
+            declare=(*self.declare, ("Batch", border)),
+            options=(*self.options, f"+SC{border + 1}", f"+EC{border + width}", f"+SR{border + 1}", f"+ER{border + height}"),
+        )
 
     def sources(self):
         """The texts of the scene and of the files of this project that it includes."""
@@ -93,7 +105,7 @@ class Shot:
 class Lab:
     ours: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path         # the benchmark's tools
+    tools: pathlib.Path  # the benchmark's tools
     work: pathlib.Path
     quick: bool = False
 
@@ -115,11 +127,9 @@ class Lab:
         print(text, flush=True)
 
     def tool(self, name, *arguments):
-        done = subprocess.run([str(self.tools / name), *map(str, arguments)], capture_output=True,
-                              text=True, check=False)
+        done = subprocess.run([str(self.tools / name), *map(str, arguments)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            raise Failed(f"{name} {' '.join(map(str, arguments[:4]))} ...\nended with {done.returncode}:\n"
-                         f"{done.stderr[-2000:]}")
+            raise Failed(f"{name} {' '.join(map(str, arguments[:4]))} ...\nended with {done.returncode}:\n" f"{done.stderr[-2000:]}")
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def render(self, program, shot, picture, low_priority=False):
@@ -127,8 +137,9 @@ class Lab:
         seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
-        command = shot.command(program, picture, *self.gathered_light(shot),
-                               *(["+FE"] if picture.suffix == ".exr" else ["+FN16", "File_Gamma=1.0"]))
+        command = shot.command(
+            program, picture, *self.gathered_light(shot), *(["+FE"] if picture.suffix == ".exr" else ["+FN16", "File_Gamma=1.0"])
+        )
         result = run_measured(command, picture.parent, low_priority)
         if not picture.is_file():
             raise Failed(f"{shot}: the program ended well but wrote no {picture}")
@@ -150,19 +161,17 @@ class Lab:
     def reference(self, shot, batches, samples):
         """The reference picture of a camera, made once for a scene and its settings: mean of independent pictures
         of tilt_lens with the same number of samples in each pixel."""
-        if shot.form == PINHOLE:     # a lens of almost no diameter: sharp as a pinhole
+        if shot.form == PINHOLE:  # a lens of almost no diameter: sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
-        samples = samples//2 if self.quick else samples
+        samples = samples // 2 if self.quick else samples
         name = digest(shot.settings(), shot.sources(), batches, samples)
         path = self.work / "references" / f"{shot.scene}-{name}.exr"
         if path.is_file():
             return path
-        self.say(f"  reference of {shot.scene}{' tilted' if shot.tilted else ''}: "
-                 f"{batches} times {samples} samples a pixel")
+        self.say(f"  reference of {shot.scene}{' tilted' if shot.tilted else ''}: " f"{batches} times {samples} samples a pixel")
         width, height = shot.size
         pictures = []
-        even = dataclasses.replace(shot, threads=2, declare=(*shot.declare, ("Min", samples), ("Max", samples),
-                                                             ("Variance", 0)))
+        even = dataclasses.replace(shot, threads=2, declare=(*shot.declare, ("Min", samples), ("Max", samples), ("Variance", 0)))
         for batch in range(1, batches + 1):
             pictures.append(self.work / "references" / f"{path.stem}-{batch}.png")
             self.render(self.ours, even.independent(batch), pictures[-1], low_priority=True)
@@ -182,10 +191,16 @@ class Lab:
         if record is None:
             picture = self.work / "pictures" / f"{key}.png"
             messages, cpu, seconds = self.render(binary, shot, picture)
-            record = {"key": key, "repetition": repetition, "cpu": round(cpu, 4),
-                      "seconds": round(seconds, 4), "rays": sum(cpu_of_rays(messages)), **samples_spent(messages)}
+            record = {
+                "key": key,
+                "repetition": repetition,
+                "cpu": round(cpu, 4),
+                "seconds": round(seconds, 4),
+                "rays": sum(cpu_of_rays(messages)),
+                **samples_spent(messages),
+            }
             if reference and repetition == 0:
-                figures, = self.tool("noise", "errors", reference, picture, *shot.place())
+                (figures,) = self.tool("noise", "errors", reference, picture, *shot.place())
                 record.update({name: value for name, value in figures.items() if name != "picture"})
             picture.unlink()
             self.keep(record)
@@ -193,10 +208,13 @@ class Lab:
 
     def interleaved(self, programs_and_shots, repetitions, reference=None):
         """Every shot several times, in turn; records of the first time with median CPU seconds."""
-        rounds = [[self.run(binary, shot, reference, repetition) for binary, shot in programs_and_shots]
-                  for repetition in range(repetitions)]
-        return [{**records[0], **{name: statistics.median(record[name] for record in records)
-                                  for name in ("cpu", "seconds", "rays")}} for records in zip(*rounds)]
+        rounds = [
+            [self.run(binary, shot, reference, repetition) for binary, shot in programs_and_shots] for repetition in range(repetitions)
+        ]
+        return [
+            {**records[0], **{name: statistics.median(record[name] for record in records) for name in ("cpu", "seconds", "rays")}}
+            for records in zip(*rounds)
+        ]
 
     def keep(self, record):
         self.runs[record["key"], record["repetition"]] = record

@@ -15,10 +15,13 @@ from benchmarks import report, tables
 from tools.repository import ROOT
 
 DOCS = ROOT / "docs"
-WIDTH = 360         # characters of a line of kept results: one row of a table
+WIDTH = 360  # characters of a line of kept results: one row of a table
 PLACE = re.compile(r"(?P<begin><!-- benchmark: (?P<name>\w+) -->\n).*?(?P<end><!-- end of benchmark -->)", re.DOTALL)
-SUMMARIES = {"overview": (("stock", "tilted"), report.overview), "large": (("display",), report.overview_display),
-             "goals": (tuple(report.GOALS), report.goals)}
+SUMMARIES = {
+    "overview": (("stock", "tilted"), report.overview),
+    "large": (("display",), report.overview_display),
+    "goals": (tuple(report.GOALS), report.goals),
+}
 
 
 def compact(value, indent=""):
@@ -65,8 +68,7 @@ def faults(docs=DOCS):
     known = [*report.SECTIONS, *SUMMARIES]
     shown = [match["name"] for page in sorted(docs.glob("*.md")) for match in PLACE.finditer(page.read_text())]
     wrong = [f"a page has a place for {name}, which is no part of the benchmark" for name in shown if name not in known]
-    return wrong + [f"{name} is shown in {shown.count(name)} places of the pages, not in one"
-                    for name in known if shown.count(name) != 1]
+    return wrong + [f"{name} is shown in {shown.count(name)} places of the pages, not in one" for name in known if shown.count(name) != 1]
 
 
 def written(page, kept):

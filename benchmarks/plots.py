@@ -7,9 +7,12 @@ import subprocess
 from benchmarks.front import pareto
 from benchmarks.lab import Failed
 
-LOOKS = {   # program: title, point, colour
-    "stock": ("stock focal blur", 4, "#b0413e"), "tilt_lens": ("tilt_lens", 7, "#1f5fa8"),
-    "accumulation": ("accumulation buffer", 9, "#3c8c40"), "post-processed": ("blurred after the fact", 13, "#888888")}
+LOOKS = {  # program: title, point, colour
+    "stock": ("stock focal blur", 4, "#b0413e"),
+    "tilt_lens": ("tilt_lens", 7, "#1f5fa8"),
+    "accumulation": ("accumulation buffer", 9, "#3c8c40"),
+    "post-processed": ("blurred after the fact", 13, "#888888"),
+}
 HEAD = """set terminal svg size 560,400 font 'sans,12' noenhanced background '#ffffff'
 set output '{output}'
 set title "{title}"

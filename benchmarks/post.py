@@ -20,8 +20,17 @@ def lens_options(messages):
 
 def one(lab, scene, tilted, setting, reference):
     """CPU seconds of the picture, of one of the two depth pictures, of the blur."""
-    key = digest("post of OpenEXR", EDGES[setting], lab.hashes[lab.stock], scene.shot(PINHOLE, tilted).sources(), scene.size,
-                 (lab.tools / "post_blur").read_bytes(), tilted, setting, reference.name)
+    key = digest(
+        "post of OpenEXR",
+        EDGES[setting],
+        lab.hashes[lab.stock],
+        scene.shot(PINHOLE, tilted).sources(),
+        scene.size,
+        (lab.tools / "post_blur").read_bytes(),
+        tilted,
+        setting,
+        reference.name,
+    )
     record = lab.runs.get((key, 0))
     if record is None:
         folder = lab.work / "post"
@@ -30,14 +39,27 @@ def one(lab, scene, tilted, setting, reference):
         for brightness, picture in ((1, white), (0, black)):
             depth = scene.shot(PINHOLE, tilted, declare=(("Depth", FOG), ("White", brightness)))
             messages, cpu_depth, _ = lab.render(lab.stock, depth, picture)
-        _, cpu_blur, _ = run_measured([lab.tools / "post_blur", sharp, white, black, blurred, "--fog", FOG,
-                                       *lens_options(messages)], folder)
-        figures, = lab.tool("noise", "errors", reference, blurred)
-        record = {"key": key, "repetition": 0, "cpu": cpu_sharp + cpu_depth + cpu_blur, "blur": cpu_blur,
-                  "mse": figures["mse"], "mean": figures["mean"]}
+        _, cpu_blur, _ = run_measured(
+            [lab.tools / "post_blur", sharp, white, black, blurred, "--fog", FOG, *lens_options(messages)], folder
+        )
+        (figures,) = lab.tool("noise", "errors", reference, blurred)
+        record = {
+            "key": key,
+            "repetition": 0,
+            "cpu": cpu_sharp + cpu_depth + cpu_blur,
+            "blur": cpu_blur,
+            "mse": figures["mse"],
+            "mean": figures["mean"],
+        }
         lab.keep(record)
-    return {**record, "program": "post-processed", "scene": scene.name, "tilted": tilted, "setting": setting,
-            "rmse": math.sqrt(record["mse"])}
+    return {
+        **record,
+        "program": "post-processed",
+        "scene": scene.name,
+        "tilted": tilted,
+        "setting": setting,
+        "rmse": math.sqrt(record["mse"]),
+    }
 
 
 def measure(lab, scene, tilted):

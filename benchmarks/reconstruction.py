@@ -9,9 +9,9 @@ from benchmarks import instructions, suite
 from benchmarks.front import error_after, pareto
 from benchmarks.lab import PINHOLE, TILT_LENS, digest
 
-SIZE = (100, 75)        # callgrind takes fifty times as long as the program
+SIZE = (100, 75)  # callgrind takes fifty times as long as the program
 VARIANCES = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
-PICTURES = 8            # independent pictures, whose mean shows the bias
+PICTURES = 8  # independent pictures, whose mean shows the bias
 
 
 def setting(scene, variance, denoise):
@@ -26,12 +26,12 @@ def error_and_bias(lab, scene, shot):
     record = lab.runs.get((key, 0))
     if record is None:
         pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]
-        for number, picture in enumerate(pictures, scene.reference[0] + 1):     # independent of the reference
+        for number, picture in enumerate(pictures, scene.reference[0] + 1):  # independent of the reference
             lab.render(lab.ours, shot.independent(number), picture)
-        of_mean, = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
+        (of_mean,) = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
         of_each = lab.tool("noise", "errors", reference, *pictures)
-        one = sum(figures["mse"] for figures in of_each)/PICTURES
-        squared = max(0.0, (PICTURES*of_mean["mse"] - one)/(PICTURES - 1))
+        one = sum(figures["mse"] for figures in of_each) / PICTURES
+        squared = max(0.0, (PICTURES * of_mean["mse"] - one) / (PICTURES - 1))
         record = {"key": key, "repetition": 0, "rmse": math.sqrt(one), "bias": math.sqrt(squared)}
         lab.keep(record)
     return record["rmse"], record["bias"]
@@ -48,8 +48,7 @@ def measure(lab, scene, count=instructions.count):
             shot = setting(scene, variance, denoise)
             work = count(lab, lab.ours, shot) - start
             rmse, bias = error_and_bias(lab, scene, shot)
-            rows.append({"scene": scene.name, "variance": variance, "denoise": denoise, "instructions": work,
-                         "rmse": rmse, "bias": bias})
+            rows.append({"scene": scene.name, "variance": variance, "denoise": denoise, "instructions": work, "rmse": rmse, "bias": bias})
     return rows
 
 
@@ -63,5 +62,5 @@ def compare(rows):
     for row in rows:
         if not row["denoise"]:
             work = max(min(row["instructions"], most), least)
-            ratios[row["variance"]] = error_after(off, work)/error_after(on, work)
+            ratios[row["variance"]] = error_after(off, work) / error_after(on, work)
     return ratios

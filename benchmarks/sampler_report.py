@@ -11,51 +11,93 @@ def percent(share, digits=1):
     return f"{100*share:.{digits}f} %"
 
 
-
 def lamps_told(rows):
     """Reported over true standard error, where there is an error."""
-    return [row["estimated"]/row["true"] for row in rows if row["true"]]
+    return [row["estimated"] / row["true"] for row in rows if row["true"]]
 
 
 def goals_found_lamps(rows):
     works = [found_lamps.work(row) for row in rows]
     discs = [row["dark"] for row in rows if row["disc_pixels"]]
     kept, told = [row["kept"] for row in rows], lamps_told(rows)
-    return [Goal("MSE times rays over that of fixed sampling with as many rays, in each scene with lamps to be found", "at most 1",
-                 f"{max(works):.2f} at the most", max(works) <= 1.0),
-            Goal("Light of lamps to be found that is kept, in each scene", "at least 95 %", f"{percent(min(kept))} at the least", min(kept) >= 0.95),
-            Goal("Pixels of their discs with less than 70 % of their light, in each scene", "at most 1 %",
-                 f"{percent(max(discs))} at the most", max(discs) <= 0.01),
-            Goal("Reported standard error over the true one there", "0.8 to 1.4", f"{min(told):.2f} to {max(told):.2f}",
-                 0.8 <= min(told) and max(told) <= 1.4)]
+    return [
+        Goal(
+            "MSE times rays over that of fixed sampling with as many rays, in each scene with lamps to be found",
+            "at most 1",
+            f"{max(works):.2f} at the most",
+            max(works) <= 1.0,
+        ),
+        Goal(
+            "Light of lamps to be found that is kept, in each scene",
+            "at least 95 %",
+            f"{percent(min(kept))} at the least",
+            min(kept) >= 0.95,
+        ),
+        Goal(
+            "Pixels of their discs with less than 70 % of their light, in each scene",
+            "at most 1 %",
+            f"{percent(max(discs))} at the most",
+            max(discs) <= 0.01,
+        ),
+        Goal(
+            "Reported standard error over the true one there",
+            "0.8 to 1.4",
+            f"{min(told):.2f} to {max(told):.2f}",
+            0.8 <= min(told) and max(told) <= 1.4,
+        ),
+    ]
 
 
 def section_found_lamps(rows):
     titles = {scene.name: scene.title for scene in found_lamps.SCENES}
-    cells = [[titles[row["scene"]] + (f", radius {row['radius']}" if row["radius"] else ""), f"{row['samples']:.1f}",
-              f"{row['mse']:.2g}", f"{found_lamps.work(row):.2f}", f"{percent(row['kept'])} ({percent(row['fixed_kept'])})",
-              f"{percent(row['dark'])} ({percent(row['fixed_dark'])})" if row["disc_pixels"] else "-",
-              f"{row['estimated']/row['true']:.2f}" if row["true"] else "-",
-              f"{row['reference_mse']/min(row['mse'], row['fixed_mse']):.2f}"] for row in rows]
+    cells = [
+        [
+            titles[row["scene"]] + (f", radius {row['radius']}" if row["radius"] else ""),
+            f"{row['samples']:.1f}",
+            f"{row['mse']:.2g}",
+            f"{found_lamps.work(row):.2f}",
+            f"{percent(row['kept'])} ({percent(row['fixed_kept'])})",
+            f"{percent(row['dark'])} ({percent(row['fixed_dark'])})" if row["disc_pixels"] else "-",
+            f"{row['estimated']/row['true']:.2f}" if row["true"] else "-",
+            f"{row['reference_mse']/min(row['mse'], row['fixed_mse']):.2f}",
+        ]
+        for row in rows
+    ]
     cells.append(["geometric mean", "", "", f"{geometric_mean(map(found_lamps.work, rows)):.2f}", "", "", "", ""])
     width, height = rows[0]["size"]
-    return [f"Pictures of {width} by {height} with the default settings, {len(found_lamps.SEEDS)} seeds. The work is MSE times rays, over that of"
-            " fixed sampling with as many rays; in brackets is what fixed sampling has. The last column is the reference's own MSE over"
-            " the lesser of both.",
-            table(["scene", "rays a pixel", "MSE", "work", "light kept", "dark pixels of discs", "reported over true standard error",
-                   "the reference's part"], cells),
-            *[goal.sentence() for goal in goals_found_lamps(rows)]]
-
+    return [
+        f"Pictures of {width} by {height} with the default settings, {len(found_lamps.SEEDS)} seeds. The work is MSE times rays, over that of"
+        " fixed sampling with as many rays; in brackets is what fixed sampling has. The last column is the reference's own MSE over"
+        " the lesser of both.",
+        table(
+            [
+                "scene",
+                "rays a pixel",
+                "MSE",
+                "work",
+                "light kept",
+                "dark pixels of discs",
+                "reported over true standard error",
+                "the reference's part",
+            ],
+            cells,
+        ),
+        *[goal.sentence() for goal in goals_found_lamps(rows)],
+    ]
 
 
 def goals_allocation(rows):
     large = [row for row in rows if tuple(row["whole"]) == allocation.LARGE]
-    by_scene = [geometric_mean(row["over_uniform"] for row in large if row["scene"] == name)
-                for name in dict.fromkeys(row["scene"] for row in large)]
+    by_scene = [
+        geometric_mean(row["over_uniform"] for row in large if row["scene"] == name)
+        for name in dict.fromkeys(row["scene"] for row in large)
+    ]
     mean, worst = geometric_mean(by_scene), max(by_scene)
     what = "MSE over that of uniform sampling with as many rays, parts of pictures of 1000 by 750"
-    return [Goal(f"{what}, geometric mean", "at most 0.85", f"{mean:.2f}", mean <= 0.85),
-            Goal(f"{what}, in each scene", "at most 1", f"{worst:.2f} at the most", worst <= 1.0)]
+    return [
+        Goal(f"{what}, geometric mean", "at most 0.85", f"{mean:.2f}", mean <= 0.85),
+        Goal(f"{what}, in each scene", "at most 1", f"{worst:.2f} at the most", worst <= 1.0),
+    ]
 
 
 def section_allocation(rows):
@@ -67,15 +109,34 @@ def section_allocation(rows):
         for title, found in [*groups.items(), ("geometric mean", of_size)]:
             uniform, ideal = (geometric_mean(row[name] for row in found) for name in ("over_uniform", "over_ideal"))
             rays = [row["samples"] for row in found]
-            cells.append([title, f"{size[0]} by {size[1]}", f"{min(rays):.0f} to {max(rays):.0f}", f"{uniform:.2f}",
-                          f"{uniform/ideal:.2f}", f"{ideal:.2f}",
-                          f"{max(row['reference_mse']/row['mse'] for row in found):.2f}"])
-    return [f"Groups have {allocation.GROUP} by {allocation.GROUP} pixels; {allocation.PICTURES} pictures of each setting. Half of them choose the"
-            " ideal numbers, so chance makes them worse than they could be. The last column is the reference's own MSE over the least MSE of a row.",
-            table(["scene", "picture", "rays a pixel", "MSE over that of uniform sampling", "the same, ideal", "MSE over the ideal",
-                   "the reference's part"], cells),
-            *[goal.sentence() for goal in goals_allocation(rows)]]
-
+            cells.append(
+                [
+                    title,
+                    f"{size[0]} by {size[1]}",
+                    f"{min(rays):.0f} to {max(rays):.0f}",
+                    f"{uniform:.2f}",
+                    f"{uniform/ideal:.2f}",
+                    f"{ideal:.2f}",
+                    f"{max(row['reference_mse']/row['mse'] for row in found):.2f}",
+                ]
+            )
+    return [
+        f"Groups have {allocation.GROUP} by {allocation.GROUP} pixels; {allocation.PICTURES} pictures of each setting. Half of them choose the"
+        " ideal numbers, so chance makes them worse than they could be. The last column is the reference's own MSE over the least MSE of a row.",
+        table(
+            [
+                "scene",
+                "picture",
+                "rays a pixel",
+                "MSE over that of uniform sampling",
+                "the same, ideal",
+                "MSE over the ideal",
+                "the reference's part",
+            ],
+            cells,
+        ),
+        *[goal.sentence() for goal in goals_allocation(rows)],
+    ]
 
 
 def goals_threads(rows):
@@ -83,16 +144,42 @@ def goals_threads(rows):
     for count, wanted in ((2, 0.97), (16, 0.95)):
         found = [threads.efficiency(rows, row) for row in rows if row["threads"] == count]
         if found:
-            goals.append(Goal(f"Speed of {count} threads over {count} times that of one, in each scene", f"at least {wanted}",
-                              f"{min(found):.2f} at the least", min(found) >= wanted))
+            goals.append(
+                Goal(
+                    f"Speed of {count} threads over {count} times that of one, in each scene",
+                    f"at least {wanted}",
+                    f"{min(found):.2f} at the least",
+                    min(found) >= wanted,
+                )
+            )
     return goals
 
 
 def section_threads(rows):
     width, height = rows[0]["size"]
-    cells = [[TITLES[row["scene"]], f"{row['threads']}", f"{row['wall']:.2f}", f"{row['cpu']:.2f}", f"{threads.efficiency(rows, row):.2f}",
-              percent(row["waited"])] for row in rows]
-    return [f"Pictures of {width} by {height}, medians of {threads.REPETITIONS}.",
-            table(["scene", "threads", "tracing, s", "tracing, CPU s", "speed over that of one thread and their number",
-                   "share that each thread waited"], cells),
-            *[goal.sentence() for goal in goals_threads(rows)]]
+    cells = [
+        [
+            TITLES[row["scene"]],
+            f"{row['threads']}",
+            f"{row['wall']:.2f}",
+            f"{row['cpu']:.2f}",
+            f"{threads.efficiency(rows, row):.2f}",
+            percent(row["waited"]),
+        ]
+        for row in rows
+    ]
+    return [
+        f"Pictures of {width} by {height}, medians of {threads.REPETITIONS}.",
+        table(
+            [
+                "scene",
+                "threads",
+                "tracing, s",
+                "tracing, CPU s",
+                "speed over that of one thread and their number",
+                "share that each thread waited",
+            ],
+            cells,
+        ),
+        *[goal.sentence() for goal in goals_threads(rows)],
+    ]

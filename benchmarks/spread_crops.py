@@ -18,29 +18,56 @@ from tools.repository import BUILD, ROOT
 GALLERY = ROOT / "scenes" / "gallery"
 PICTURES = ROOT / "docs" / "pictures" / "sampling"
 PICTURE = (1280, 720)
-SIZE = (144, 80)            # of a crop, whole blocks
-RECORDED = 256              # of each pixel; their mean is the last column
+SIZE = (144, 80)  # of a crop, whole blocks
+RECORDED = 256  # of each pixel; their mean is the last column
 CROPS = {"miniature_town": (160, 560), "chess_by_swing": (896, 416)}  # upper left corners, whole blocks
-RAYS = (2, 4)               # a pixel, of the rows
+RAYS = (2, 4)  # a pixel, of the rows
 COLUMNS = ("spreadWeight=0,leastRowVariance=0", "leastRowVariance=0")  # without and with
 SCALE = 3
 
 
 def record(tools, scene, corner, path):
     (left, top), (width, height) = corner, SIZE
-    command = povray_run.command(tools / "record_samples", GALLERY / f"{scene}.pov", path.with_suffix(".png"), PICTURE, f"+SC{left + 1}",
-                                 f"+EC{left + width}", f"+SR{top + 1}", f"+ER{top + height}", "-C", "-GA", "+WT1", "+FN",
-                                 library=[GALLERY, povray_run.INCLUDE])
+    command = povray_run.command(
+        tools / "record_samples",
+        GALLERY / f"{scene}.pov",
+        path.with_suffix(".png"),
+        PICTURE,
+        f"+SC{left + 1}",
+        f"+EC{left + width}",
+        f"+SR{top + 1}",
+        f"+ER{top + height}",
+        "-C",
+        "-GA",
+        "+WT1",
+        "+FN",
+        library=[GALLERY, povray_run.INCLUDE],
+    )
     record = {"TILT_LENS_RECORD": str(path), "TILT_LENS_RECORD_SAMPLES": str(RECORDED), "TILT_LENS_SETTINGS": ""}
     povray_run.run(command, path.parent, povray_run.environment(**record), limit=None).succeeded()
 
 
 def replay(tools, samples, rays, prefix):
     """Writes the pictures of COLUMNS with this many rays a pixel, and the mean of all samples."""
-    command = [tools / "replay_samples", samples, *SIZE, RECORDED, "--variances", 1, "--denoise", 1, "--least", rays, "--most",
-               rays, "--picture", prefix]
-    subprocess.run([str(part) for part in command], check=True, capture_output=True, text=True,
-                   input="".join(f"{settings}\n" for settings in COLUMNS))
+    command = [
+        tools / "replay_samples",
+        samples,
+        *SIZE,
+        RECORDED,
+        "--variances",
+        1,
+        "--denoise",
+        1,
+        "--least",
+        rays,
+        "--most",
+        rays,
+        "--picture",
+        prefix,
+    ]
+    subprocess.run(
+        [str(part) for part in command], check=True, capture_output=True, text=True, input="".join(f"{settings}\n" for settings in COLUMNS)
+    )
 
 
 def make(tools, scene, corner, folder):
@@ -51,10 +78,26 @@ def make(tools, scene, corner, folder):
     for rays in RAYS:
         replay(tools, samples, rays, folder / f"{scene}_{rays}_")
         shown += [folder / f"{scene}_{rays}_{column}.pfm" for column in (*range(len(COLUMNS)), "true")]
-    across, down = SIZE[0]*SCALE, SIZE[1]*SCALE
-    subprocess.run(["oiiotool", *map(str, shown), "--clamp:min=0:max=1", "--mosaic:pad=2", f"{len(COLUMNS) + 1}x{len(RAYS)}",
-                    "--powc", str(1/2.2), "--resize:filter=box", f"{across*(len(COLUMNS) + 1)}x{down*len(RAYS)}",
-                    "--nosoftwareattrib", "--compression", "jpeg:88", "-o", str(PICTURES / f"spread_{scene}.jpg")], check=True)
+    across, down = SIZE[0] * SCALE, SIZE[1] * SCALE
+    subprocess.run(
+        [
+            "oiiotool",
+            *map(str, shown),
+            "--clamp:min=0:max=1",
+            "--mosaic:pad=2",
+            f"{len(COLUMNS) + 1}x{len(RAYS)}",
+            "--powc",
+            str(1 / 2.2),
+            "--resize:filter=box",
+            f"{across*(len(COLUMNS) + 1)}x{down*len(RAYS)}",
+            "--nosoftwareattrib",
+            "--compression",
+            "jpeg:88",
+            "-o",
+            str(PICTURES / f"spread_{scene}.jpg"),
+        ],
+        check=True,
+    )
 
 
 def main():

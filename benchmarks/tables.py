@@ -10,8 +10,7 @@ import re
 from benchmarks import suite
 from benchmarks.front import geometric_mean
 
-COLUMNS = ("program", "scene", "tilted", "setting", "cpu", "start_up", "runs", "rmse", "mean", "samples",
-           "samples_99", "samples_most")
+COLUMNS = ("program", "scene", "tilted", "setting", "cpu", "start_up", "runs", "rmse", "mean", "samples", "samples_99", "samples_most")
 TITLES = {scene.name: scene.title for scene in suite.SCENES} | suite.DISPLAY | {"wall": "a textured wall"}
 
 
@@ -37,8 +36,7 @@ def write_csv(path, rows):
         writer = csv.DictWriter(out, COLUMNS, extrasaction="ignore", lineterminator="\n")
         writer.writeheader()
         for row in rows:
-            writer.writerow({name: f"{value:.6g}" if isinstance(value, float) else value
-                             for name, value in row.items() if name in COLUMNS})
+            writer.writerow({name: f"{value:.6g}" if isinstance(value, float) else value for name, value in row.items() if name in COLUMNS})
 
 
 def machine():
@@ -50,7 +48,6 @@ def table(header, rows):
     """A table in Markdown."""
     lines = ["| " + " | ".join(header) + " |", "| " + " | ".join(["---"] * len(header)) + " |"]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
-
 
 
 def ratio_cell(line):
@@ -65,10 +62,11 @@ def ratios(comparisons):
     """A table of scenes by errors; its last line is the geometric mean of each column."""
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
     cells = [{line["target"]: ratio_cell(line) for line in lines} for lines in comparisons.values()]
-    rows = [[TITLES[scene], *[found.get(target, "not compared") for target in targets]]
-            for scene, found in zip(comparisons, cells)]
-    means = [geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines
-                            if line["target"] == target and line["ratio"]) for target in targets]
+    rows = [[TITLES[scene], *[found.get(target, "not compared") for target in targets]] for scene, found in zip(comparisons, cells)]
+    means = [
+        geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines if line["target"] == target and line["ratio"])
+        for target in targets
+    ]
     rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
     return table(["scene", *[f"error of stock with {target} samples" for target in targets]], rows)
 
@@ -87,8 +85,14 @@ def ratio_goals(comparisons, other, wanted, least=None, where=""):
     goals_of = [Goal(f"{what}, geometric mean", f"at least {wanted}", f"{mean:.1f}", mean >= wanted)]
     if least:
         missing = sum(not line["ratio"] for lines in comparisons.values() for line in lines)
-        goals_of.append(Goal(f"{what}, in each scene at each error", f"at least {least}", f"{min(found):.2f} at the least" + (
-            f", and {missing} errors not reached" if missing else ""), min(found) >= least and not missing))
+        goals_of.append(
+            Goal(
+                f"{what}, in each scene at each error",
+                f"at least {least}",
+                f"{min(found):.2f} at the least" + (f", and {missing} errors not reached" if missing else ""),
+                min(found) >= least and not missing,
+            )
+        )
     return goals_of
 
 
@@ -104,14 +108,21 @@ def ratio_section(comparisons, goals):
 
 
 def plots_of(comparisons, tilted):
-    return "\n".join(f"![{TITLES[scene]}{', tilted' if tilted else ''}: error against CPU time]"
-                     f"(pictures/benchmarks/{scene}{'_tilted' if tilted else ''}.svg)" for scene in comparisons)
+    return "\n".join(
+        f"![{TITLES[scene]}{', tilted' if tilted else ''}: error against CPU time]"
+        f"(pictures/benchmarks/{scene}{'_tilted' if tilted else ''}.svg)"
+        for scene in comparisons
+    )
 
 
 def both_sections(found, goals_of, plots=False):
     """Untilted and tilted; the goals of both are below the tables."""
     paragraphs = []
-    for tilted, (name, words) in enumerate((("untilted", "Untilted, CPU seconds of stock focal blur over those of `tilt_lens`:"),
-                                            ("tilted", "Tilted, CPU seconds of the accumulation buffer over those of `tilt_lens`:"))):
+    for tilted, (name, words) in enumerate(
+        (
+            ("untilted", "Untilted, CPU seconds of stock focal blur over those of `tilt_lens`:"),
+            ("tilted", "Tilted, CPU seconds of the accumulation buffer over those of `tilt_lens`:"),
+        )
+    ):
         paragraphs += [words, *ratio_section(found[name], []), *([plots_of(found[name], tilted)] if plots else [])]
     return paragraphs + [goal.sentence() for goal in goals_of]

@@ -41,8 +41,10 @@ def run(lab, shot, repetition):
 
 def of_scene(lab, name):
     """All numbers of threads are tried in turn, so that a busy minute of the machine hits all alike."""
-    shots = {threads: Shot(name, TILT_LENS, 1, QUICK_SIZE if lab.quick else SIZE, threads=threads, folder=gallery.GALLERY)
-             for threads in numbers_of_threads()}
+    shots = {
+        threads: Shot(name, TILT_LENS, 1, QUICK_SIZE if lab.quick else SIZE, threads=threads, folder=gallery.GALLERY)
+        for threads in numbers_of_threads()
+    }
     lab.say(f"{name} with {', '.join(map(str, shots))} threads")
     records = {threads: [] for threads in shots}
     for repetition in range(REPETITIONS):
@@ -51,16 +53,24 @@ def of_scene(lab, name):
     rows = []
     for threads, found in records.items():
         wall, cpu = (statistics.median(record[what] for record in found) for what in ("wall", "cpu"))
-        waited = statistics.median(1 - record["cpu"]/(threads*record["wall"]) for record in found)
-        rows.append({"scene": name, "size": list(shots[threads].size), "threads": threads, "wall": round(wall, 3), "cpu": round(cpu, 3),
-                     "waited": round(waited, 4)})
+        waited = statistics.median(1 - record["cpu"] / (threads * record["wall"]) for record in found)
+        rows.append(
+            {
+                "scene": name,
+                "size": list(shots[threads].size),
+                "threads": threads,
+                "wall": round(wall, 3),
+                "cpu": round(cpu, 3),
+                "waited": round(waited, 4),
+            }
+        )
     return rows
 
 
 def efficiency(rows, row):
     """Speed of many threads over as many times the speed of one."""
     one = next(other for other in rows if other["scene"] == row["scene"] and other["threads"] == 1)
-    return one["wall"]/(row["threads"]*row["wall"])
+    return one["wall"] / (row["threads"] * row["wall"])
 
 
 def measure(lab, names):

@@ -16,8 +16,18 @@ def measure(lab):
     lab.say("tilted and untilted at equal blur")
     shots = [Shot("wall", TILT_LENS, tilted, declare=declare) for declare in SETTINGS.values() for tilted in (0, 1)]
     runs = lab.interleaved([(lab.ours, shot) for shot in shots], 3 if lab.quick else 25)
-    counts = [instructions.count(lab, lab.ours, dataclasses.replace(shot, size=instructions.SIZE), 3) for shot in shots] \
-        if shutil.which("valgrind") and not lab.quick else None
-    return [{"setting": setting, "untilted": runs[2*i]["cpu"], "tilted": runs[2*i + 1]["cpu"],
-             "times": runs[2*i + 1]["cpu"]/runs[2*i]["cpu"],
-             "instructions": counts and counts[2*i + 1]/counts[2*i]} for i, setting in enumerate(SETTINGS)]
+    counts = (
+        [instructions.count(lab, lab.ours, dataclasses.replace(shot, size=instructions.SIZE), 3) for shot in shots]
+        if shutil.which("valgrind") and not lab.quick
+        else None
+    )
+    return [
+        {
+            "setting": setting,
+            "untilted": runs[2 * i]["cpu"],
+            "tilted": runs[2 * i + 1]["cpu"],
+            "times": runs[2 * i + 1]["cpu"] / runs[2 * i]["cpu"],
+            "instructions": counts and counts[2 * i + 1] / counts[2 * i],
+        }
+        for i, setting in enumerate(SETTINGS)
+    ]

@@ -16,7 +16,7 @@ SECONDS_OF_SETTING, MOST_REPETITIONS = 4.0, 7
 
 def repetitions(first):
     """As many runs of a setting as take some seconds: single short runs differ by up to a half on shared machines."""
-    return min(MOST_REPETITIONS, max(1, int(SECONDS_OF_SETTING/first["cpu"])))
+    return min(MOST_REPETITIONS, max(1, int(SECONDS_OF_SETTING / first["cpu"])))
 
 
 def start_up(lab, program, scene, shot):
@@ -54,28 +54,37 @@ def measure(lab, scene):
     lab.say(f"{scene.name}: stock focal blur and tilt_lens")
     reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
     done = first_runs(lab, scene, reference)
-    start = {lab.stock: start_up(lab, lab.stock, scene, scene.shot(STOCK)),
-             lab.ours: start_up(lab, lab.ours, scene, scene.shot(TILT_LENS))}
+    start = {lab.stock: start_up(lab, lab.stock, scene, scene.shot(STOCK)), lab.ours: start_up(lab, lab.ours, scene, scene.shot(TILT_LENS))}
     times = collections.defaultdict(list)
     for repetition in range(MOST_REPETITIONS):
         for program, shot, record in done:
             if repetition < repetitions(record):
                 again = lab.run(program, shot, reference, repetition=repetition)
                 times[record["key"]].append(scene.seconds(again))
-    return [{**record, "tilted": 0, "cpu": statistics.median(times[record["key"]]), "runs": len(times[record["key"]]),
-             "start_up": start[program], "rmse": math.sqrt(record["mse"])} for program, _, record in done]
+    return [
+        {
+            **record,
+            "tilted": 0,
+            "cpu": statistics.median(times[record["key"]]),
+            "runs": len(times[record["key"]]),
+            "start_up": start[program],
+            "rmse": math.sqrt(record["mse"]),
+        }
+        for program, _, record in done
+    ]
 
 
 def compare(scene, records):
     """For each target: samples of stock, its error, and the seconds of both programs for this error."""
-    fronts = {program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
-              for program in ("stock", "tilt_lens")}
+    fronts = {
+        program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
+        for program in ("stock", "tilt_lens")
+    }
     lines = []
     for target in scene.targets:
         found = [record for record in records if record["setting"] == str(target)]
         if found:
             error = found[0]["rmse"]
             stock, ours = (seconds_for(fronts[program], error) for program in ("stock", "tilt_lens"))
-            lines.append({"target": target, "rmse": error, "stock": stock, "tilt_lens": ours,
-                          "ratio": stock/ours if ours else None})
+            lines.append({"target": target, "rmse": error, "stock": stock, "tilt_lens": ours, "ratio": stock / ours if ours else None})
     return lines

@@ -11,17 +11,15 @@ from experiments import marks
 from experiments.laboratory import Claim
 from experiments.lens import Lens, View, add, dot, length, sub, times
 
-PLAIN = View(location=(0, 32, -50), look_at=(0, 3, 0), width=360, height=240, focal_length=50,
-             f_stop=2.8, scene_unit=10)
+PLAIN = View(location=(0, 32, -50), look_at=(0, 3, 0), width=360, height=240, focal_length=50, f_stop=2.8, scene_unit=10)
 THROUGH = (1.5, 8, -8.4)
-SPOT_LIMIT = 0.02       # of a spot's second moments
-PLANE_LIMIT = 0.005     # of the distance
-HINGE_LIMIT = 0.01      # of J: a line through two points 20 cm apart, followed for 50 cm
+SPOT_LIMIT = 0.02  # of a spot's second moments
+PLANE_LIMIT = 0.005  # of the distance
+HINGE_LIMIT = 0.01  # of J: a line through two points 20 cm apart, followed for 50 cm
 
 
 def cropped(view, width, height):
-    return dataclasses.replace(view, width=width, height=height,
-                               film_width=view.film_width * width / view.width)
+    return dataclasses.replace(view, width=width, height=height, film_width=view.film_width * width / view.width)
 
 
 def spot_grid(lens):
@@ -33,7 +31,7 @@ def spot_grid(lens):
             x, y = 30 + 60 * i, 30 + 60 * j
             ray = lens.view.local(marks.at_pixel(lens, x, y, 1.0))
             vergence = dot(lens.focus, ray) - blur / (lens.radius * lens.pixels_per_slope())
-            if vergence > 0.002:        # nearer than 5 m
+            if vergence > 0.002:  # nearer than 5 m
                 found.append((marks.at_pixel(lens, x, y, 1 / vergence), abs(blur)))
     return found
 
@@ -55,19 +53,20 @@ def spots(lab):
         for point, measured in zip(points, marks.measure(lab, picture, lens, points, reaches)):
             wanted = marks.expected(lens, point)
             error = error_of(measured, wanted)
-            rows.append([tilt, *lens.pixel(point), lens.view.local(point)[2], *wanted, *measured,
-                         error])
+            rows.append([tilt, *lens.pixel(point), lens.view.local(point)[2], *wanted, *measured, error])
             worst = max(worst, error)
         yield Claim(f"spots, tilt {tilt:g}, {len(points)} discs: second moments", worst, SPOT_LIMIT)
-    lab.table("spots.csv", ["tilt", "x", "y", "depth cm", "closed xx", "closed xy", "closed yy",
-                            "measured xx", "measured xy", "measured yy", "error"], rows)
+    lab.table(
+        "spots.csv",
+        ["tilt", "x", "y", "depth cm", "closed xx", "closed xy", "closed yy", "measured xx", "measured xy", "measured yy", "error"],
+        rows,
+    )
 
 
 def parabola(xs, ys):
     """Least squares a + b x + c x^2."""
-    sums = [sum(x ** n for x in xs) for n in range(5)]
-    m = [[sums[i + j] for j in range(3)] + [sum(y * x ** i for x, y in zip(xs, ys))]
-         for i in range(3)]
+    sums = [sum(x**n for x in xs) for n in range(5)]
+    m = [[sums[i + j] for j in range(3)] + [sum(y * x**i for x, y in zip(xs, ys))] for i in range(3)]
     for i in range(3):
         for j in range(3):
             if j != i:
@@ -79,9 +78,9 @@ def parabola(xs, ys):
 @dataclasses.dataclass
 class Ruler:
     middle: tuple
-    half: tuple                     # from the middle to the end
+    half: tuple  # from the middle to the end
     count: int = 7
-    fit: list = None                # (width of the blur times depth)^2 as a parabola in u
+    fit: list = None  # (width of the blur times depth)^2 as a parabola in u
 
     def at(self, u):
         return add(self.middle, times(u, self.half))
@@ -111,8 +110,7 @@ class Ruler:
         middle, slope = (start + end) / 2, (end - start) / 2
         centre, width = -self.fit[1] / (2 * self.fit[2]), math.sqrt(self.fit[2])
         c = diameter / 4
-        found = [(width * centre + sign * c * middle) / (width - sign * c * slope)
-                 for sign in (-1, 1)]
+        found = [(width * centre + sign * c * middle) / (width - sign * c * slope) for sign in (-1, 1)]
         return sorted((self.at(u) for u in found), key=lambda p: lens.view.local(p)[2])
 
 
@@ -122,7 +120,7 @@ def read_rulers(lab, name, lens, through, rulers):
     reaches = [max(map(abs, sum(lens.blur_axes(p), ()))) * 1.1 + 4 for p in points]
     moments = marks.measure(lab, picture, lens, points, reaches)
     for i, ruler in enumerate(rulers):
-        ruler.read(lens, moments[i * ruler.count:(i + 1) * ruler.count])
+        ruler.read(lens, moments[i * ruler.count : (i + 1) * ruler.count])
 
 
 def slanted(lens, x, top, bottom):
@@ -150,8 +148,7 @@ def plane(lab):
             distance = length(local)
             rows.append([tilt, *found, distance, off, off / distance])
             worst = max(worst, abs(off / distance))
-        yield Claim(f"plane of sharp focus, tilt {tilt:g}, {len(rulers)} rulers: off by", worst,
-                    PLANE_LIMIT, "of its distance")
+        yield Claim(f"plane of sharp focus, tilt {tilt:g}, {len(rulers)} rulers: off by", worst, PLANE_LIMIT, "of its distance")
     lab.table("plane.csv", ["tilt", "x", "y", "z", "distance cm", "off cm", "relative"], rows)
 
 
@@ -167,10 +164,9 @@ def meet(first, second):
     return y, first[0] + first[1] * y
 
 
-HINGE_VIEW = View(location=(0, 0, 0), look_at=(0, 0, 1), width=120, height=400, focal_length=50,
-                  f_stop=2.8, scene_unit=10, film_width=12)
+HINGE_VIEW = View(location=(0, 0, 0), look_at=(0, 0, 1), width=120, height=400, focal_length=50, f_stop=2.8, scene_unit=10, film_width=12)
 HINGE_TILT = 8.0
-WEDGE_BLUR = 6.0        # pixels
+WEDGE_BLUR = 6.0  # pixels
 
 
 def hinge_lines(lab, depth):
@@ -195,8 +191,7 @@ def hinge(lab):
         y, z = meet(found[i][1]["sharp"], found[j][1]["sharp"])
         error = math.hypot(y + distance, z) / distance
         rows.append([f"sharp planes {i + 1}, {j + 1}", y, z, error])
-        yield Claim(f"hinge line from focus {i + 1} and {j + 1}, J = {distance:.4g} cm: off by",
-                    error, HINGE_LIMIT, "J")
+        yield Claim(f"hinge line from focus {i + 1} and {j + 1}, J = {distance:.4g} cm: off by", error, HINGE_LIMIT, "J")
     for lens, lines in found:
         y, z = meet(lines["near"], lines["far"])
         error = math.hypot(y + distance, z) / distance
@@ -205,6 +200,5 @@ def hinge(lab):
         reach = WEDGE_BLUR / (2 * lens.radius * lens.pixels_per_slope())
         for name, sign in (("near", 1), ("far", -1)):
             wanted = 1 / (lens.focus[2] + sign * reach)
-            yield Claim(f"{name} limit on the axis, {wanted:.4g} cm: off by",
-                        lines[name][0] / wanted - 1, PLANE_LIMIT, "of its distance")
+            yield Claim(f"{name} limit on the axis, {wanted:.4g} cm: off by", lines[name][0] / wanted - 1, PLANE_LIMIT, "of its distance")
     lab.table("hinge.csv", ["from", "y cm", "z cm", "off, in J"], rows)

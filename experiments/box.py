@@ -10,8 +10,7 @@ import math
 from experiments.laboratory import SCENES, Claim
 from experiments.lens import Lens, View
 
-VIEW = View(location=(0, 32, -50), look_at=(0, 3, 0), width=240, height=160, focal_length=50,
-            f_stop=2.8, scene_unit=10)
+VIEW = View(location=(0, 32, -50), look_at=(0, 3, 0), width=240, height=160, focal_length=50, f_stop=2.8, scene_unit=10)
 
 
 def turned(point):
@@ -29,9 +28,8 @@ LINES = {
     "pink": ("floor", "#dd44aa", (-9.3, 0, -14.0), (-15.1, 0, 13.0)),
 }
 # Average errors of the paper against its own photographs, 8-bit levels.
-PAPER = {"b": {"red": 6.45, "green": 10.5, "pink": 11.3},
-         "c": {"red": 5.67, "green": 13.7, "pink": 16.1}}
-LIMITS = {0: 0.5, 1: 0.15}          # by Quality of box_camera.inc
+PAPER = {"b": {"red": 6.45, "green": 10.5, "pink": 11.3}, "c": {"red": 5.67, "green": 13.7, "pink": 16.1}}
+LIMITS = {0: 0.5, 1: 0.15}  # by Quality of box_camera.inc
 
 
 def state(letter, view=VIEW):
@@ -43,11 +41,17 @@ def state(letter, view=VIEW):
 def oracle_case(letter, lens):
     """The state for the oracle, by the tilt of the lens instead of the plane."""
     view = lens.view
-    return {"picture": [view.width, view.height],
-            "camera": {"location": view.location, "look_at": view.look_at,
-                       "focal_length": view.focal_length, "f_stop": view.f_stop,
-                       "scene_unit": view.scene_unit,
-                       "focus": {"tilt": lens.tilt(), "swing": 0, "through": EDGE_TOP}}}
+    return {
+        "picture": [view.width, view.height],
+        "camera": {
+            "location": view.location,
+            "look_at": view.look_at,
+            "focal_length": view.focal_length,
+            "f_stop": view.f_stop,
+            "scene_unit": view.scene_unit,
+            "focus": {"tilt": lens.tilt(), "swing": 0, "through": EDGE_TOP},
+        },
+    }
 
 
 def compare_lines(lab, letter, lens, pictures, names, stem, title):
@@ -57,12 +61,26 @@ def compare_lines(lab, letter, lens, pictures, names, stem, title):
         a, b = lens.pixel(start), lens.pixel(end)
         csv = lab.results / f"{stem}_{letter}_{colour}.csv"
         csv.parent.mkdir(parents=True, exist_ok=True)
-        report = lab.json([lab.tool("profile"), "line", *pictures, "--from-to", *a, *b,
-                           *[x for name in names for x in ("--name", name)],
-                           "--colour", "#bbbbbb", "--colour", shade, "--colour", "#0044cc",
-                           "--csv", csv,
-                           *([] if lab.quick else ["--plot", csv.with_suffix(".svg"), "--title",
-                                                   f"{title} ({letter}), {colour} line: {where}"])])
+        report = lab.json(
+            [
+                lab.tool("profile"),
+                "line",
+                *pictures,
+                "--from-to",
+                *a,
+                *b,
+                *[x for name in names for x in ("--name", name)],
+                "--colour",
+                "#bbbbbb",
+                "--colour",
+                shade,
+                "--colour",
+                "#0044cc",
+                "--csv",
+                csv,
+                *([] if lab.quick else ["--plot", csv.with_suffix(".svg"), "--title", f"{title} ({letter}), {colour} line: {where}"]),
+            ]
+        )
         found[colour] = [curve["average_difference"] for curve in report["curves"]]
     return found
 
@@ -84,19 +102,19 @@ def table_1(lab):
     rows = []
     for letter in "b" if lab.quick else "bc":
         lens = state(letter, view)
-        reference = lab.oracle(f"box_{letter}", oracle_case(letter, lens),
-                               SCENES / "box_objects.inc", batches, samples)
-        pictures = [lab.render(SCENES / f"box_{letter}.pov", f"table1_{letter}_{quality}.exr", size,
-                               declare=[("Quality", quality)]) for quality in qualities]
+        reference = lab.oracle(f"box_{letter}", oracle_case(letter, lens), SCENES / "box_objects.inc", batches, samples)
+        pictures = [
+            lab.render(SCENES / f"box_{letter}.pov", f"table1_{letter}_{quality}.exr", size, declare=[("Quality", quality)])
+            for quality in qualities
+        ]
         if not lab.quick:
             draw_lines(lab, lens, pictures[0])
         names = ["accumulation, unpatched", "tilt_lens", "tilt_lens, high quality"]
-        found = compare_lines(lab, letter, lens, [reference, *pictures], names[:1 + len(pictures)],
-                              "profile", "Fig. 7" if letter == "b" else "Fig. 8")
+        found = compare_lines(
+            lab, letter, lens, [reference, *pictures], names[: 1 + len(pictures)], "profile", "Fig. 7" if letter == "b" else "Fig. 8"
+        )
         for colour, differences in found.items():
             rows.append([letter, colour, PAPER[letter][colour], *differences])
             for quality, difference in zip(qualities, differences):
-                yield Claim(f"Table 1 ({letter}) {colour}, quality {quality}", difference,
-                            LIMITS[quality], "levels")
-    lab.table("table1.csv", ["state", "line", "paper against its photograph", "own quality",
-                             "high quality"][:3 + len(qualities)], rows)
+                yield Claim(f"Table 1 ({letter}) {colour}, quality {quality}", difference, LIMITS[quality], "levels")
+    lab.table("table1.csv", ["state", "line", "paper against its photograph", "own quality", "high quality"][: 3 + len(qualities)], rows)

@@ -36,8 +36,7 @@ def table(path):
 
 
 def written():
-    return TABLE.sub(lambda found: found[1] + table(PICTURES / found[2]) + found[3],
-                     TEXT.read_text())
+    return TABLE.sub(lambda found: found[1] + table(PICTURES / found[2]) + found[3], TEXT.read_text())
 
 
 def update(folders):
@@ -54,11 +53,8 @@ def update(folders):
 
 def faults():
     """Differences between the page and the stored results."""
-    found = [f"docs/{link} is missing" for link in LINK.findall(TEXT.read_text())
-             if not (TEXT.parent / link).is_file()]
-    found += [f"docs/pictures/paper/{name} is missing" for _, name, _ in TABLE.findall(
-        TEXT.read_text()) if not (PICTURES / name).is_file()]
+    found = [f"docs/{link} is missing" for link in LINK.findall(TEXT.read_text()) if not (TEXT.parent / link).is_file()]
+    found += [f"docs/pictures/paper/{name} is missing" for _, name, _ in TABLE.findall(TEXT.read_text()) if not (PICTURES / name).is_file()]
     if not found and written() != TEXT.read_text():
-        found.append("a table in docs/paper.md is not that of docs/pictures/paper; "
-                     "experiments/run --update-docs writes it")
+        found.append("a table in docs/paper.md is not that of docs/pictures/paper; " "experiments/run --update-docs writes it")
     return found

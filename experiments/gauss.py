@@ -6,16 +6,28 @@ forward to focus."""
 import json
 
 # Radius, thickness, index behind and clear diameter; the stop stands within the fifth thickness.
-ROWS = ((29.475, 3.76, 1.67, 25.2), (84.83, 0.12, 1, 25.2), (19.275, 4.025, 1.67, 23), (40.77, 3.275, 1.699, 23), (12.75, 10.205, 1, 18),
-        (-14.495, 1.18, 1.603, 17), (40.77, 6.065, 1.658, 20), (-20.385, 0.19, 1, 20), (437.065, 3.22, 1.717, 20), (-39.73, 0, 1, 20))
-BEFORE_STOP = 5         # surfaces
+ROWS = (
+    (29.475, 3.76, 1.67, 25.2),
+    (84.83, 0.12, 1, 25.2),
+    (19.275, 4.025, 1.67, 23),
+    (40.77, 3.275, 1.699, 23),
+    (12.75, 10.205, 1, 18),
+    (-14.495, 1.18, 1.603, 17),
+    (40.77, 6.065, 1.658, 20),
+    (-20.385, 0.19, 1, 20),
+    (437.065, 3.22, 1.717, 20),
+    (-39.73, 0, 1, 20),
+)
+BEFORE_STOP = 5  # surfaces
 STOP_DIAMETER = 24
-FIRST_ELEMENT = 2       # surfaces
+FIRST_ELEMENT = 2  # surfaces
 
 
 def moved_rows(moved):
-    return [(radius, thickness + moved * (number + 1 == FIRST_ELEMENT), index, diameter)
-            for number, (radius, thickness, index, diameter) in enumerate(ROWS)]
+    return [
+        (radius, thickness + moved * (number + 1 == FIRST_ELEMENT), index, diameter)
+        for number, (radius, thickness, index, diameter) in enumerate(ROWS)
+    ]
 
 
 def matrix(rows):
@@ -34,9 +46,9 @@ def stop_place(moved=0.0):
     glass_lens.cpp places it."""
     rows = moved_rows(moved)
     _, _, c, d = matrix(rows)
-    principal = (d - 1) / c                         # behind the first surface
+    principal = (d - 1) / c  # behind the first surface
     radius, _, index, diameter = rows[BEFORE_STOP - 1]
-    a, b, c, d = matrix([*rows[:BEFORE_STOP - 1], (radius, 0.0, index, diameter)])
+    a, b, c, d = matrix([*rows[: BEFORE_STOP - 1], (radius, 0.0, index, diameter)])
     return (principal * a - b) / (d - principal * c)
 
 
@@ -46,7 +58,7 @@ def focal_length(moved=0.0):
 
 def with_stop(before):
     radius, thickness, index, diameter = ROWS[BEFORE_STOP - 1]
-    return [*ROWS[:BEFORE_STOP - 1], (radius, before, index, diameter), (0, thickness - before, 0, STOP_DIAMETER), *ROWS[BEFORE_STOP:]]
+    return [*ROWS[: BEFORE_STOP - 1], (radius, before, index, diameter), (0, thickness - before, 0, STOP_DIAMETER), *ROWS[BEFORE_STOP:]]
 
 
 def write(folder):
@@ -60,9 +72,9 @@ def write_moving(folder, moved, film_distance):
     stands at this distance from the rear principal point. Returns its focal length at infinity."""
     scale = 50 / focal_length(moved)
     a, _, c, _ = matrix(ROWS)
-    at_infinity = -a / c                            # the film behind the last surface
+    at_infinity = -a / c  # the film behind the last surface
     a, _, c, _ = matrix(moved_rows(moved))
-    behind = film_distance / scale + (1 - a) / c    # H' lies (1 - a) / c behind the last surface
+    behind = film_distance / scale + (1 - a) / c  # H' lies (1 - a) / c behind the last surface
     film = [at_infinity, at_infinity + 2 * (behind - at_infinity)]
     a, b, c, d = matrix(moved_rows(2 * moved))
     near = -(b + film[1] * d) / (a + film[1] * c)

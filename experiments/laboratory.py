@@ -46,7 +46,7 @@ class Claim:
 class Laboratory:
     povray: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path             # build folder
+    tools: pathlib.Path  # build folder
     work: pathlib.Path
     results: pathlib.Path
     quick: bool = False
@@ -58,11 +58,9 @@ class Laboratory:
 
     def run(self, command, stdin=None, accept=(0,)):
         """Runs a program; its standard output."""
-        done = subprocess.run([str(part) for part in command], input=stdin, text=True,
-                              capture_output=True, check=False)
+        done = subprocess.run([str(part) for part in command], input=stdin, text=True, capture_output=True, check=False)
         if done.returncode not in accept:
-            raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n"
-                         f"{done.stderr[-3000:]}")
+            raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n" f"{done.stderr[-3000:]}")
         return done.stdout
 
     def json(self, command, stdin=None, accept=(0,)):
@@ -73,9 +71,19 @@ class Laboratory:
         scene, picture = pathlib.Path(scene), self.work / output
         picture.parent.mkdir(parents=True, exist_ok=True)
         kind = "N" if picture.suffix == ".png" else "E"
-        command = povray_run.command(self.povray, scene, picture, size, f"+F{kind}", "-V", "-GA", f"+WT{self.threads}",
-                                     *[f"Declare={name}={value}" for name, value in declare], *options,
-                                     library=[scene.parent, SCENES])
+        command = povray_run.command(
+            self.povray,
+            scene,
+            picture,
+            size,
+            f"+F{kind}",
+            "-V",
+            "-GA",
+            f"+WT{self.threads}",
+            *[f"Declare={name}={value}" for name, value in declare],
+            *options,
+            library=[scene.parent, SCENES],
+        )
         # A picture of the same program, scene and options is kept, so that an interrupted run continues.
         key = self.key(command, povray_run.sources(scene, [SCENES, picture.parent]))
         note = picture.with_name(picture.name + ".key")
@@ -103,13 +111,27 @@ class Laboratory:
         """The same picture among the results: 8-bit sRGB, with a drawing by oiiotool's options."""
         made = self.results / picture.with_suffix(".png").name
         made.parent.mkdir(parents=True, exist_ok=True)
-        self.run(["oiiotool", picture, "--ch", "R,G,B", "--colorconvert", "linear", "sRGB",
-                  *drawing, "--nosoftwareattrib", "-d", "uint8", "-o", made])
+        self.run(
+            [
+                "oiiotool",
+                picture,
+                "--ch",
+                "R,G,B",
+                "--colorconvert",
+                "linear",
+                "sRGB",
+                *drawing,
+                "--nosoftwareattrib",
+                "-d",
+                "uint8",
+                "-o",
+                made,
+            ]
+        )
         return made
 
     def moments(self, picture, windows):
-        return self.json([self.tool("profile"), "moments", picture],
-                         stdin=json.dumps(windows))
+        return self.json([self.tool("profile"), "moments", picture], stdin=json.dumps(windows))
 
     def oracle(self, name, case, scene, batches, samples):
         """The unpatched program's accumulation buffer of a case, made once for the same input."""
@@ -118,15 +140,28 @@ class Laboratory:
         picture = folder / "mean.exr"
         if not picture.is_file():
             frames = folder / "frames"
-            if frames.is_dir():         # of a run that was interrupted
+            if frames.is_dir():  # of a run that was interrupted
                 shutil.rmtree(frames)
             frames.mkdir(parents=True)
             text = json.dumps({"name": name, "scene": scene.name, **case})
             (folder / "case.json").write_text(text)
             (folder / scene.name).write_bytes(scene.read_bytes())
-            self.run([self.tools / "tests" / "tools" / "oracle", "render", folder / "case.json",
-                      folder / "part.exr", "--povray", self.stock, "--work", frames, "--batches",
-                      batches, "--samples", samples])
+            self.run(
+                [
+                    self.tools / "tests" / "tools" / "oracle",
+                    "render",
+                    folder / "case.json",
+                    folder / "part.exr",
+                    "--povray",
+                    self.stock,
+                    "--work",
+                    frames,
+                    "--batches",
+                    batches,
+                    "--samples",
+                    samples,
+                ]
+            )
             shutil.rmtree(frames)
             (folder / "part.exr").rename(picture)
         return picture
@@ -136,5 +171,4 @@ class Laboratory:
         with (self.results / name).open("w", newline="") as out:
             writer = csv.writer(out, lineterminator="\n")
             writer.writerow(header)
-            writer.writerows([f"{cell:.6g}" if isinstance(cell, float) else cell for cell in row]
-                             for row in rows)
+            writer.writerows([f"{cell:.6g}" if isinstance(cell, float) else cell for cell in row] for row in rows)

@@ -46,11 +46,11 @@ class View:
     look_at: tuple
     width: int
     height: int
-    focal_length: float             # mm
+    focal_length: float  # mm
     f_stop: float
-    scene_unit: float               # mm
-    film_width: float = 36.0        # mm
-    shift: tuple = (0.0, 0.0)       # mm, right and up
+    scene_unit: float  # mm
+    film_width: float = 36.0  # mm
+    shift: tuple = (0.0, 0.0)  # mm, right and up
 
     def axes(self):
         axis = unit(sub(self.look_at, self.location))
@@ -115,8 +115,7 @@ class Lens:
         """Pixel of the chief ray of a world point."""
         v, p, scale = self.view, self.view.local(point), self.pixels_per_slope()
         millimetre = v.width / v.film_width
-        return (v.width / 2 + scale * p[0] / p[2] - v.shift[0] * millimetre,
-                v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
+        return (v.width / 2 + scale * p[0] / p[2] - v.shift[0] * millimetre, v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
 
     def lens_axes(self):
         """Two unit directions of the lens plane, camera frame; right and up without swing."""
@@ -134,8 +133,7 @@ class Lens:
         p = self.view.local(point)
         direction = times(1 / p[2], p)
         scale = self.vergence(point) * self.radius * self.pixels_per_slope()
-        return [(scale * (e[0] - direction[0] * e[2]), -scale * (e[1] - direction[1] * e[2]))
-                for e in self.lens_axes()]
+        return [(scale * (e[0] - direction[0] * e[2]), -scale * (e[1] - direction[1] * e[2])) for e in self.lens_axes()]
 
     def blur_moments(self, point):
         """Second moments (xx, xy, yy) of the blur ellipse, evenly filled: squared axes by four."""
@@ -163,8 +161,7 @@ class Lens:
                     sums[k] += size * slope
         x, y = self.pixel(point)
         scale = self.pixels_per_slope()
-        return (x + scale * (sums[1] / sums[0] - p[0] / p[2]),
-                y - scale * (sums[2] / sums[0] - p[1] / p[2]))
+        return (x + scale * (sums[1] / sums[0] - p[0] / p[2]), y - scale * (sums[2] / sums[0] - p[1] / p[2]))
 
     def seen_from(self, rim, p):
         """Film point, as slopes, that sees a point (camera frame) through a lens point."""

@@ -7,7 +7,7 @@ import math
 from experiments.laboratory import OWN_SCENES
 from experiments.lens import add, times
 
-SIZE = 2.5      # radius of a disc in a pinhole's picture, pixels
+SIZE = 2.5  # radius of a disc in a pinhole's picture, pixels
 
 
 def vector(v):
@@ -40,16 +40,25 @@ def render(lab, name, lens, through, points, samples=1024):
     view, folder = lens.view, lab.work / name
     folder.mkdir(parents=True, exist_ok=True)
     marks = ",\n".join(f"  {{ {vector(p)}, {radius_of(lens, p):.12g}*x }}" for p in points)
-    (folder / "marks.inc").write_text("\n".join([
-        f"#declare Eye = {vector(view.location)};", f"#declare Target = {vector(view.look_at)};",
-        f"#declare Through = {vector(through)};", f"#declare Film_Width = {view.film_width};",
-        f"#declare Scene_Unit = {view.scene_unit};",
-        f"#declare Focal_Length = {view.focal_length};",
-        f"#declare F_Stop = {view.f_stop};", f"#declare Tilt = {lens.tilt():.12g};",
-        f"#declare Shift = {vector(view.shift)};", f"#declare Samples = {samples};",
-        f"#declare Marks = array[{len(points)}][2] {{\n{marks}\n}}", ""]))
-    return lab.render(OWN_SCENES / "marks.pov", f"{name}/marks.exr", (view.width, view.height),
-                      options=[f"+L{folder}"])
+    (folder / "marks.inc").write_text(
+        "\n".join(
+            [
+                f"#declare Eye = {vector(view.location)};",
+                f"#declare Target = {vector(view.look_at)};",
+                f"#declare Through = {vector(through)};",
+                f"#declare Film_Width = {view.film_width};",
+                f"#declare Scene_Unit = {view.scene_unit};",
+                f"#declare Focal_Length = {view.focal_length};",
+                f"#declare F_Stop = {view.f_stop};",
+                f"#declare Tilt = {lens.tilt():.12g};",
+                f"#declare Shift = {vector(view.shift)};",
+                f"#declare Samples = {samples};",
+                f"#declare Marks = array[{len(points)}][2] {{\n{marks}\n}}",
+                "",
+            ]
+        )
+    )
+    return lab.render(OWN_SCENES / "marks.pov", f"{name}/marks.exr", (view.width, view.height), options=[f"+L{folder}"])
 
 
 def window(lens, point, reach):
@@ -71,8 +80,11 @@ def sharp_moments(x, y):
     sums = [0] * 6
     for row in range(math.floor(y) - reach, math.floor(y) + reach + 1):
         for column in range(math.floor(x) - reach, math.floor(x) + reach + 1):
-            count = sum((column + (i + 0.5) / fine - x) ** 2 + (row + (j + 0.5) / fine - y) ** 2
-                        <= SIZE * SIZE for i in range(fine) for j in range(fine))
+            count = sum(
+                (column + (i + 0.5) / fine - x) ** 2 + (row + (j + 0.5) / fine - y) ** 2 <= SIZE * SIZE
+                for i in range(fine)
+                for j in range(fine)
+            )
             u, v = column + 0.5 - x, row + 0.5 - y
             for i, term in enumerate((1, u, v, u * u, u * v, v * v)):
                 sums[i] += count * term

@@ -50,20 +50,19 @@ def run(lab, name, function):
 
 def options():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="EXPERIMENT",
-                        help="all if none; of " + ", ".join(name for name, *_ in EXPERIMENTS))
+    parser.add_argument("names", nargs="*", metavar="EXPERIMENT", help="all if none; of " + ", ".join(name for name, *_ in EXPERIMENTS))
     parser.add_argument("--quick", action="store_true", help="small pictures, the fast claims only")
     parser.add_argument("--povray", type=pathlib.Path, default=BUILD / "bin" / "povray")
-    parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray",
-                        help="the unpatched program")
+    parser.add_argument("--stock", type=pathlib.Path, default="/usr/bin/povray", help="the unpatched program")
     parser.add_argument("--tools", type=pathlib.Path, default=BUILD, help="build folder")
-    parser.add_argument("--work", type=pathlib.Path,
-                        help="pictures, and results/EXPERIMENT; default: build/experiments/full or "
-                             "quick. Pictures of the same program and scene are kept from run to run")
-    parser.add_argument("--update-docs", action="store_true",
-                        help="where all holds, bring docs/paper.md and its pictures up to date")
-    parser.add_argument("--check-docs", action="store_true",
-                        help="only tell whether docs/paper.md shows the stored tables")
+    parser.add_argument(
+        "--work",
+        type=pathlib.Path,
+        help="pictures, and results/EXPERIMENT; default: build/experiments/full or "
+        "quick. Pictures of the same program and scene are kept from run to run",
+    )
+    parser.add_argument("--update-docs", action="store_true", help="where all holds, bring docs/paper.md and its pictures up to date")
+    parser.add_argument("--check-docs", action="store_true", help="only tell whether docs/paper.md shows the stored tables")
     parser.add_argument("--threads", type=int, default=2)
     args = parser.parse_args()
     unknown = set(args.names) - {name for name, *_ in EXPERIMENTS}
@@ -85,14 +84,14 @@ def main():
     work, failures, done = args.work.resolve(), [], []
     for name, function in EXPERIMENTS:
         if not args.names or name in args.names:
-            lab = Laboratory(args.povray.resolve(), args.stock.resolve(), args.tools.resolve(), work,
-                             work / "results" / name, args.quick, args.threads)
+            lab = Laboratory(
+                args.povray.resolve(), args.stock.resolve(), args.tools.resolve(), work, work / "results" / name, args.quick, args.threads
+            )
             failures += run(lab, name, function)
             done.append(lab.results)
     if args.update_docs and not failures:
         document.update(done)
-    print("\n".join(["", f"{len(failures)} out of tolerance"] + failures if failures
-                    else ["", "Everything is within its tolerance."]))
+    print("\n".join(["", f"{len(failures)} out of tolerance"] + failures if failures else ["", "Everything is within its tolerance."]))
     if args.update_docs and failures:
         print("docs/paper.md was left as it is.")
     return 1 if failures else 0

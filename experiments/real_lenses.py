@@ -22,7 +22,7 @@ LENSES = [
     (150, 5.6, 3.0, (1.5, 6.0, 100.0)),
     (300, 2.8, 10.0, (6.0, 20.0, 200.0)),
 ]
-BLUR_PIXELS = 16        # largest blur; the film is cropped to it
+BLUR_PIXELS = 16  # largest blur; the film is cropped to it
 
 
 def blur_diameter(f, n, focus, subject):
@@ -34,8 +34,9 @@ def table(lab):
     for f, n, focus, subjects in LENSES[2:4] if lab.quick else LENSES:
         wanted = [blur_diameter(f, n, 1000 * focus, 1000 * u) for u in subjects]
         pitch = max(wanted) / BLUR_PIXELS
-        view = View(location=(0, 0, 0), look_at=(0, 0, 1), width=96, height=32, focal_length=f,
-                    f_stop=n, scene_unit=1000, film_width=96 * pitch)
+        view = View(
+            location=(0, 0, 0), look_at=(0, 0, 1), width=96, height=32, focal_length=f, f_stop=n, scene_unit=1000, film_width=96 * pitch
+        )
         lens = Lens.tilted(view, 0.0, (0, 0, focus))
         points = [marks.at_pixel(lens, 16 + 32 * i, 16, u) for i, u in enumerate(subjects)]
         picture = marks.render(lab, f"lens_{f}", lens, (0, 0, focus), points, samples=4096)
@@ -47,7 +48,5 @@ def table(lab):
             found = 4 * math.sqrt((xx + yy) / 2 - own) * pitch
             rows.append([f, n, focus, u, c, found, found / c - 1])
             worst = max(worst, abs(found / c - 1))
-        yield Claim(f"{f} mm f/{n}, focus {focus} m, {len(subjects)} distances: blur diameter",
-                    worst, LIMIT)
-    lab.table("real_lenses.csv", ["f mm", "N", "focus m", "subject m", "closed form mm",
-                                  "measured mm", "error"], rows)
+        yield Claim(f"{f} mm f/{n}, focus {focus} m, {len(subjects)} distances: blur diameter", worst, LIMIT)
+    lab.table("real_lenses.csv", ["f mm", "N", "focus m", "subject m", "closed form mm", "measured mm", "error"], rows)

@@ -36,8 +36,7 @@ class Region:
         left, right = (f(p[0] for p in pixels) for f in (min, max))
         top, bottom = (f(p[1] for p in pixels) for f in (min, max))
         left, top = max(0, math.floor(left)), max(0, math.floor(top))
-        return [left, top, min(lens.view.width, math.ceil(right)) - left,
-                min(lens.view.height, math.ceil(bottom)) - top]
+        return [left, top, min(lens.view.width, math.ceil(right)) - left, min(lens.view.height, math.ceil(bottom)) - top]
 
     def diameters(self, lens):
         """Least and greatest blur of its points, pixels."""
@@ -49,8 +48,7 @@ class Region:
 
 def measure(lab, sharp, blurred, windows, widest):
     """Diameters that turn the sharp picture into the blurred one, by window."""
-    found = lab.json([lab.tool("profile"), "blur", sharp, blurred, "--widest", widest],
-                     stdin=json.dumps(windows))
+    found = lab.json([lab.tool("profile"), "blur", sharp, blurred, "--widest", widest], stdin=json.dumps(windows))
     return [entry["diameter"] for entry in found]
 
 
@@ -60,7 +58,13 @@ def regions(lab, sharp, blurred, lens, places):
     found = measure(lab, sharp, blurred, [place.window(lens) for place in places], widest)
     claims = []
     for place, (low, high), diameter in zip(places, spans, found):
-        claims.append(Claim(f"{place.name}: blur, closed form {low:.1f} to {high:.1f}", diameter,
-                            math.sqrt(high * high + GRID), "pixels",
-                            beyond_grid(low)))
+        claims.append(
+            Claim(
+                f"{place.name}: blur, closed form {low:.1f} to {high:.1f}",
+                diameter,
+                math.sqrt(high * high + GRID),
+                "pixels",
+                beyond_grid(low),
+            )
+        )
     return dict(zip((place.name for place in places), found)), claims

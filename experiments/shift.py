@@ -10,9 +10,9 @@ from experiments.blur import PLAIN, SPOT_LIMIT, THROUGH, cropped, error_of, spot
 from experiments.laboratory import OWN_SCENES, Claim
 from experiments.lens import Lens
 
-PARALLEL_LIMIT = 0.1    # pixels, over the whole height of the picture
+PARALLEL_LIMIT = 0.1  # pixels, over the whole height of the picture
 SIZE = (240, 360)
-INSIDE, FIRST, LAST = 120, 100, 340     # a column on the tower, and rows below its roof
+INSIDE, FIRST, LAST = 120, 100, 340  # a column on the tower, and rows below its roof
 
 
 def slope(pairs):
@@ -26,20 +26,17 @@ def convergence(lab, name, declare, rows=(FIRST, LAST)):
     """Difference of the distance of the tower's verticals between top and bottom of the picture, pixels."""
     options = () if any(key == "F_Stop" for key, _ in declare) else ("+A0.0", "+AM1", "+R9", "-J")
     picture = lab.render(OWN_SCENES / "tower.pov", name, SIZE, declare, options)
-    found = lab.json([lab.tool("profile"), "edges", picture, "--inside", INSIDE,
-                      "--first", rows[0], "--last", rows[1]])
+    found = lab.json([lab.tool("profile"), "edges", picture, "--inside", INSIDE, "--first", rows[0], "--last", rows[1]])
     return slope([(row["row"], row["right"] - row["left"]) for row in found]) * SIZE[1]
 
 
 def tower(lab):
     """Vertical edges of a tower: with a shift, with a shift and a tilt, and with a camera turned up."""
     rows = []
-    for text, declare in (("shift 10 mm", [("Rise", 10)]),
-                          ("shift 10 mm, tilt 4, f/4", [("Rise", 10), ("Tilt", 4), ("F_Stop", 4)])):
+    for text, declare in (("shift 10 mm", [("Rise", 10)]), ("shift 10 mm, tilt 4, f/4", [("Rise", 10), ("Tilt", 4), ("F_Stop", 4)])):
         found = convergence(lab, f"tower_{len(rows)}.exr", declare)
         rows.append([text, found])
-        yield Claim(f"verticals, {text}: convergence over the picture", found, PARALLEL_LIMIT,
-                    "pixels")
+        yield Claim(f"verticals, {text}: convergence over the picture", found, PARALLEL_LIMIT, "pixels")
     found = convergence(lab, "tower_up.exr", [("Pitch", 1)])
     rows.append(["looking up instead", found])
     # counter-test: with a camera turned up by 17 degrees, lines converge by several pixels
@@ -63,9 +60,10 @@ def tilt_with_shift(lab):
         offset, error = max(abs(m["x"] - x), abs(m["y"] - y)), error_of(measured, wanted)
         rows.append([x, y, *wanted, *measured, offset, error])
         worst, away = max(worst, error), max(away, offset)
-    lab.table("tilt_with_shift.csv",
-              ["x", "y", "closed xx", "closed xy", "closed yy", "measured xx", "measured xy",
-               "measured yy", "centroid off by", "error"], rows)
-    yield Claim(f"tilt 10.5 with shift <3, 8>, {len(points)} discs: second moments", worst,
-                SPOT_LIMIT)
+    lab.table(
+        "tilt_with_shift.csv",
+        ["x", "y", "closed xx", "closed xy", "closed yy", "measured xx", "measured xy", "measured yy", "centroid off by", "error"],
+        rows,
+    )
+    yield Claim(f"tilt 10.5 with shift <3, 8>, {len(points)} discs: second moments", worst, SPOT_LIMIT)
     yield Claim("their centroids", away, PARALLEL_LIMIT, "pixels")

@@ -29,8 +29,9 @@ def tests(options):
 def main():
     for name, command, environment, folder, labels in tests(sys.argv[1:]):
         before, begin = os.times(), time.monotonic()
-        done = subprocess.run(command, cwd=folder, env={**os.environ, **environment}, stdin=subprocess.DEVNULL, capture_output=True,
-                              check=False)
+        done = subprocess.run(
+            command, cwd=folder, env={**os.environ, **environment}, stdin=subprocess.DEVNULL, capture_output=True, check=False
+        )
         after = os.times()
         seconds = after.children_user + after.children_system - before.children_user - before.children_system
         remarks = ["failed"] if done.returncode else []

@@ -60,12 +60,7 @@ NO_CONTROL_GROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}/cgroup\n"
 def started_at(pid):
     """When a process began, in ticks since the machine's start; None where it has ended."""
     try:
-        fields = (
-            pathlib.Path(f"/proc/{pid}/stat")
-            .read_text(encoding="ascii", errors="replace")
-            .rpartition(")")[2]
-            .split()
-        )
+        fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
     except OSError:
         return None
     return None if fields[0] == "Z" else fields[19]
@@ -80,12 +75,7 @@ def environment_of(pid):
 
 def parent_of(pid):
     try:
-        return int(
-            pathlib.Path(f"/proc/{pid}/stat")
-            .read_text(encoding="ascii", errors="replace")
-            .rpartition(")")[2]
-            .split()[1]
-        )
+        return int(pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()[1])
     except OSError:
         return 0
 
@@ -108,9 +98,7 @@ class Cluster:
         self.folder = pathlib.Path(folder)
         self.nodes = [f"n{i + 1}" for i in range(nodes)]
         self.processes = {}  # name -> (Popen, start time)
-        self.env = dict(
-            os.environ, SLURM_CONF=str(self.folder / "slurm.conf"), PATH="/usr/sbin:/usr/bin:/sbin:/bin"
-        )
+        self.env = dict(os.environ, SLURM_CONF=str(self.folder / "slurm.conf"), PATH="/usr/sbin:/usr/bin:/sbin:/bin")
 
     def __enter__(self):
         try:
@@ -135,28 +123,18 @@ class Cluster:
         port = free_ports(1 + len(self.nodes))
         user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True).stdout.strip()
         lines = [
-            f"NodeName={node} NodeHostname={HOST} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 "
-            "RealMemory=1000 State=UNKNOWN\n"
+            f"NodeName={node} NodeHostname={HOST} NodeAddr=127.0.0.1 Port={port + 1 + i} CPUs=1 " "RealMemory=1000 State=UNKNOWN\n"
             for i, node in enumerate(self.nodes)
         ]
-        head, partition = CONFIGURATION.format(host=HOST, port=port, user=user, folder=self.folder).split(
-            "PartitionName="
-        )
-        (self.folder / "slurm.conf").write_text(
-            head + "".join(lines) + "PartitionName=" + partition, encoding="ascii"
-        )
+        head, partition = CONFIGURATION.format(host=HOST, port=port, user=user, folder=self.folder).split("PartitionName=")
+        (self.folder / "slurm.conf").write_text(head + "".join(lines) + "PartitionName=" + partition, encoding="ascii")
         groups = NO_CONTROL_GROUPS.format(folder=self.folder)
         (self.folder / "cgroup.conf").write_text(groups, encoding="ascii")
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
         """It ends with this process, even if this process is killed."""
-        env = dict(
-            self.env,
-            LD_PRELOAD="libnss_wrapper.so",
-            NSS_WRAPPER_HOSTS=f"{self.folder}/hosts",
-            NSS_WRAPPER_HOSTNAME=HOST,
-        )
+        env = dict(self.env, LD_PRELOAD="libnss_wrapper.so", NSS_WRAPPER_HOSTS=f"{self.folder}/hosts", NSS_WRAPPER_HOSTNAME=HOST)
         with open(self.folder / "log" / f"{name}.out", "ab") as log:
             process = subprocess.Popen(
                 ["setpriv", "--pdeathsig", "TERM", *command],
@@ -187,53 +165,31 @@ class Cluster:
         self.until("the controller", lambda: self.run("scontrol", "ping").returncode == 0)
         for node in self.nodes:
             self.start_node(node)
-        self.until(
-            "idle nodes",
-            lambda: len(self.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split())
-            == len(self.nodes),
-        )
+        self.until("idle nodes", lambda: len(self.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == len(self.nodes))
 
     def start_node(self, node):
         (self.folder / "spool" / node).mkdir(parents=True, exist_ok=True)
         self.daemon(node, "slurmd", "-D", "-N", node)
 
     def run(self, *command):
-        return subprocess.run(
-            command,
-            env=self.env,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=300,
-        )
+        return subprocess.run(command, env=self.env, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, timeout=300)
 
     def until(self, what, condition, seconds=300):
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:
                 logs = "\n".join(
-                    f"{path.name}: {path.read_text(errors='replace')[-800:]}"
-                    for path in sorted((self.folder / "log").iterdir())
+                    f"{path.name}: {path.read_text(errors='replace')[-800:]}" for path in sorted((self.folder / "log").iterdir())
                 )
                 raise AssertionError(f"waited {seconds} s in vain for {what}\n{logs}")
             time.sleep(0.1)
 
     def job_processes(self, node, daemon):
-        """Numbers of the processes of jobs on a node, and of the step daemons that started them; `daemon` is the number of the node's own.
-        """
+        """Numbers of the processes of jobs on a node, and of the step daemons that started them; `daemon` is the number of the node's own."""
         mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
-        jobs = [
-            int(name)
-            for name in os.listdir("/proc")
-            if name.isdigit() and mine <= set(environment_of(name))
-        ]
+        jobs = [int(name) for name in os.listdir("/proc") if name.isdigit() and mine <= set(environment_of(name))]
         parents = {parent_of(pid) for pid in jobs} - set(jobs) - {0, 1, os.getpid()}
-        steps = [
-            pid
-            for pid in parents
-            if pid != daemon and b"slurmstepd" in pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()
-        ]
+        steps = [pid for pid in parents if pid != daemon and b"slurmstepd" in pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()]
         return steps + jobs
 
     def kill_node(self, node):
@@ -268,12 +224,8 @@ class Cluster:
 def main():
     """python3 -m tools.cluster NODES COMMAND...: runs a command with a private cluster."""
     if len(sys.argv) < 3 or not sys.argv[1].isdigit():
-        sys.exit(
-            "usage: python3 -m tools.cluster NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes"
-        )
-    with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(
-        folder, int(sys.argv[1])
-    ) as cluster:
+        sys.exit("usage: python3 -m tools.cluster NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes")
+    with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder, int(sys.argv[1])) as cluster:
         return subprocess.run(sys.argv[2:], env=cluster.env, check=False).returncode
 
 

@@ -47,8 +47,18 @@ def command(program, scene, picture, size, *options, library=()):
     @param library  further folders of include files"""
     output = ["-F"] if picture is None else [f"+O{quoted(picture)}"] if picture else []
     folders = [f"+L{quoted(folder)}" for folder in library]
-    return [os.path.abspath(program), f"+I{quoted(scene)}", *output, f"+W{size[0]}", f"+H{size[1]}", "-D", "-P", "-A", *folders,
-            *map(str, options)]
+    return [
+        os.path.abspath(program),
+        f"+I{quoted(scene)}",
+        *output,
+        f"+W{size[0]}",
+        f"+H{size[1]}",
+        "-D",
+        "-P",
+        "-A",
+        *folders,
+        *map(str, options),
+    ]
 
 
 def user_environment(**variables):
@@ -81,8 +91,13 @@ class Done:
 
     def told(self):
         """Command line, exit code and the end of the messages."""
-        ended = (f"no end after {self.seconds:.0f} s" if self.code is None else
-                 f"exit code {self.code}" if self.code >= 0 else f"signal {-self.code}")
+        ended = (
+            f"no end after {self.seconds:.0f} s"
+            if self.code is None
+            else f"exit code {self.code}"
+            if self.code >= 0
+            else f"signal {-self.code}"
+        )
         return f"{shlex.join(self.command)}\n{ended}\n{self.said[-3000:]}"
 
     def succeeded(self):

@@ -53,12 +53,7 @@ def processes(text):
     found = []
     for name in filter(str.isdigit, os.listdir("/proc")):
         with contextlib.suppress(OSError):
-            words = (
-                pathlib.Path(f"/proc/{name}/cmdline")
-                .read_bytes()
-                .replace(b"\0", b" ")
-                .decode(errors="replace")
-            )
+            words = pathlib.Path(f"/proc/{name}/cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
             place = os.readlink(f"/proc/{name}/cwd")
             if (text in words or text in place) and words and int(name) != os.getpid():
                 found.append((int(name), words))
@@ -148,12 +143,7 @@ class BatchTest(WaitingTest):
             with contextlib.suppress(OSError):
                 place = pathlib.Path(os.readlink(f"/proc/{pid}/cwd"))
                 states = list(place.glob("*.pov-state"))
-                if (
-                    place.parent == work / "units"
-                    and "setpriv" not in words
-                    and states
-                    and states[0].stat().st_size > 30000
-                ):
+                if place.parent == work / "units" and "setpriv" not in words and states and states[0].stat().st_size > 30000:
                     found.append(pid)
         return found
 
@@ -177,9 +167,7 @@ class BatchTest(WaitingTest):
 
     @staticmethod
     def spread(path):
-        done = subprocess.run(
-            ["oiiotool", str(path), "--printstats"], capture_output=True, text=True, check=True
-        )
+        done = subprocess.run(["oiiotool", str(path), "--printstats"], capture_output=True, text=True, check=True)
         return max(float(n) for n in re.search(r"Stats StdDev: ([0-9. ]+)", done.stdout).group(1).split())
 
     def records(self, work, state):

@@ -34,14 +34,16 @@ class StateFiles(BatchTest):
         # the first try leaves a state file and is killed; a continuation of it crashes
         povray = shlex.quote(SETTINGS.povray)
         header = "POV-Ray Render State File".ljust(512, "x")
-        self.stand_in(f"""case $PWD in */units/*)
+        self.stand_in(
+            f"""case $PWD in */units/*)
             if [ -e picture.pov-state ]; then kill -SEGV $$; fi
             if mkdir ../first 2>/dev/null; then
                 printf '{header}POVRAYMS\\0\\0\\0\\0\\0\\0\\0\\4RAWSabcd' > picture.pov-state
                 kill -KILL $$
             fi ;;
             esac
-            exec {povray} "$@\"""")
+            exec {povray} "$@\""""
+        )
         scene = self.scene(LENS)
         self.batch("still", scene, "--bands", 1, *SIZE)
         log = (self.folder / "scene.png.batch" / "log" / "task-00000.log").read_text(errors="replace")

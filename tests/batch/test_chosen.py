@@ -162,7 +162,7 @@ class Texts(BatchTest):
         for name, text in (("red", "red"), ("dark green", "dark green")):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE, f"Declare='Ball=\"{text}\"'", "Declare=Tilt=3")
             self.assert_same(self.folder / "scene_sweep" / f"scene_Ball={name}_Tilt=3.png", whole)
-        for text in ('"a', '"a/b"', '""', "\"it's\""):
+        for text in ('"a', '"a/b"', '""', '"it\'s"'):
             self.assertIn("in double quotation marks", self.batch("sweep", scene, "--set", f"Ball={text}", *SIZE, code=2), text)
 
 

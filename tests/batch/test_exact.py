@@ -11,10 +11,7 @@ from tests.batch.calls import LENS, STOCK, BatchTest, picture
 
 SIZE = ("+W100", "+H75", "+WT1")
 
-JITTER = calls.STOCK.replace(
-    "light_source { <-4, 9, -5>, rgb 1 }",
-    "light_source { <-4, 9, -5>, rgb 1 area_light x, z, 3, 3 jitter }",
-)
+JITTER = calls.STOCK.replace("light_source { <-4, 9, -5>, rgb 1 }", "light_source { <-4, 9, -5>, rgb 1 area_light x, z, 3, 3 jitter }")
 RADIOSITY = calls.STOCK.replace("assumed_gamma 1", "assumed_gamma 1 radiosity { count 20 }")
 
 

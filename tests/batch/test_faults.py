@@ -30,10 +30,7 @@ class Killed(BatchTest):
         self.assertEqual(process.wait(timeout=PATIENCE), code, self.said() + self.evidence())
 
     def compare(self):
-        self.assert_same(
-            self.folder / "scene.png",
-            self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
-        )
+        self.assert_same(self.folder / "scene.png", self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW))
 
     def logs(self):
         return "".join(path.read_text(errors="replace") for path in (self.work / "log").glob("task-*"))
@@ -43,11 +40,7 @@ class Killed(BatchTest):
         os.kill(working[0], signal.SIGKILL)
         self.until("the worker's word of it", lambda: "was ended by signal 9" in self.logs())
         self.until("a band to be half done", lambda: self.working_povrays(self.work))
-        worker = next(
-            pid
-            for pid, words in processes(f"task {self.work}")
-            if "setpriv" not in words and pid != process.pid
-        )
+        worker = next(pid for pid, words in processes(f"task {self.work}") if "setpriv" not in words and pid != process.pid)
         os.kill(worker, signal.SIGKILL)
         self.finished(process)
         self.assertIn("continued from", self.logs(), self.evidence())
@@ -95,9 +88,7 @@ class Killed(BatchTest):
 
     def test_parallel_killed(self):
         process, _ = self.begin()
-        parallel = next(
-            pid for pid, words in processes("perl /usr/bin/parallel") if f"{self.work}" in environ(pid)
-        )
+        parallel = next(pid for pid, words in processes("perl /usr/bin/parallel") if f"{self.work}" in environ(pid))
         os.kill(parallel, signal.SIGKILL)
         self.finished(process)
         self.compare()
@@ -127,9 +118,7 @@ class Failing(BatchTest):
 
     def test_tries_are_bounded(self):
         # a stand-in that renders, but is killed in the batch proper
-        self.stand_in(
-            f"case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(calls.SETTINGS.povray)} \"$@\""
-        )
+        self.stand_in(f'case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(calls.SETTINGS.povray)} "$@"')
         words = ("still", self.scene(LENS), "--bands", 1, "--retries", 2, "+W48", "+H40")
         self.assertIn("was ended by signal 9", self.batch(*words, code=1))
         log = (self.folder / "scene.png.batch" / "log" / "task-00000.log").read_text()
@@ -137,6 +126,7 @@ class Failing(BatchTest):
 
     def test_no_room_to_write(self):
         scene = self.scene(LENS)
+
         def little_room():
             # 40 KB per file: the records fit, the state file of a band does not
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
@@ -145,9 +135,7 @@ class Failing(BatchTest):
         self.batch("still", scene, "--bands", 2, "--retries", 1, "+FN16", "+W160", "+H120", code=1, preexec_fn=little_room)
         self.assertFalse((self.folder / "scene.png").exists())
         self.batch("still", scene, "--bands", 2, "+FN16", "+W160", "+H120")
-        self.assert_same(
-            self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN16", "+W160", "+H120")
-        )
+        self.assert_same(self.folder / "scene.png", self.whole(scene, self.folder / "w.png", "+FN16", "+W160", "+H120"))
 
 
 if __name__ == "__main__":

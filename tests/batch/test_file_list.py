@@ -39,9 +39,7 @@ class FileList(BatchTest):
         for name in (b"scene.pov", b"calculated.inc", b"map.png", b"data.txt"):
             self.assertIn(b"+" + name, entries)
         self.assertTrue(any(e.startswith(b"+") and e.endswith(b"/povray.ini") for e in entries), entries)
-        self.assertTrue(
-            any(e.startswith(b"+/") and e.endswith(b"include/timrom.ttf") for e in entries), entries
-        )
+        self.assertTrue(any(e.startswith(b"+/") and e.endswith(b"include/timrom.ttf") for e in entries), entries)
         self.assertEqual([e for e in entries if e.startswith(b"=")], [b"=out.png"])
         self.assertIn(b"-timrom.ttf", entries)
         self.assertIn(b"-maybe.inc", entries)

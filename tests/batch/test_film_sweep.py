@@ -26,29 +26,18 @@ class Film(BatchTest):
         self.batch("film", scene, "--frames", 2, "--bands", 2, "--workers", 4, "+FE", *SIZE, "+KC")
         self.whole(scene, self.folder / "f.exr", "+FE", *SIZE, "+KFI1", "+KFF2", "+KC")
         for n in (1, 2):
-            self.assert_same(
-                self.folder / "scene_film" / f"scene000{n}.exr", self.folder / "whole" / f"f{n}.exr"
-            )
+            self.assert_same(self.folder / "scene_film" / f"scene000{n}.exr", self.folder / "whole" / f"f{n}.exr")
 
 
 class Sweep(BatchTest):
     def test_each_choice_and_the_sheet(self):
         scene = self.scene(LENS)
-        said = self.batch(
-            "sweep", scene, "--set", "Tilt=-6:6:6", "--set", "Samples=4,16", "--workers", 4, *SIZE
-        )
+        said = self.batch("sweep", scene, "--set", "Tilt=-6:6:6", "--set", "Samples=4,16", "--workers", 4, *SIZE)
         self.assertIn("scene_sheet.png", said)
         folder = self.folder / "scene_sweep"
         self.assertEqual(len(list(folder.iterdir())), 7)
         for tilt, samples in ((-6, 4), (0, 16)):
-            whole = self.whole(
-                scene,
-                self.folder / "w.png",
-                "+FN",
-                *SIZE,
-                f"Declare=Tilt={tilt}",
-                f"Declare=Samples={samples}",
-            )
+            whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE, f"Declare=Tilt={tilt}", f"Declare=Samples={samples}")
             self.assert_same(folder / f"scene_Tilt={tilt}_Samples={samples}.png", whole)
         # two columns of three, each with a strip for the label, six pixels between
         self.assertEqual(picture(folder / "scene_sheet.png")[:2], (2 * 64 + 6, 3 * (48 + 26) + 2 * 6))

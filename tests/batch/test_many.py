@@ -19,7 +19,7 @@ class Many(BatchTest):
         scene = self.scene(STOCK + "#ifdef (N) sphere { <0, 2, 0>, N/200 pigment { rgb x } } #end\n")
         diary, work = self.folder / "diary", self.folder / "scene_sweep.batch"
         self.stand_in(
-            f"echo 1 >> {shlex.quote(str(diary))}\n{shlex.quote(SETTINGS.povray)} \"$@\"\nstatus=$?\n"
+            f'echo 1 >> {shlex.quote(str(diary))}\n{shlex.quote(SETTINGS.povray)} "$@"\nstatus=$?\n'
             f"echo -1 >> {shlex.quote(str(diary))}\nexit $status"
         )
         words = ("sweep", scene, "--set", "N=1:200:1", "--workers", WORKERS, "+W16", "+H12", "-A")
@@ -39,11 +39,7 @@ class Many(BatchTest):
 class Tasks(calls.unittest.TestCase):
     def tasks(self, units, seconds, largest, engine=slurm):
         settings = calls.argparse.Namespace(workers=100, partition=None)
-        description = {
-            "estimate": {"picture": seconds, "start": 0.6},
-            "key": {"bands": [[1, 9]]},
-            "threads": 1,
-        }
+        description = {"estimate": {"picture": seconds, "start": 0.6}, "key": {"bands": [[1, 9]]}, "threads": 1}
         with unittest.mock.patch.object(slurm, "largest_array", lambda: largest):
             return batch.tasks_of(description, list(range(units)), settings, engine)
 

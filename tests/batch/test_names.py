@@ -29,19 +29,11 @@ sphere { <2, 0, 0>, Size pigment { rgb 1 } }
 class Names(BatchTest):
     def lay_out(self, name):
         folder = self.folder / name / "scenes"
-        for path, text in (
-            ("own.inc", "#declare Own = 1;"),
-            ("../beside/other.inc", "#declare Other = 1;"),
-            ("values.txt", "0.7"),
-        ):
+        for path, text in (("own.inc", "#declare Own = 1;"), ("../beside/other.inc", "#declare Other = 1;"), ("values.txt", "0.7")):
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_text(text + "\n")
         (folder / "textures").mkdir()
-        subprocess.run(
-            ["oiiotool", "--pattern", "checker", "16x16", "3", "-o", "map.png"],
-            cwd=folder / "textures",
-            check=True,
-        )
+        subprocess.run(["oiiotool", "--pattern", "checker", "16x16", "3", "-o", "map.png"], cwd=folder / "textures", check=True)
         scene = folder / f"{name}.pov"
         scene.write_text(RELATIVE)
         return scene

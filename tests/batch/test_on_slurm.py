@@ -35,10 +35,7 @@ class OnSlurm(BatchTest):
         for node in self.cluster.nodes:
             if node not in self.cluster.processes:
                 self.cluster.start_node(node)
-        self.cluster.until(
-            "all nodes",
-            lambda: len(self.cluster.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == 3,
-        )
+        self.cluster.until("all nodes", lambda: len(self.cluster.run("sinfo", "-hN", "-t", "idle", "-o", "%N").stdout.split()) == 3)
 
     def kinds(self):
         return {
@@ -51,9 +48,7 @@ class OnSlurm(BatchTest):
         scene = self.scene(LENS)
         for kind, words in self.kinds().items():
             with self.subTest(kind):
-                self.batch(
-                    *words, "--on", "slurm", "--partition", "main", "--time", "10", "--sbatch=--mem=100"
-                )
+                self.batch(*words, "--on", "slurm", "--partition", "main", "--time", "10", "--sbatch=--mem=100")
         whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL)
         self.assert_same_with_layers(self.folder / "scene.png", whole)
         self.compare_film_and_sweep()
@@ -71,9 +66,7 @@ class OnSlurm(BatchTest):
         self.assertTrue((self.folder / "scene_sweep" / "scene_sheet.png").exists())
         self.whole(scene, self.folder / "f.png", "+FN", *SMALL, "+KFI1", "+KFF4")
         for n in range(1, 5):
-            self.assert_same_with_layers(
-                self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png"
-            )
+            self.assert_same_with_layers(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
 
     def assert_same_with_layers(self, path, whole):
         self.assert_same(path, whole)
@@ -98,10 +91,7 @@ class OnSlurm(BatchTest):
         self.assertIn("another batch writes to", said)
         self.assertIn("scene.png.batch", said)
         self.assertIn("still at work: waiting", self.batch(*words, "--on", "slurm"))
-        self.assert_same(
-            self.folder / "scene.png",
-            self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW),
-        )
+        self.assert_same(self.folder / "scene.png", self.whole(self.folder / "scene.pov", self.folder / "w.png", "+FN", *SLOW))
         self.assertFalse(lock.exists())
 
     def test_the_last_job_removes_the_lock(self):
@@ -143,11 +133,7 @@ class OnSlurm(BatchTest):
         self.until("a half done band on each node", all_at_work)
         self.assertIn(place["n3"], self.cluster.kill_node("n3"))
         os.kill(place["n1"], signal.SIGKILL)
-        shells = [
-            pid
-            for pid, words in processes(f" task {work}")
-            if node_of(pid) == "n2" and "setpriv" not in words
-        ]
+        shells = [pid for pid, words in processes(f" task {work}") if node_of(pid) == "n2" and "setpriv" not in words]
         self.assertTrue(shells, "the task's shell, which has become the worker")
         os.kill(shells[0], signal.SIGKILL)
         # meanwhile the remaining two nodes work on other batches
@@ -198,10 +184,7 @@ def main():
 
 def can_run(*commands):
     """True if all of the commands succeed."""
-    return all(
-        subprocess.run(command, cwd="/", capture_output=True, check=False).returncode == 0
-        for command in commands
-    )
+    return all(subprocess.run(command, cwd="/", capture_output=True, check=False).returncode == 0 for command in commands)
 
 
 if __name__ == "__main__":

@@ -22,15 +22,11 @@ class Again(BatchTest):
         times = {path.name: path.stat().st_mtime_ns for path in film.iterdir()}
         first = calls.picture(film / "scene0002.png")
         self.assertIn("4 of 4 pictures", self.batch("film", scene, "--frames", 4, *SIZE))
-        self.assertEqual(
-            times, {path.name: path.stat().st_mtime_ns for path in film.iterdir()}, "nothing was made again"
-        )
+        self.assertEqual(times, {path.name: path.stat().st_mtime_ns for path in film.iterdir()}, "nothing was made again")
         (film / "scene0002.png").unlink()
         self.batch("film", scene, "--frames", 4, *SIZE)
         self.assertEqual(calls.picture(film / "scene0002.png"), first)
-        self.assertEqual(
-            {n for n, t in times.items() if (film / n).stat().st_mtime_ns != t}, {"scene0002.png"}
-        )
+        self.assertEqual({n for n, t in times.items() if (film / n).stat().st_mtime_ns != t}, {"scene0002.png"})
         self.assertIn("4 of 4 pictures", (work / "summary.txt").read_text())
 
     def test_left_overs_are_not_taken_for_results(self):
@@ -48,9 +44,7 @@ class Again(BatchTest):
         (work / "units" / "00000.0000" / "picture.png").write_bytes(b"\x89PNG".ljust(size, b"x"))
         (work / "done" / "00000.0001.json").unlink()
         (work / "units" / "00000.0001" / "picture.png").write_bytes(whole.read_bytes()[:200])
-        (work / "units" / "00000.0001" / "picture.pov-state").write_bytes(
-            b"POV-Ray Render State File\0\0\x000001".ljust(700, b"\1")
-        )
+        (work / "units" / "00000.0001" / "picture.pov-state").write_bytes(b"POV-Ray Render State File\0\0\x000001".ljust(700, b"\1"))
         self.batch("still", scene, "--bands", 2, *SIZE)
         self.assert_same(self.folder / "scene.png", whole)
 
@@ -70,9 +64,7 @@ class Changed(BatchTest):
             self.assertIn(text, told)
 
     def test_each_change_is_named(self):
-        scene = self.scene(
-            '#include "parts/own.inc"\n' + LENS + 'box { -1, 1 pigment { image_map { png "map.png" } } }\n'
-        )
+        scene = self.scene('#include "parts/own.inc"\n' + LENS + 'box { -1, 1 pigment { image_map { png "map.png" } } }\n')
         own = self.scene("#declare Own = 1;\n", "parts/own.inc")
         create = ["oiiotool", "--create", "4x4", "3", "-o", "map.png"]
         subprocess.run(create, cwd=self.folder, check=True)

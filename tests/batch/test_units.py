@@ -103,26 +103,11 @@ class Options(unittest.TestCase):
                 pov_options.PovOptions([word])
 
     def test_the_others_pass(self):
-        words = [
-            "+W64",
-            "-A",
-            "+AM2",
-            "+UA",
-            "Declare=A=1",
-            "Width=3",
-            "+KC",
-            "-TH",
-            "+K0.5",
-            "+Q9",
-            "+CC",
-            "Dither=off",
-        ]
+        words = ["+W64", "-A", "+AM2", "+UA", "Declare=A=1", "Width=3", "+KC", "-TH", "+K0.5", "+Q9", "+CC", "Dither=off"]
         self.assertEqual(pov_options.PovOptions(words).words, words)
 
     def test_files_threads_and_kind(self):
-        options = pov_options.PovOptions(
-            ['+L"my files"', "Library_Path=b", "+WT2", "+FN16", "quick.ini[draft]"]
-        )
+        options = pov_options.PovOptions(['+L"my files"', "Library_Path=b", "+WT2", "+FN16", "quick.ini[draft]"])
         self.assertEqual(list(options.named_files("/x")), ["/x/my files", "/x/b", "/x/quick.ini"])
         self.assertEqual((options.threads, options.kind, options.words), (2, "png", ["+FN16", "../../inputs/options0.ini[draft]"]))
 
@@ -254,12 +239,7 @@ class Documents(unittest.TestCase):
     def test_every_option_is_in_the_page(self):
         page = (ROOT / "docs/batch.md").read_text()
         for kind in ("still", "film", "sweep"):
-            done = subprocess.run(
-                [str(ROOT / "batch"), kind, "--help"],
-                capture_output=True,
-                text=True,
-                check=True,
-            )
+            done = subprocess.run([str(ROOT / "batch"), kind, "--help"], capture_output=True, text=True, check=True)
             for option in set(re.findall(r"--[a-z]+", done.stdout)) - {"--help", "--mem"}:
                 self.assertIn(f"`{option}", page)
 
@@ -315,9 +295,9 @@ class Joining(unittest.TestCase):
             tool.write_text("#!/bin/sh\necho 'ERROR: no space left on device' >&2\nseq 400 >&2\nexit 1\n")
             tool.chmod(0o755)
             full = shutil.disk_usage(name)._replace(free=4096)
-            with unittest.mock.patch.dict(os.environ, PATH=f"{name}:{os.environ['PATH']}"), \
-                    unittest.mock.patch.object(shutil, "disk_usage", lambda _: full), \
-                    self.assertRaises(store.BatchError) as raised:
+            with unittest.mock.patch.dict(os.environ, PATH=f"{name}:{os.environ['PATH']}"), unittest.mock.patch.object(
+                shutil, "disk_usage", lambda _: full
+            ), self.assertRaises(store.BatchError) as raised:
                 merge.oiiotool(name, ["--version"])
         said = str(raised.exception).splitlines()
         self.assertEqual(said[1], "  ERROR: no space left on device")
@@ -340,9 +320,9 @@ class Interrupted(unittest.TestCase):
     def test_before_the_wait_begins(self):
         """Interrupting a call that found the jobs of an earlier one prints how to cancel them, however early."""
         said = io.StringIO()
-        with tempfile.TemporaryDirectory() as name, \
-                unittest.mock.patch.object(progress, "Progress", side_effect=KeyboardInterrupt), \
-                contextlib.redirect_stderr(said), self.assertRaises(KeyboardInterrupt):
+        with tempfile.TemporaryDirectory() as name, unittest.mock.patch.object(
+            progress, "Progress", side_effect=KeyboardInterrupt
+        ), contextlib.redirect_stderr(said), self.assertRaises(KeyboardInterrupt):
             batch.watch(store.Work(name), ["7", "8"], unittest.mock.Mock(quiet=True))
         self.assertIn("To end them: scancel 7 8", said.getvalue())
 

@@ -11,7 +11,7 @@ from tools.repository import ROOT
 
 def curve(constant, samples=(8, 16, 64)):
     """Independent samples: an error of constant/samples."""
-    return [{"mse": constant/n, "samples": n, "variance": 1e-3, "beyond": 0.0} for n in samples]
+    return [{"mse": constant / n, "samples": n, "variance": 1e-3, "beyond": 0.0} for n in samples]
 
 
 class Ratios(unittest.TestCase):
@@ -21,22 +21,27 @@ class Ratios(unittest.TestCase):
 
     def test_are_the_work_for_the_same_error(self):
         self.assertAlmostEqual(ablation.ratio(curve(0.1), curve(0.3)), 3.0)
-        self.assertAlmostEqual(ablation.ratio(curve(0.3), curve(0.1)), 1/3)
+        self.assertAlmostEqual(ablation.ratio(curve(0.3), curve(0.1)), 1 / 3)
 
     def test_leave_errors_of_zero_out(self):
         self.assertEqual(ablation.ratio(curve(0.1), curve(0.0)), 1.0)
 
     def test_contract_is_the_worst_pictures(self):
-        records = [{"mse": 1e-3, "variance": 1e-3, "beyond": 0.01}, {"mse": 6e-3, "variance": 2e-3, "beyond": 0.0},
-                   {"mse": 1.0, "variance": ablation.LEAST_KEPT/2, "beyond": 1.0}]
-        self.assertEqual(ablation.kept(records), (6e-3/2e-3, 0.01))
+        records = [
+            {"mse": 1e-3, "variance": 1e-3, "beyond": 0.01},
+            {"mse": 6e-3, "variance": 2e-3, "beyond": 0.0},
+            {"mse": 1.0, "variance": ablation.LEAST_KEPT / 2, "beyond": 1.0},
+        ]
+        self.assertEqual(ablation.kept(records), (6e-3 / 2e-3, 0.01))
 
 
 class Summary(unittest.TestCase):
-    ROWS = [{"scene": "town", "denoise": False, "ratio": 2.0, "error": 0.3, "beyond": 0.01},
-            {"scene": "town", "denoise": True, "ratio": 9.0, "error": 0.2, "beyond": 0.02},
-            {"scene": "night", "denoise": False, "ratio": 8.0, "error": None, "beyond": None},
-            {"scene": "night", "denoise": True, "ratio": 1.0, "error": None, "beyond": None}]
+    ROWS = [
+        {"scene": "town", "denoise": False, "ratio": 2.0, "error": 0.3, "beyond": 0.01},
+        {"scene": "town", "denoise": True, "ratio": 9.0, "error": 0.2, "beyond": 0.02},
+        {"scene": "night", "denoise": False, "ratio": 8.0, "error": None, "beyond": None},
+        {"scene": "night", "denoise": True, "ratio": 1.0, "error": None, "beyond": None},
+    ]
 
     def test_has_means_and_the_worst_scenes(self):
         made = ablation.summary(("a rule", 8, "number=0"), self.ROWS)
@@ -64,7 +69,7 @@ class Rules(unittest.TestCase):
         varied = {item.split("=")[0] for _, _, settings in ablation.RULES + ablation.EMITTER_RULES for item in settings.split(",")}
         constants = {name for line in re.findall(r"static constexpr [\w:]+ (.*);", header) for name in re.findall(r"(\w+) = ", line)}
         page = (ROOT / "docs/sampling.md").read_text()
-        reasons = page[page.index("### Numbers that are not varied"):]
+        reasons = page[page.index("### Numbers that are not varied") :]
         told = {name for line in reasons.splitlines() if line.startswith("| `") for name in re.findall(r"`(\w+)`", line.split("|")[1])}
         wanted = {*ablation.settings_of_header(header), *constants} - varied - {"neighbourhoodPixels"}
         self.assertEqual(told, wanted)

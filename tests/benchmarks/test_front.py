@@ -48,9 +48,12 @@ class Comparison(unittest.TestCase):
         return {"program": program, "setting": setting, "cpu": cpu, "rmse": rmse}
 
     def test_stock_is_taken_at_its_best_setting_for_the_error(self):
-        records = [self.record("stock", "100", 10.0, 0.02), self.record("stock", "64,1600 0.001 0.9", 4.0, 0.02),
-                   self.record("tilt_lens", "8 0.001", 2.0, 0.02)]
-        line, = versus_stock.compare(suite.SCENES[0], records)
+        records = [
+            self.record("stock", "100", 10.0, 0.02),
+            self.record("stock", "64,1600 0.001 0.9", 4.0, 0.02),
+            self.record("tilt_lens", "8 0.001", 2.0, 0.02),
+        ]
+        (line,) = versus_stock.compare(suite.SCENES[0], records)
         self.assertEqual((line["target"], line["rmse"], line["ratio"]), (100, 0.02, 2.0))
 
     def test_error_unreached_by_tilt_lens_has_no_ratio(self):

@@ -22,7 +22,7 @@ class Noise(unittest.TestCase):
     def grey(self, name, value, size=(16, 8)):
         path = self.folder / f"{name}.pfm"
         width, height = size
-        path.write_bytes(f"PF\n{width} {height}\n-1.0\n".encode() + 3*width*height*struct.pack("<f", value))
+        path.write_bytes(f"PF\n{width} {height}\n-1.0\n".encode() + 3 * width * height * struct.pack("<f", value))
         return path
 
     def tool(self, *arguments, fails=False):
@@ -36,32 +36,31 @@ class Noise(unittest.TestCase):
         return self.folder / "reference.exr"
 
     def test_error_of_a_constant_difference(self):
-        line, = self.tool("errors", self.reference(0.5, 0.5), self.grey("a", 0.625))
+        (line,) = self.tool("errors", self.reference(0.5, 0.5), self.grey("a", 0.625))
         self.assertAlmostEqual(line["mse"], 0.125**2, places=7)
         self.assertAlmostEqual(line["mean"], 0.125, places=6)
 
     def test_the_references_own_error_is_taken_off(self):
         # two pictures that differ by 0.2: the mean has a standard error of 0.1
-        line, = self.tool("errors", self.reference(0.4, 0.6), self.grey("a", 0.75))
+        (line,) = self.tool("errors", self.reference(0.4, 0.6), self.grey("a", 0.75))
         self.assertAlmostEqual(line["reference_mse"], 0.01, places=5)
         self.assertAlmostEqual(line["mse"], 0.0625 - 0.01, places=5)
 
     def test_values_above_white_count_as_white(self):
-        line, = self.tool("errors", self.reference(1.5, 1.5), self.grey("a", 3.0))
+        (line,) = self.tool("errors", self.reference(1.5, 1.5), self.grey("a", 3.0))
         self.assertEqual(line["mse"], 0.0)
 
     def test_a_border_is_cut_off(self):
-        line, = self.tool("errors", self.reference(0.5, 0.5), self.grey("a", 0.5, (32, 24)))
+        (line,) = self.tool("errors", self.reference(0.5, 0.5), self.grey("a", 0.5, (32, 24)))
         self.assertEqual(line["mse"], 0.0)
-        self.assertIn("16 x 8", self.tool("errors", self.reference(0.5, 0.5), self.grey("b", 0.5, (18, 8)),
-                                         fails=True))
+        self.assertIn("16 x 8", self.tool("errors", self.reference(0.5, 0.5), self.grey("b", 0.5, (18, 8)), fails=True))
 
     def test_a_part_is_taken_from_its_place(self):
         halves = [self.grey("l", 0.5, (16, 8)), self.grey("r", 0.625, (16, 8))]
         whole = self.folder / "whole.exr"
         subprocess.run(["oiiotool", *map(str, halves), "--mosaic", "2x1", "-o", str(whole)], check=True)
         for at, mse in (("16,0", 0.125**2), ("0,0", 0.0)):
-            line, = self.tool("errors", self.reference(0.5, 0.5), whole, "--at", at)
+            (line,) = self.tool("errors", self.reference(0.5, 0.5), whole, "--at", at)
             self.assertAlmostEqual(line["mse"], mse, places=7)
         self.assertIn("from there on", self.tool("errors", self.reference(0.5, 0.5), whole, "--at", "17,0", fails=True))
 
@@ -70,13 +69,32 @@ class Noise(unittest.TestCase):
         paths = [self.grey(f"{name}{side}", value, (8, 8)) for side, value in (("l", left), ("r", right))]
         picture = self.folder / f"{name}.exr"
         subprocess.run(["oiiotool", *map(str, paths), "--mosaic", "2x1", "-o", str(picture)], check=True)
-        subprocess.run(["oiiotool", "--pattern", "constant:color=8,0.2", "8x8", "2", "--pattern", "constant:color=32,0.2", "8x8",
-                        "2", "--mosaic", "2x1", "--chnames", "samples,standardError", "-d", "float", "-o",
-                        str(self.folder / f"{name}.layers.exr")], check=True)
+        subprocess.run(
+            [
+                "oiiotool",
+                "--pattern",
+                "constant:color=8,0.2",
+                "8x8",
+                "2",
+                "--pattern",
+                "constant:color=32,0.2",
+                "8x8",
+                "2",
+                "--mosaic",
+                "2x1",
+                "--chnames",
+                "samples,standardError",
+                "-d",
+                "float",
+                "-o",
+                str(self.folder / f"{name}.layers.exr"),
+            ],
+            check=True,
+        )
         return picture
 
     def claims(self, *pictures, more_than=8, reference=(0.5, 0.5)):
-        line, = self.tool("claims", self.reference(*reference), *pictures, "--variance", 1e-2, "--more-than", more_than)
+        (line,) = self.tool("claims", self.reference(*reference), *pictures, "--variance", 1e-2, "--more-than", more_than)
         return line
 
     def test_pixels_that_took_more_samples(self):
@@ -99,8 +117,9 @@ class Noise(unittest.TestCase):
 
     def test_claims_need_the_layers(self):
         pictures = [self.grey("a", 0.5), self.grey("b", 0.5)]
-        self.assertIn("a.layers.exr", self.tool("claims", self.reference(0.5, 0.5), *pictures, "--variance", 1e-2, "--more-than", 8,
-                                                fails=True))
+        self.assertIn(
+            "a.layers.exr", self.tool("claims", self.reference(0.5, 0.5), *pictures, "--variance", 1e-2, "--more-than", 8, fails=True)
+        )
 
     def test_means_of_the_first_pictures(self):
         pictures = [self.grey("a", 0.25), self.grey("b", 0.75), self.grey("c", 0.5)]
@@ -111,7 +130,7 @@ class Noise(unittest.TestCase):
 
     def test_lights_are_clipped_after_they_are_averaged(self):
         pictures = [self.grey("a", 0.0), self.grey("b", 1.5)]
-        line, = self.tool("prefixes", self.reference(0.5, 0.5), *pictures, "--counts", "2")
+        (line,) = self.tool("prefixes", self.reference(0.5, 0.5), *pictures, "--counts", "2")
         self.assertAlmostEqual(line["mse"], 0.0625, places=6)
 
     def mosaic(self, name, left, right):
@@ -130,15 +149,17 @@ class Noise(unittest.TestCase):
         reference, without = self.unclipped("with", lamps, lamps), self.unclipped("without", dark, dark)
         pictures = [lamps, dark, self.mosaic("weak", 0.25, 2.25), self.mosaic("weaker", 0.25, 2.75)]
         lines = self.tool("lamps", reference, without, *pictures)
-        self.assertEqual([line["disc_pixels"] for line in lines], [64]*4)
-        for line, kept, share in zip(lines, (1, 0, 2/3, 2.5/3), (0, 1, 1, 0)):
+        self.assertEqual([line["disc_pixels"] for line in lines], [64] * 4)
+        for line, kept, share in zip(lines, (1, 0, 2 / 3, 2.5 / 3), (0, 1, 1, 0)):
             self.assertAlmostEqual(line["kept"], kept, places=5)
             self.assertEqual(line["dark"], share)
 
     def test_what_is_less_than_half_as_bright_as_the_disc_beside_it_is_no_disc(self):
-        reference, without = (self.unclipped(name, picture, picture) for name, picture in (
-            ("with", self.mosaic("lamps", 0.2, 0.5)), ("without", self.grey("dark", 0.0))))
-        line, = self.tool("lamps", reference, without, self.grey("dark", 0.0))
+        reference, without = (
+            self.unclipped(name, picture, picture)
+            for name, picture in (("with", self.mosaic("lamps", 0.2, 0.5)), ("without", self.grey("dark", 0.0)))
+        )
+        (line,) = self.tool("lamps", reference, without, self.grey("dark", 0.0))
         self.assertEqual((line["disc_pixels"], line["dark"]), (64, 1.0))
 
     def test_a_scene_needs_lamps(self):
@@ -148,7 +169,7 @@ class Noise(unittest.TestCase):
 
     def test_white_of_an_unclipped_reference_has_no_error(self):
         reference = self.unclipped("with", self.grey("a", 2.0), self.grey("b", 4.0))
-        line, = self.tool("errors", reference, self.grey("c", 5.0))
+        (line,) = self.tool("errors", reference, self.grey("c", 5.0))
         self.assertEqual((line["mse"], line["reference_mse"]), (0.0, 0.0))
 
     def test_groups_of_pixels(self):
@@ -156,9 +177,9 @@ class Noise(unittest.TestCase):
         for line, wanted in zip(lines, ([0.0, 12.0], [12.0, 12.0])):
             self.assertEqual([round(square, 5) for square in line["squares"]], wanted)
         # at the right edge a group has fewer columns, and the reference's own error is subtracted
-        line, = self.tool("groups", self.reference(0.4, 0.6), self.grey("c", 0.75), "--side", 10)
+        (line,) = self.tool("groups", self.reference(0.4, 0.6), self.grey("c", 0.75), "--side", 10)
         for square, pixels in zip(line["squares"], (80, 48)):
-            self.assertAlmostEqual(square, 3*pixels*(0.0625 - 0.01), places=2)
+            self.assertAlmostEqual(square, 3 * pixels * (0.0625 - 0.01), places=2)
 
 
 if __name__ == "__main__":

@@ -35,7 +35,7 @@ class Pages(unittest.TestCase):
             self.assertTrue(part["program"] and part["machine"] and part["rows"], name)
 
     def test_kept_results_have_a_row_on_each_line(self):
-        rows = [{"scene": f"scene {number}", "ratio": number/3, "note": "x"*60} for number in range(20)]
+        rows = [{"scene": f"scene {number}", "ratio": number / 3, "note": "x" * 60} for number in range(20)]
         text = pages.compact({"rows": rows})
         self.assertEqual(json.loads(text), {"rows": rows})
         self.assertEqual(len(text.splitlines()), len(rows) + 4)

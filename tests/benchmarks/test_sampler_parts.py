@@ -15,19 +15,19 @@ from benchmarks.lab import TILT_LENS, Failed, Lab
 
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (24, 18)
-HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "textures")      # scenes whose references have lamps that are easily found
+HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "textures")  # scenes whose references have lamps that are easily found
 
 
 def errors_of(noisy, sharp, counts=(2, 4, 8)):
     """Four pictures of two groups, whose squared errors fall with the samples."""
-    return {n: [[noisy/n, sharp/n]]*4 for n in counts}
+    return {n: [[noisy / n, sharp / n]] * 4 for n in counts}
 
 
 class Allocation(unittest.TestCase):
     def test_groups_get_what_they_need(self):
         points = allocation.ideal(errors_of(8.0, 0.0), [100, 100])
         # most samples for the first group unless a sample must save much
-        self.assertEqual((points[0], points[-1]), ((2.0, 4.0/200), ((8 + 2)/2, 1.0/200)))
+        self.assertEqual((points[0], points[-1]), ((2.0, 4.0 / 200), ((8 + 2) / 2, 1.0 / 200)))
 
     def test_luck_is_not_taken_for_knowledge(self):
         # in each half of the pictures another number of samples has no error by chance
@@ -36,18 +36,29 @@ class Allocation(unittest.TestCase):
 
     def test_as_many_rays_spread_evenly(self):
         even = errors_of(8.0, 8.0)
-        adaptive = [{"variance": 1e-3, "samples": 4.0, "squares": [[1.0, 1.0]]*4, "reference_mse": 0.0},
-                    {"variance": 1e-4, "samples": 9.0, "squares": [[1.0, 1.0]]*4, "reference_mse": 0.0}]
-        row, = allocation.compare(even, adaptive, [100, 100])     # nine samples are more than were tried
+        adaptive = [
+            {"variance": 1e-3, "samples": 4.0, "squares": [[1.0, 1.0]] * 4, "reference_mse": 0.0},
+            {"variance": 1e-4, "samples": 9.0, "squares": [[1.0, 1.0]] * 4, "reference_mse": 0.0},
+        ]
+        (row,) = allocation.compare(even, adaptive, [100, 100])  # nine samples are more than were tried
         self.assertAlmostEqual(row["over_uniform"], 0.5)
         self.assertAlmostEqual(row["over_ideal"], 0.5)
 
     def test_groups_at_the_edge_are_smaller(self):
-        self.assertEqual(allocation.sizes_of_groups(10, 9), [3*64, 3*16, 3*8, 3*2])
+        self.assertEqual(allocation.sizes_of_groups(10, 9), [3 * 64, 3 * 16, 3 * 8, 3 * 2])
 
     def test_section(self):
-        row = {"scene": "checks", "whole": [1000, 750], "size": [48, 48], "variance": 1e-3, "samples": 8.0, "mse": 1e-3,
-               "over_uniform": 0.9, "over_ideal": 1.2, "reference_mse": 1e-5}
+        row = {
+            "scene": "checks",
+            "whole": [1000, 750],
+            "size": [48, 48],
+            "variance": 1e-3,
+            "samples": 8.0,
+            "mse": 1e-3,
+            "over_uniform": 0.9,
+            "over_ideal": 1.2,
+            "reference_mse": 1e-5,
+        }
         text = report.section("allocation", [row, {**row, "scene": "town", "over_uniform": 1.1}])
         for words in ("| emissive checks and spheres | 1000 by 750 | 8 to 8 | 0.90 | 0.75 | 1.20 | 0.01 |", "1.10 at the most (missed)"):
             self.assertIn(words, text)
@@ -66,8 +77,17 @@ class Threads(unittest.TestCase):
             self.assertEqual(threads.numbers_of_threads(processors)[-1], most)
 
     def test_section(self):
-        rows = [{"scene": "miniature_town", "size": [320, 180], "threads": count, "wall": wall, "cpu": 10.0, "waited": 1 - 10.0/(count*wall)}
-                for count, wall in ((1, 10.0), (2, 6.25))]
+        rows = [
+            {
+                "scene": "miniature_town",
+                "size": [320, 180],
+                "threads": count,
+                "wall": wall,
+                "cpu": 10.0,
+                "waited": 1 - 10.0 / (count * wall),
+            }
+            for count, wall in ((1, 10.0), (2, 6.25))
+        ]
         self.assertIn("| town | 2 | 6.25 | 10.00 | 0.80 | 20.0 % |", report.section("threads", rows))
         self.assertIn("0.80 at the least (missed)", report.section("threads", rows))
 
@@ -87,11 +107,11 @@ class FoundLamps(unittest.TestCase):
                 hidden = found_lamps.Reference(self.lab, shot)
                 hidden.shot = shot
                 hidden = hidden.of(512)
-                off, = self.lab.tool("noise", "errors", known, hidden)
+                (off,) = self.lab.tool("noise", "errors", known, hidden)
                 own = self.lab.tool("noise", "errors", hidden, hidden)[0]["reference_mse"]
-                self.assertLess(off["mse"], 3*own)
+                self.assertLess(off["mse"], 3 * own)
                 dark = found_lamps.Reference(self.lab, found_lamps.declared(shot, Lamps=0)).of(16)
-                kept, = self.lab.tool("noise", "lamps", known, dark, hidden)
+                (kept,) = self.lab.tool("noise", "lamps", known, dark, hidden)
                 self.assertAlmostEqual(kept["kept"], 1.0, delta=0.05)
 
     def test_scenes_without_them_know_of_none(self):
@@ -109,19 +129,37 @@ class FoundLamps(unittest.TestCase):
         small, large = rows
         self.assertEqual((small["radius"], large["radius"]), (0.04, 0.08))
         self.assertTrue(0.8 < large["fixed_kept"] < 1.2 and large["disc_pixels"] > 20, large)
-        self.assertLess(large["fixed_dark"], small["fixed_dark"])       # smaller lamps are met by fewer samples
+        self.assertLess(large["fixed_dark"], small["fixed_dark"])  # smaller lamps are met by fewer samples
         self.assertAlmostEqual(large["fixed"], large["samples"], delta=0.5)
         with unittest.mock.patch.object(found_lamps, "QUICK_SIZE", (40, 30)):
             self.lab.render = lambda *_: self.fail("rendered again")
             self.assertEqual(found_lamps.measure(self.lab, ["textures"]), rows)
 
     def test_section(self):
-        row = {"scene": "textures", "radius": 0.04, "size": [160, 120], "samples": 10.0, "fixed": 10.0, "mse": 4e-4, "fixed_mse": 2e-4,
-               "reference_mse": 1e-5, "kept": 0.8, "fixed_kept": 1.0, "dark": 0.2, "fixed_dark": 0.0, "disc_pixels": 9.0,
-               "estimated": 0.01, "true": 0.02}
+        row = {
+            "scene": "textures",
+            "radius": 0.04,
+            "size": [160, 120],
+            "samples": 10.0,
+            "fixed": 10.0,
+            "mse": 4e-4,
+            "fixed_mse": 2e-4,
+            "reference_mse": 1e-5,
+            "kept": 0.8,
+            "fixed_kept": 1.0,
+            "dark": 0.2,
+            "fixed_dark": 0.0,
+            "disc_pixels": 9.0,
+            "estimated": 0.01,
+            "true": 0.02,
+        }
         text = report.section("found_lamps", [row, {**row, "scene": "stars", "radius": None, "disc_pixels": 0.0}])
-        for words in ("| lamps by a `texture_map`, radius 0.04 | 10.0 | 0.0004 | 2.00 | 80.0 % (100.0 %) | 20.0 % (0.0 %) | 0.50 | 0.05 |",
-                      "| 300 stars | 10.0 | 0.0004 | 2.00 | 80.0 % (100.0 %) | - |", "2.00 at the most (missed)", "80.0 % at the least (missed)"):
+        for words in (
+            "| lamps by a `texture_map`, radius 0.04 | 10.0 | 0.0004 | 2.00 | 80.0 % (100.0 %) | 20.0 % (0.0 %) | 0.50 | 0.05 |",
+            "| 300 stars | 10.0 | 0.0004 | 2.00 | 80.0 % (100.0 %) | - |",
+            "2.00 at the most (missed)",
+            "80.0 % at the least (missed)",
+        ):
             self.assertIn(words, text)
 
 

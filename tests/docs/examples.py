@@ -78,7 +78,7 @@ def check_example(povray, example, folder, index):
     (folder / "picture.png").unlink(missing_ok=True)
     code, said = run(povray, folder, name)
     wrong = list(wrong_with(example, code, said, (folder / "picture.png").exists()))
-    tail = said[said.find("[Parsing"):][:1500]
+    tail = said[said.find("[Parsing") :][:1500]
     return [f"{example.block.place()}: {text}\n--- {name}\n{(folder / name).read_text()}--- messages\n{tail}" for text in wrong]
 
 
@@ -99,8 +99,10 @@ def check_output(povray, block, folder):
         if line.strip() == "...":
             continue
         if line.rstrip() not in heard[at:]:
-            return [f"{block.place()}: the program does not say '{line}'\n" +
-                    "\n".join(text for text in heard if ".." in text and "Stream" not in text)]
+            return [
+                f"{block.place()}: the program does not say '{line}'\n"
+                + "\n".join(text for text in heard if ".." in text and "Stream" not in text)
+            ]
         at = heard.index(line.rstrip(), at) + 1
     return []
 

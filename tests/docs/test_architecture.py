@@ -25,7 +25,9 @@ def read_table(page):
         allowed = {row[0]: (".h", ".cpp")}
         for part in row[1].split(";"):
             suffixes = (".cpp",) if SOURCES_ONLY in part else (".h", ".cpp")
-            allowed.update({name: suffixes for name in re.findall(r"`(\w+)/`|`(\w+\.h)`", part.replace(SOURCES_ONLY, "")) for name in name if name})
+            allowed.update(
+                {name: suffixes for name in re.findall(r"`(\w+)/`|`(\w+\.h)`", part.replace(SOURCES_ONLY, "")) for name in name if name}
+            )
         table[row[0]] = allowed
     return table
 
@@ -56,8 +58,10 @@ class Includes(unittest.TestCase):
 
 
 class Checker(unittest.TestCase):
-    TABLE = ("| folder | answers | may include |\n| --- | --- | --- |\n| `low/` | a | |\n"
-             "| `high/` | b | `low/`, `settings.h`; `aside/` from `.cpp` files |\n| `aside/` | c | `low/` |\n")
+    TABLE = (
+        "| folder | answers | may include |\n| --- | --- | --- |\n| `low/` | a | |\n"
+        "| `high/` | b | `low/`, `settings.h`; `aside/` from `.cpp` files |\n| `aside/` | c | `low/` |\n"
+    )
 
     def found(self, path, text):
         with tempfile.TemporaryDirectory() as folder:
@@ -96,7 +100,9 @@ class Checker(unittest.TestCase):
 def folders_of(folder):
     """Folders under version control, or all of an unpacked archive."""
     if (ROOT / ".git").exists() and shutil.which("git"):
-        listed = subprocess.run(["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=False)
+        listed = subprocess.run(
+            ["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=False
+        )
         if listed.returncode == 0:  # git refuses a repository of another user
             return sorted(listed.stdout.split())
     return sorted(str(path.relative_to(ROOT)) for path in (ROOT / folder).iterdir() if path.is_dir() and path.name != "__pycache__")
@@ -126,8 +132,12 @@ def same_names(paths):
 
 class Sources(unittest.TestCase):
     def test_names_are_unique(self):
-        sources = [path for folder in ("povray-src", "benchmarks", "experiments", "tests", "tools") for path in (ROOT / folder).rglob("*.*")
-                   if path.suffix in (".h", ".cpp")]
+        sources = [
+            path
+            for folder in ("povray-src", "benchmarks", "experiments", "tests", "tools")
+            for path in (ROOT / folder).rglob("*.*")
+            if path.suffix in (".h", ".cpp")
+        ]
         self.assertGreater(len(sources), 200)
         self.assertEqual(same_names(sources), [])
 

@@ -89,8 +89,11 @@ class SameItems(unittest.TestCase):
                 self.assertEqual(item.values == "on/off", limits.startswith("`on` or `off`"), item)
 
     def test_manual_sections(self):
-        sections = {word: text for heading, text in re.findall(r"\n### ([a-z_, ]+)\n(.*?)(?=\n##)", manual(), re.DOTALL)
-                    for word in heading.split(", ")}
+        sections = {
+            word: text
+            for heading, text in re.findall(r"\n### ([a-z_, ]+)\n(.*?)(?=\n##)", manual(), re.DOTALL)
+            for word in heading.split(", ")
+        }
         self.assertEqual([word for word in words() if word not in sections], [])
         for item, limits in ranged():
             self.assertIn(limits, sections[item.word].replace("Larger", "larger"), item.word)
@@ -102,8 +105,10 @@ class SameItems(unittest.TestCase):
 
     def test_manual_page(self):
         page = (ROOT / "docs" / "man" / "povray-tilt-lens.7").read_text().replace("\\-", "-")
-        entries = {re.match(r'\.BI? "?([a-z_]+)', entry)[1]: " ".join(entry.split())
-                   for entry in page.split(".SH ITEMS")[1].split(".SH QUALITY")[0].split("\n.TP\n")[1:]}
+        entries = {
+            re.match(r'\.BI? "?([a-z_]+)', entry)[1]: " ".join(entry.split())
+            for entry in page.split(".SH ITEMS")[1].split(".SH QUALITY")[0].split("\n.TP\n")[1:]
+        }
         self.check("docs/man/povray-tilt-lens.7", entries)
         for item, limits in ranged():
             self.assertIn(limits, entries[item.word].replace("Larger", "larger"), item.word)
@@ -149,8 +154,10 @@ class Code(unittest.TestCase):
                 text = f"tilt_lens {{ scene_unit 1000  f_stop 4  {text} }}"
             if "camera" not in text:
                 text = f"camera {{ right x*image_width/image_height location <0, 2, -6> look_at <0, 1, 0> {text} }}"
-            scene = ("#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare Ball = sphere { 0, 1 }\n"
-                     f"{text}\nsphere {{ <0, 1, 0>, 1 }}\n")
+            scene = (
+                "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare Ball = sphere { 0, 1 }\n"
+                f"{text}\nsphere {{ <0, 1, 0>, 1 }}\n"
+            )
             with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
                 (pathlib.Path(folder) / "scene.pov").write_text(scene)
                 command = povray_run.command(SETTINGS.povray, "scene.pov", None, (8, 6), library=[povray_run.INCLUDE])
@@ -161,10 +168,12 @@ class Code(unittest.TestCase):
 class Completion(unittest.TestCase):
     def offered(self, line, folder=ROOT):
         words = line if isinstance(line, list) else line.split(" ")
-        script = (f". '{EDITORS / 'bash' / 'povray-tilt-lens.bash'}'\n"
-                  f"COMP_WORDS=({' '.join(shlex.quote(word) for word in words)}) COMP_CWORD={len(words) - 1}\n"
-                  f"function=$(complete -p {words[0]} | sed 's/.*-F \\([^ ]*\\).*/\\1/')\n"
-                  "$function; printf '%s\\n' \"${COMPREPLY[@]}\"")
+        script = (
+            f". '{EDITORS / 'bash' / 'povray-tilt-lens.bash'}'\n"
+            f"COMP_WORDS=({' '.join(shlex.quote(word) for word in words)}) COMP_CWORD={len(words) - 1}\n"
+            f"function=$(complete -p {words[0]} | sed 's/.*-F \\([^ ]*\\).*/\\1/')\n"
+            "$function; printf '%s\\n' \"${COMPREPLY[@]}\""
+        )
         done = subprocess.run(["bash", "-c", script], cwd=folder, capture_output=True, text=True, timeout=PATIENCE, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""), line)
         return done.stdout.splitlines()
@@ -247,15 +256,25 @@ sphere { tilt, 1 texture { tilt } } } #declare swing = 1;
             folder = pathlib.Path(name)
             lines = self.SCENE.splitlines()
             (folder / "scene.pov").write_text("\n".join(lines[::2]))
-            wanted = {(row, column): mark for row, marks in enumerate(lines[1::2], 1)
-                      for column, mark in enumerate(marks, 1) if mark != " "}
+            wanted = {
+                (row, column): mark for row, marks in enumerate(lines[1::2], 1) for column, mark in enumerate(marks, 1) if mark != " "
+            }
             places = list(wanted)
             ask = " ".join(f"call add(g:n, synIDattr(synID({row}, {column}, 1), 'name')) |" for row, column in places)
-            script = (f"set runtimepath^={EDITORS / 'vim'} runtimepath+={EDITORS / 'vim' / 'after'}\nsyntax on\nedit scene.pov\n"
-                      f"let g:n = []\n{ask} call writefile(g:n, 'names')\nquit!\n")
+            script = (
+                f"set runtimepath^={EDITORS / 'vim'} runtimepath+={EDITORS / 'vim' / 'after'}\nsyntax on\nedit scene.pov\n"
+                f"let g:n = []\n{ask} call writefile(g:n, 'names')\nquit!\n"
+            )
             (folder / "ask.vim").write_text(script)
-            subprocess.run(["vim", "-u", "NONE", "-N", "-es", "-S", "ask.vim"], cwd=folder, env={**os.environ, "HOME": name},
-                           stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE, check=False)
+            subprocess.run(
+                ["vim", "-u", "NONE", "-N", "-es", "-S", "ask.vim"],
+                cwd=folder,
+                env={**os.environ, "HOME": name},
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                timeout=PATIENCE,
+                check=False,
+            )
             if not (folder / "names").exists():
                 self.skipTest("this Vim cannot run scripts")
             found = (folder / "names").read_text().split("\n")[:-1]

@@ -25,8 +25,11 @@ class Pictures(unittest.TestCase):
     def test_scenes(self):
         self.assertEqual({scene for scene, _, _ in figures.MADE.values()} - self.scenes, set())
         for name, (scene, options, _) in figures.MADE.items():
-            code = next(example.block.text for example in
-                        pages.examples_of(pages.blocks_of("manual.md", figures.MANUAL.read_text())) if example.name == scene)
+            code = next(
+                example.block.text
+                for example in pages.examples_of(pages.blocks_of("manual.md", figures.MANUAL.read_text()))
+                if example.name == scene
+            )
             for option in options:
                 if option.startswith("Declare="):
                     self.assertIn(f"#ifndef ({option.split('=')[1]})", code, f"{name}: {scene} ignores {option}")
@@ -38,7 +41,9 @@ class Pictures(unittest.TestCase):
 
 class Portraits(unittest.TestCase):
     def test_each_lens_is_shown(self):
-        self.assertEqual(lens_portraits.PAGE.read_text(encoding="utf-8"), lens_portraits.page(), "python3 -m tools.docs.lens_portraits --table")
+        self.assertEqual(
+            lens_portraits.PAGE.read_text(encoding="utf-8"), lens_portraits.page(), "python3 -m tools.docs.lens_portraits --table"
+        )
         made = {f"{lens}_{shape}.jpg" for lens in lens_portraits.lenses() for shape in lens_portraits.SHAPES}
         self.assertEqual({path.name for path in lens_portraits.PICTURES.iterdir()}, made)
         for path in lens_portraits.PICTURES.iterdir():
@@ -63,8 +68,7 @@ class Drawings(unittest.TestCase):
                 new, old = ((folder / f"{drawing}.svg").read_text() for folder in (pathlib.Path(name), figures.DRAWINGS))
                 if drawn_by(new) != drawn_by(old):
                     self.skipTest(f"{drawing}.svg was drawn by {drawn_by(old)}, and here is {drawn_by(new)}")
-                self.assertEqual(new, old,
-                                 f"{drawing}.svg is not what its script draws: python3 -m tools.docs.figures drawings {drawing}")
+                self.assertEqual(new, old, f"{drawing}.svg is not what its script draws: python3 -m tools.docs.figures drawings {drawing}")
 
     def test_each_is_shown(self):
         text = (ROOT / "docs" / "optics.md").read_text()

@@ -19,8 +19,11 @@ PULL = f"Tilt_Lens_Pull(clock, {EYE})"
 # From an upright plane through infinity to a plane that leans backward; swing to the left.
 ANGLES = ((0, 2.8, 0, 0, (0, 1, -2)), (0.3, 4, 6, 0, (0, 0, 2)), (0.7, 16, -4, 3, (3, 2, 40)), (1, 5.6, 8, -5, (-1, 0.2, -3)))
 # From a plane parallel to the film to the ground, then to a wall on the left.
-PLANES = ((0, 2.8, (0, 0, 0), (0, 2, 0), (1, 0, 0)), (0.4, 5.6, (0, 0, 0), (0, 0, 9), (1, 0, 0)),
-          (1, 4, (-2, 0, 0), (-2, 0, 9), (-2, 3, 0)))
+PLANES = (
+    (0, 2.8, (0, 0, 0), (0, 2, 0), (1, 0, 0)),
+    (0.4, 5.6, (0, 0, 0), (0, 0, 9), (1, 0, 0)),
+    (1, 4, (-2, 0, 0), (-2, 0, 9), (-2, 3, 0)),
+)
 
 
 def text(value):
@@ -57,10 +60,12 @@ def greatest_step(lenses):
 
 
 class FocusPull(rendering.RenderTest):
-    CAMERAS = (("Tilt_Lens_Key", ANGLES, f"{POINT}tilt_lens {{ focal_length 50 {PULL} }}"),
-               ("Tilt_Lens_Key", ANGLES, f"{POINT}angle 40 tilt_lens {{ shift <0, 3> {PULL} }}"),
-               ("Tilt_Lens_Key_Points", PLANES, f"tilt_lens {{ focal_length 35 {PULL} blades 7 }}"),
-               ("Tilt_Lens_Key_Points", PLANES, f"angle 40 tilt_lens {{ {PULL} }}"))
+    CAMERAS = (
+        ("Tilt_Lens_Key", ANGLES, f"{POINT}tilt_lens {{ focal_length 50 {PULL} }}"),
+        ("Tilt_Lens_Key", ANGLES, f"{POINT}angle 40 tilt_lens {{ shift <0, 3> {PULL} }}"),
+        ("Tilt_Lens_Key_Points", PLANES, f"tilt_lens {{ focal_length 35 {PULL} blades 7 }}"),
+        ("Tilt_Lens_Key_Points", PLANES, f"angle 40 tilt_lens {{ {PULL} }}"),
+    )
 
     def test_the_plane_never_jumps(self):
         """With twice as many frames, the greatest step is half as long; a jump would stay."""
@@ -93,7 +98,7 @@ class FocusPull(rendering.RenderTest):
                 self.assertLess(lens.off_plane((0, 1.6, distance - 6)), 1e-5, f"{weight}\n{lens.said}")
                 self.assertLess(abs(lens.turn[0] - 6 * weight), 1e-3, lens.said)
                 self.assertLess(abs(lens.turn[1] - (4 - 6 * weight)), 1e-3, lens.said)
-                self.assertLess(abs(lens.aperture[0] / (2 * 4 ** weight) - 1), 1e-3, lens.said)
+                self.assertLess(abs(lens.aperture[0] / (2 * 4**weight) - 1), 1e-3, lens.said)
 
     def test_planes_stay_between_the_keys(self):
         """The plane of each frame is on the straight line between those of two keys, and moves in one direction."""
@@ -111,16 +116,23 @@ class FocusPull(rendering.RenderTest):
     def test_a_moving_camera(self):
         """Keys are points of the scene: they are sharp wherever the camera has gone."""
         eye = "<clock, 1.6, -6 + 2*clock>"
-        lenses = film(keys("Tilt_Lens_Key_Points", ((0.2, 4, *PLANES[1][2:]), (0.5, 4, *PLANES[2][2:]))),
-                      f"angle 50 tilt_lens {{ Tilt_Lens_Pull(clock, {eye}) }}", 11, eye)
+        lenses = film(
+            keys("Tilt_Lens_Key_Points", ((0.2, 4, *PLANES[1][2:]), (0.5, 4, *PLANES[2][2:]))),
+            f"angle 50 tilt_lens {{ Tilt_Lens_Pull(clock, {eye}) }}",
+            11,
+            eye,
+        )
         for frame, points in ((0, PLANES[1]), (2, PLANES[1]), (5, PLANES[2]), (10, PLANES[2])):
             for point in points[2:]:
                 self.assertLess(lenses[frame].off_plane(point), 1e-5, lenses[frame].said)
 
     def test_through_infinity(self):
         rows = ((0, 4, (0, 0, -2), (0, 9, -2), (1, 0, -2)), (1, 4, (0, 0, -10), (0, 9, -10), (1, 0, -10)))
-        lenses = film(f"#declare Tilt_Lens_Ease = no;\n{keys('Tilt_Lens_Key_Points', rows)}",
-                      f"look_at <0, 1.6, 0> angle 40 tilt_lens {{ {PULL} }}", 5)
+        lenses = film(
+            f"#declare Tilt_Lens_Ease = no;\n{keys('Tilt_Lens_Key_Points', rows)}",
+            f"look_at <0, 1.6, 0> angle 40 tilt_lens {{ {PULL} }}",
+            5,
+        )
         for lens, expected in zip(lenses, (0.25, 0.125, 0, -0.125, -0.25)):
             self.assertLess(math.dist(plane(lens), (0, 0, expected)), 1e-5, lens.said)
 
@@ -136,29 +148,58 @@ class FocusPull(rendering.RenderTest):
         block = f"tilt_lens {{ {PULL} }}"
         angles, planes = keys("Tilt_Lens_Key", ANGLES), keys("Tilt_Lens_Key_Points", PLANES)
         for before, camera, words in (
-                ("", block, "Tilt_Lens_Pull: there is no key. Write Tilt_Lens_Key or Tilt_Lens_Key_Points before the camera."),
-                (angles, block,
-                 "Tilt_Lens_Pull: no focal_point for Time 0.0000. Before tilt_lens write focal_point Tilt_Lens_Pull_Point(Time, Location)."),
-                (angles, f"focal_point Tilt_Lens_Pull_Point(0.5, {EYE}) {block}", "no focal_point for Time 0.0000"),
-                (angles, f"{block} {POINT}", "Before tilt_lens write"),
-                (planes, f"{POINT}{block}", "Tilt_Lens_Pull_Point: keys by Tilt_Lens_Key_Points say all about the plane; leave focal_point out."),
-                (angles + "Tilt_Lens_Key(1, 4, 0, 0, 0)", block,
-                 "Time is 1.0000, but the key before it has 1.0000. Times must grow; sort the keys."),
-                (angles + "Tilt_Lens_Key(0.5, 4, 0, 0, 0)", block, "Time is 0.5000, but the key before it has 1.0000"),
-                (angles + "Tilt_Lens_Key_Points(2, 4, x, y, z)", block,
-                 "Tilt_Lens_Key_Points: the keys before are of the other kind. Use one kind, or #declare Tilt_Lens_Keys = 0; first."),
-                ("Tilt_Lens_Key(0, 0, 0, 0, 0)", block, "Tilt_Lens_Key: Stop is 0.0000. It must be larger than 0"),
-                ("Tilt_Lens_Key(0, 4, 1, -90, 0)", block,
-                 "at Time 0.0000 Tilt is 1.0000 and Swing -90.0000 degrees. Both must be between -90 and 90"),
-                ("Tilt_Lens_Key_Points(3, 4, 0, x, 2*x)", block,
-                 "Tilt_Lens_Key_Points: at Time 3.0000 the three points are on one line. A plane needs three that are not; move one."),
-                ("Tilt_Lens_Key_Points(3, 4, x, x, z)", block, "at Time 3.0000 the three points are on one line"),
-                (f"Tilt_Lens_Key_Points(3, 4, {EYE}, x, y)", block,
-                 "Tilt_Lens_Pull: the plane of the key at Time 3.0000 passes through Location. No lens can do that; move a point."),
-                (f"Tilt_Lens_Key(3, 4, 0, 0, {EYE})", POINT + block,
-                 "Subject of the key at Time 3.0000 is at Location. No lens can focus there; move it."),
-                ("#declare N = 0; #while (N < 101) Tilt_Lens_Key(N, 4, 0, 0, 0) #declare N = N + 1; #end", block,
-                 "there are 100 keys already, and no more are allowed; leave some out.")):
+            ("", block, "Tilt_Lens_Pull: there is no key. Write Tilt_Lens_Key or Tilt_Lens_Key_Points before the camera."),
+            (
+                angles,
+                block,
+                "Tilt_Lens_Pull: no focal_point for Time 0.0000. Before tilt_lens write focal_point Tilt_Lens_Pull_Point(Time, Location).",
+            ),
+            (angles, f"focal_point Tilt_Lens_Pull_Point(0.5, {EYE}) {block}", "no focal_point for Time 0.0000"),
+            (angles, f"{block} {POINT}", "Before tilt_lens write"),
+            (
+                planes,
+                f"{POINT}{block}",
+                "Tilt_Lens_Pull_Point: keys by Tilt_Lens_Key_Points say all about the plane; leave focal_point out.",
+            ),
+            (
+                angles + "Tilt_Lens_Key(1, 4, 0, 0, 0)",
+                block,
+                "Time is 1.0000, but the key before it has 1.0000. Times must grow; sort the keys.",
+            ),
+            (angles + "Tilt_Lens_Key(0.5, 4, 0, 0, 0)", block, "Time is 0.5000, but the key before it has 1.0000"),
+            (
+                angles + "Tilt_Lens_Key_Points(2, 4, x, y, z)",
+                block,
+                "Tilt_Lens_Key_Points: the keys before are of the other kind. Use one kind, or #declare Tilt_Lens_Keys = 0; first.",
+            ),
+            ("Tilt_Lens_Key(0, 0, 0, 0, 0)", block, "Tilt_Lens_Key: Stop is 0.0000. It must be larger than 0"),
+            (
+                "Tilt_Lens_Key(0, 4, 1, -90, 0)",
+                block,
+                "at Time 0.0000 Tilt is 1.0000 and Swing -90.0000 degrees. Both must be between -90 and 90",
+            ),
+            (
+                "Tilt_Lens_Key_Points(3, 4, 0, x, 2*x)",
+                block,
+                "Tilt_Lens_Key_Points: at Time 3.0000 the three points are on one line. A plane needs three that are not; move one.",
+            ),
+            ("Tilt_Lens_Key_Points(3, 4, x, x, z)", block, "at Time 3.0000 the three points are on one line"),
+            (
+                f"Tilt_Lens_Key_Points(3, 4, {EYE}, x, y)",
+                block,
+                "Tilt_Lens_Pull: the plane of the key at Time 3.0000 passes through Location. No lens can do that; move a point.",
+            ),
+            (
+                f"Tilt_Lens_Key(3, 4, 0, 0, {EYE})",
+                POINT + block,
+                "Subject of the key at Time 3.0000 is at Location. No lens can focus there; move it.",
+            ),
+            (
+                "#declare N = 0; #while (N < 101) Tilt_Lens_Key(N, 4, 0, 0, 0) #declare N = N + 1; #end",
+                block,
+                "there are 100 keys already, and no more are allowed; leave some out.",
+            ),
+        ):
             code, said = refusal(view + camera, before)
             self.assertNotEqual(code, 0, f"{before}{camera}\n{said}")
             self.assertIn(words, said, f"{before}{camera}: {said}")
@@ -166,9 +207,11 @@ class FocusPull(rendering.RenderTest):
 
     def test_wrong_kinds(self):
         """A value of another type is refused in the scene's own file and line."""
-        for before, words in (("Tilt_Lens_Key(0, 4, <1, 2, 3>, 0, 0)", "Tilt_Lens_Key: Tilt is a point <x, y, z>. It must be a number"),
-                              ('Tilt_Lens_Key(0, 4, 0, 0, "tree")', "Tilt_Lens_Key: Subject is a text. It must be a point"),
-                              ("Tilt_Lens_Key_Points(<0, 0, 0>, 4, 0, x, y)", "Tilt_Lens_Key_Points: Time is a point <x, y, z>. It must be")):
+        for before, words in (
+            ("Tilt_Lens_Key(0, 4, <1, 2, 3>, 0, 0)", "Tilt_Lens_Key: Tilt is a point <x, y, z>. It must be a number"),
+            ('Tilt_Lens_Key(0, 4, 0, 0, "tree")', "Tilt_Lens_Key: Subject is a text. It must be a point"),
+            ("Tilt_Lens_Key_Points(<0, 0, 0>, 4, 0, x, y)", "Tilt_Lens_Key_Points: Time is a point <x, y, z>. It must be"),
+        ):
             code, said = refusal("tilt_lens {}", before)
             self.assertNotEqual(code, 0, said)
             self.assertIn(words, said)

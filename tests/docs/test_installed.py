@@ -22,8 +22,9 @@ NOT_INSTALLED = re.compile(r"(\.\./)?(cmake|tests|experiments|benchmarks|povray-
 
 def formatted(page):
     """A manual page as plain text, and groff's complaints."""
-    done = subprocess.run(["groff", "-ww", "-man", "-Tutf8", "-P-cbou", str(page)], capture_output=True, text=True, timeout=PATIENCE,
-                          check=True)
+    done = subprocess.run(
+        ["groff", "-ww", "-man", "-Tutf8", "-P-cbou", str(page)], capture_output=True, text=True, timeout=PATIENCE, check=True
+    )
     return done.stdout, done.stderr
 
 
@@ -32,8 +33,12 @@ class Installed(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="tilt_lens.")
         cls.prefix = pathlib.Path(cls.folder.name) / "with a blank"
-        subprocess.run([SETTINGS.cmake, "--install", SETTINGS.build, "--prefix", str(cls.prefix)], stdout=subprocess.DEVNULL,
-                       timeout=PATIENCE, check=True)
+        subprocess.run(
+            [SETTINGS.cmake, "--install", SETTINGS.build, "--prefix", str(cls.prefix)],
+            stdout=subprocess.DEVNULL,
+            timeout=PATIENCE,
+            check=True,
+        )
         cls.doc = cls.prefix / "share" / "doc" / "povray-tilt-lens"
 
     @classmethod
@@ -103,8 +108,12 @@ class Installed(unittest.TestCase):
     def test_denoise_is_described_as_in_the_manual(self):
         text = " ".join(formatted(ROOT / "docs" / "man" / "povray-tilt-lens.7")[0].split())
         manual = (ROOT / "docs" / "manual.md").read_text().split("### denoise", 1)[1].split("\n## ", 1)[0]
-        for words in ("noise is removed from the picture by filters", "A number works too, 0 is off.", "the mean of its own rays alone",
-                      "variance 0"):
+        for words in (
+            "noise is removed from the picture by filters",
+            "A number works too, 0 is off.",
+            "the mean of its own rays alone",
+            "variance 0",
+        ):
             self.assertIn(words, text)
             self.assertIn(words.lower().rstrip("."), manual.replace("`", "").lower())
 

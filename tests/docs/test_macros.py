@@ -78,8 +78,7 @@ class Macros(rendering.RenderTest):
     VIEW = "location <0, 2, -6> look_at <0, 1, 0> "
 
     def assert_close(self, found, expected, relative, what):
-        self.assertLessEqual(abs(found - expected), relative * max(abs(expected), 1e-3),
-                             f"{what}: found {found:g}, expected {expected:g}")
+        self.assertLessEqual(abs(found - expected), relative * max(abs(expected), 1e-3), f"{what}: found {found:g}, expected {expected:g}")
 
     def test_formats(self):
         """Widths follow from the sides in the manual's table, for pictures of several proportions."""
@@ -95,8 +94,7 @@ class Macros(rendering.RenderTest):
 
     def test_film_width_reaches_the_lens(self):
         """An angle of 90 degrees has the film half its width away."""
-        lens = report(self.VIEW + "angle 90 tilt_lens { film_width Tilt_Lens_Film_Width(Tilt_Lens_Film_4x5) f_stop 8 }",
-                      size=(24, 36))
+        lens = report(self.VIEW + "angle 90 tilt_lens { film_width Tilt_Lens_Film_Width(Tilt_Lens_Film_4x5) f_stop 8 }", size=(24, 36))
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
@@ -111,12 +109,15 @@ class Macros(rendering.RenderTest):
             self.assert_close(fit.focal[0], focal, 1e-4, macro)
             self.assert_close(fit.aperture[0], stop, 1e-4, macro)
             self.assert_close(fit.turn[0], tilt, 1e-4, macro)
-            past = {f"opens to f/{stop:.1f} only": (stop * 0.99, 0, 0, 0, 0),
-                    f"turned by {tilt * 1.02:.2f} degrees; the real one stops at {tilt:.1f}": (stop, -tilt * 1.02, 0, 0, 0),
-                    f"mm; the real one stops at {shift:.1f}": (stop, 0, 0, shift * 0.8, -shift * 0.8)}
-            cameras = "".join(f"#declare C = camera {{ {self.VIEW}{macro}({n}, {a}, {t}, {s}, <{right}, {up}>) }}\n"
-                              for n, (a, t, s, right, up) in enumerate([*past.values(), (stop, 0.72 * tilt, 0.72 * tilt, 0, 0)],
-                                                                       1000))
+            past = {
+                f"opens to f/{stop:.1f} only": (stop * 0.99, 0, 0, 0, 0),
+                f"turned by {tilt * 1.02:.2f} degrees; the real one stops at {tilt:.1f}": (stop, -tilt * 1.02, 0, 0, 0),
+                f"mm; the real one stops at {shift:.1f}": (stop, 0, 0, shift * 0.8, -shift * 0.8),
+            }
+            cameras = "".join(
+                f"#declare C = camera {{ {self.VIEW}{macro}({n}, {a}, {t}, {s}, <{right}, {up}>) }}\n"
+                for n, (a, t, s, right, up) in enumerate([*past.values(), (stop, 0.72 * tilt, 0.72 * tilt, 0, 0)], 1000)
+            )
             said = report(self.VIEW, cameras).said
             self.assertEqual(said.count("Warning:"), 4, f"{macro}: {said}")
             self.assertEqual(said.count(f"degrees; the real one stops at {tilt:.1f}"), 2, f"{macro}: {said}")
@@ -142,7 +143,11 @@ class Macros(rendering.RenderTest):
             self.assertIn("shift <1, 2> mm", stopped.said)
 
     def test_character(self):
-        for macro, words in (("Fast(2)", "Edge light...........0.35"), ("Anamorphic()", "squeezed to 0.5 of its width"), ("Soft()", "in the middle")):
+        for macro, words in (
+            ("Fast(2)", "Edge light...........0.35"),
+            ("Anamorphic()", "squeezed to 0.5 of its width"),
+            ("Soft()", "in the middle"),
+        ):
             said = report(f"{self.VIEW}tilt_lens {{ focal_length 50 f_stop 2 tilt 2 Tilt_Lens_Character_{macro} }}").said
             self.assertIn(words, said)
             self.assertNotIn("Warning:", said)
@@ -157,16 +162,17 @@ class Macros(rendering.RenderTest):
 
     def test_hinge_tilt(self):
         for hinge in (300, -450):
-            lens = report(f"{self.VIEW}tilt_lens {{ focal_length 50 f_stop 4 scene_unit 100 "
-                          f"tilt Tilt_Lens_Hinge_Tilt(50, {hinge}) }}")
+            lens = report(f"{self.VIEW}tilt_lens {{ focal_length 50 f_stop 4 scene_unit 100 " f"tilt Tilt_Lens_Hinge_Tilt(50, {hinge}) }}")
             self.assert_close(lens.hinge[0], abs(hinge) / 100, 1e-4, "hinge distance")
             self.assertEqual(lens.turn[0] > 0, hinge > 0)
 
     def test_ground_tilt(self):
         """Lens 340 mm above a ground, looking at a point of it."""
         pitch = math.degrees(math.atan2(340, 1000))
-        lens = report("location <0, 34, -100> look_at 0 tilt_lens { focal_length 50 f_stop 4 scene_unit 10 "
-                      f"tilt Tilt_Lens_Ground_Tilt(50, 340, {pitch}) }}")
+        lens = report(
+            "location <0, 34, -100> look_at 0 tilt_lens { focal_length 50 f_stop 4 scene_unit 10 "
+            f"tilt Tilt_Lens_Ground_Tilt(50, 340, {pitch}) }}"
+        )
         self.assert_close(abs(lens.normal[1]), 1, 1e-5, "the plane's normal")
         for point in ((0, 0, 0), (50, 0, 300), (-20, 0, -60)):
             self.assertLess(lens.off_plane(point), 1e-4, f"{point}\n{lens.said}")
@@ -175,9 +181,12 @@ class Macros(rendering.RenderTest):
         """Slightly beyond that distance, depth of field extends from half of it to infinity; slightly nearer, it
         does not."""
         for factor in (1.001, 0.999):
-            lens = report("location 0 look_at z "
-                          "focal_point z*Tilt_Lens_Hyperfocal(50, 8, Tilt_Lens_Pixel(Tilt_Lens_Film_Full_Frame))"
-                          f"/1000*{factor} tilt_lens {{ focal_length 50 f_stop 8 }}", size=(1200, 800))
+            lens = report(
+                "location 0 look_at z "
+                "focal_point z*Tilt_Lens_Hyperfocal(50, 8, Tilt_Lens_Pixel(Tilt_Lens_Film_Full_Frame))"
+                f"/1000*{factor} tilt_lens {{ focal_length 50 f_stop 8 }}",
+                size=(1200, 800),
+            )
             expected = (50 * 50 / (8 * 36 / 1200) + 50) / 1000
             self.assertEqual(math.isinf(lens.range[1]), factor > 1, lens.said)
             self.assert_close(lens.range[0], expected / 2, 2e-3, "near limit")
@@ -188,14 +197,17 @@ class Macros(rendering.RenderTest):
             lens = report(f"{self.VIEW}tilt_lens {{ f_stop 4 Tilt_Lens_Turned({angle}, {rotation}) }}")
             tilt, swing = (math.tan(math.radians(v)) for v in lens.turn)
             self.assert_close(math.hypot(tilt, swing), math.tan(math.radians(abs(angle))), 1e-4, "angle")
-            self.assert_close(math.cos(math.atan2(swing, tilt) - math.radians(rotation + (180 if angle < 0 else 0))), 1,
-                              1e-6, f"rotation {rotation}")
+            self.assert_close(
+                math.cos(math.atan2(swing, tilt) - math.radians(rotation + (180 if angle < 0 else 0))), 1, 1e-6, f"rotation {rotation}"
+            )
 
     def test_miniature(self):
         eye, town = (-80, 133, -192), (22, 0, 26)
         text = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (eye, town)]
-        lenses = {strength: report(f"location {text[0]} look_at {text[1]} angle 39 "
-                                   f"Tilt_Lens_Miniature({text[0]}, {text[1]}, {strength})") for strength in (1, 2)}
+        lenses = {
+            strength: report(f"location {text[0]} look_at {text[1]} angle 39 " f"Tilt_Lens_Miniature({text[0]}, {text[1]}, {strength})")
+            for strength in (1, 2)
+        }
         self.assert_close(lenses[2].aperture[1] / lenses[1].aperture[1], 2, 1e-4, "blur of twice the strength")
         self.assertLess(abs(lenses[1].normal[1]), 1e-4, f"the plane is not upright: {lenses[1].said}")
         self.assertLess(lenses[1].off_plane(town), 1e-4, lenses[1].said)
@@ -208,8 +220,9 @@ class Macros(rendering.RenderTest):
         lens = report("location <0, 1.6, -4> look_at <0, 0.2, 3> angle 40 Tilt_Lens_On_Ground(0.2, 100, 4)")
         for point in ((0, 0.2, 0), (3, 0.2, 30)):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
-        lens = report("sky z location <0, -4, 1.6> look_at <0, 3, 0> angle 40 Tilt_Lens_On_Ground(0, 100, 4)",
-                      "#declare Tilt_Lens_Sky = z;")
+        lens = report(
+            "sky z location <0, -4, 1.6> look_at <0, 3, 0> angle 40 Tilt_Lens_On_Ground(0, 100, 4)", "#declare Tilt_Lens_Sky = z;"
+        )
         for point in ((0, 0, 0), (3, 30, 0)):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
@@ -217,8 +230,10 @@ class Macros(rendering.RenderTest):
         """For any positions left and right; the lens has no swing."""
         for near, far in (((-1, 0.2, 0), (4, 3, 20)), ((0.5, 1, 1), (0.5, 0, 9)), ((2, 2, 5), (-3, 0, 12))):
             places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (near, far)]
-            lens = report(f"location <1, 2, -6> look_at <0, 1, 5> angle 40 Tilt_Lens_Near_Far(<1, 2, -6>, <0, 1, 5>, "
-                          f"{places[0]}, {places[1]}, 100, 4)")
+            lens = report(
+                f"location <1, 2, -6> look_at <0, 1, 5> angle 40 Tilt_Lens_Near_Far(<1, 2, -6>, <0, 1, 5>, "
+                f"{places[0]}, {places[1]}, 100, 4)"
+            )
             self.assert_close(lens.turn[1], 0, 1e-6, f"swing\n{lens.said}")
             self.assertNotEqual(lens.turn[0], 0)
             for point in (near, far):
@@ -226,12 +241,15 @@ class Macros(rendering.RenderTest):
 
     def columns(self, camera):
         """Columns of two vertical poles, at the top and at the bottom, and of a ball's centre."""
-        poles = "".join(f"cylinder {{ <{x}, -50, 0>, <{x}, 50, 0>, 0.1 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
-                        for x, colour in ((-5, "x"), (5, "z")))
+        poles = "".join(
+            f"cylinder {{ <{x}, -50, 0>, <{x}, 50, 0>, 0.1 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
+            for x, colour in ((-5, "x"), (5, "z"))
+        )
         ball = "sphere { <0, 9, 0>, 0.5 pigment { rgb y } finish { emission 1 } }\n"
         rendering.SETTINGS.library = [povray_run.INCLUDE]
-        picture, _ = rendering.render_and_listen(f"{INCLUDE}camera {{ {RIGHT}{camera} }}\n{poles}{ball}", "+A0.01", "+R4",
-                                                 width=161, height=121)
+        picture, _ = rendering.render_and_listen(
+            f"{INCLUDE}camera {{ {RIGHT}{camera} }}\n{poles}{ball}", "+A0.01", "+R4", width=161, height=121
+        )
         rows = []
         for part in (range(10), range(picture.height - 10, picture.height)):
             for colour in (0, 2):
@@ -246,9 +264,11 @@ class Macros(rendering.RenderTest):
     def test_upright(self):
         """Poles are vertical, and the look_at point is in the centre."""
         eye, top = "<0, 1.7, -22>", "<0, 9, 0>"
-        for camera in (f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 0)",
-                       f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 8) blur_samples 64",
-                       f"Tilt_Lens_Real_Upright(Tilt_Lens_TS_24, 1000, 22, {eye}, {top}) blur_samples 64"):
+        for camera in (
+            f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 0)",
+            f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 8) blur_samples 64",
+            f"Tilt_Lens_Real_Upright(Tilt_Lens_TS_24, 1000, 22, {eye}, {top}) blur_samples 64",
+        ):
             rows, middle = self.columns(camera)
             for i in (0, 1):
                 self.assertLess(abs(rows[i] - rows[2 + i]), 0.05, f"{camera}: a pole leans: {rows}")
@@ -291,32 +311,35 @@ class Macros(rendering.RenderTest):
         """Each message has the macro, the fault and the allowed values."""
         eye = "location <0, 2, -6> look_at 0 "
         for camera, words in (
-                (eye + "Tilt_Lens_Miniature(<0, 2, -6>, 0, 0)", "Tilt_Lens_Miniature: Strength is 0.0000. It must be larger"),
-                (eye + "Tilt_Lens_Miniature(<0, 2, -6>, 0, -1)", "Strength is -1.0000"),
-                (eye + "Tilt_Lens_Miniature(<0, 2, -6>, <0, 2, -6>, 1)", "Location and Subject are the same point"),
-                (eye + "Tilt_Lens_Miniature(<0, 2, -6>, <0, 0, -6>, 1)", "it goes straight up or down (-90.00 degrees)"),
-                (eye + "Tilt_Lens_Upright(<0, 2, -6>, <0, 9, -6>, 40, 1, 0)", "straight up or down (90.00 degrees)"),
-                (eye + "Tilt_Lens_Upright(<0, 2, -6>, <0, 9, 0>, 180, 1, 0)", "Angle is 180.0000 degrees. It must be"),
-                (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <2, 0, 0>, 1, 4)", "lie side by side"),
-                (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <1, 0, 0>, 1, 4)", "lie side by side"),
-                (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 0, 0>, 40, 1, 4)", "Tilt_Lens_Product: Near"),
-                (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 1, 0>, 0, 1, 4)", "Tilt_Lens_Product: Angle is 0.0000"),
-                (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 1, 0>, 40, 1, 0)", "Tilt_Lens_Product: Stop is 0.0000"),
-                (eye + "Tilt_Lens_Real_Ring(Tilt_Lens_TS_24, 1000, 4, 0, 0, <0, 0>, 0.05)",
-                 "Tilt_Lens_Real_Ring: Distance is 0.0500 units (50.0 mm). It must be at least four focal lengths, 96 mm."),
-                (eye + "Tilt_Lens_Real(array[3] { 1, 2, 3 }, 1, 4, 0, 0, <0, 0>)", "an array of four"),
-                (eye + "Tilt_Lens_Glass_Minolta_50(1000, -1, 0, 0, <0, 0>)", "Stop is -1.0000. Neither may be less than 0"),
-                (eye + "Tilt_Lens_Canon_TS_E_24(1000, 0, 0, 0, <0, 0>)", "Stop is 0.0000. It must be larger than 0"),
-                (eye + "Tilt_Lens_Real_Upright(Tilt_Lens_TS_24, 1, 4, <0, 2, -6>, <0, 3, 0>)", "forms no picture of it"),
-                (eye + "tilt_lens { film_width Tilt_Lens_Film_Width(array[3] { 1, 2, 3 }) }", "an array of two lengths"),
-                (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Hinge_Tilt(50, 50) }", "nearer than the focal length"),
-                (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Hinge_Tilt(0, 50) }", "Focal_Length is 0.0000"),
-                (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Ground_Tilt(50, 340, 90) }", "Pitch is 90.00 degrees. Up to 89"),
-                (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Ground_Tilt(50, -3, 9) }", "Height is -3.0000"),
-                (eye + "tilt_lens { f_stop 4 Tilt_Lens_Turned(90, 0) }", "Angle is 90.0000 degrees. It must be between"),
-                (eye + "focal_point z*Tilt_Lens_Hyperfocal(50, 8, 0) tilt_lens {}", "Circle is 0.0000"),
-                (eye + "tilt_lens { shift <0, Tilt_Lens_Rise(<0, 0, 0>, <0, 1, 0>, 24)> }", "straight up or down"),
-                (eye + "tilt_lens { shift <0, Tilt_Lens_Rise(<0, 0, 0>, <0, 1, 1>, 0)> }", "Film_Distance is 0.0000")):
+            (eye + "Tilt_Lens_Miniature(<0, 2, -6>, 0, 0)", "Tilt_Lens_Miniature: Strength is 0.0000. It must be larger"),
+            (eye + "Tilt_Lens_Miniature(<0, 2, -6>, 0, -1)", "Strength is -1.0000"),
+            (eye + "Tilt_Lens_Miniature(<0, 2, -6>, <0, 2, -6>, 1)", "Location and Subject are the same point"),
+            (eye + "Tilt_Lens_Miniature(<0, 2, -6>, <0, 0, -6>, 1)", "it goes straight up or down (-90.00 degrees)"),
+            (eye + "Tilt_Lens_Upright(<0, 2, -6>, <0, 9, -6>, 40, 1, 0)", "straight up or down (90.00 degrees)"),
+            (eye + "Tilt_Lens_Upright(<0, 2, -6>, <0, 9, 0>, 180, 1, 0)", "Angle is 180.0000 degrees. It must be"),
+            (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <2, 0, 0>, 1, 4)", "lie side by side"),
+            (eye + "Tilt_Lens_Near_Far(<0, 2, -6>, 0, <1, 0, 0>, <1, 0, 0>, 1, 4)", "lie side by side"),
+            (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 0, 0>, 40, 1, 4)", "Tilt_Lens_Product: Near"),
+            (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 1, 0>, 0, 1, 4)", "Tilt_Lens_Product: Angle is 0.0000"),
+            (eye + "Tilt_Lens_Product(<0, 2, -6>, <0, 1, 0>, <1, 0, 0>, <2, 1, 0>, 40, 1, 0)", "Tilt_Lens_Product: Stop is 0.0000"),
+            (
+                eye + "Tilt_Lens_Real_Ring(Tilt_Lens_TS_24, 1000, 4, 0, 0, <0, 0>, 0.05)",
+                "Tilt_Lens_Real_Ring: Distance is 0.0500 units (50.0 mm). It must be at least four focal lengths, 96 mm.",
+            ),
+            (eye + "Tilt_Lens_Real(array[3] { 1, 2, 3 }, 1, 4, 0, 0, <0, 0>)", "an array of four"),
+            (eye + "Tilt_Lens_Glass_Minolta_50(1000, -1, 0, 0, <0, 0>)", "Stop is -1.0000. Neither may be less than 0"),
+            (eye + "Tilt_Lens_Canon_TS_E_24(1000, 0, 0, 0, <0, 0>)", "Stop is 0.0000. It must be larger than 0"),
+            (eye + "Tilt_Lens_Real_Upright(Tilt_Lens_TS_24, 1, 4, <0, 2, -6>, <0, 3, 0>)", "forms no picture of it"),
+            (eye + "tilt_lens { film_width Tilt_Lens_Film_Width(array[3] { 1, 2, 3 }) }", "an array of two lengths"),
+            (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Hinge_Tilt(50, 50) }", "nearer than the focal length"),
+            (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Hinge_Tilt(0, 50) }", "Focal_Length is 0.0000"),
+            (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Ground_Tilt(50, 340, 90) }", "Pitch is 90.00 degrees. Up to 89"),
+            (eye + "tilt_lens { f_stop 4 tilt Tilt_Lens_Ground_Tilt(50, -3, 9) }", "Height is -3.0000"),
+            (eye + "tilt_lens { f_stop 4 Tilt_Lens_Turned(90, 0) }", "Angle is 90.0000 degrees. It must be between"),
+            (eye + "focal_point z*Tilt_Lens_Hyperfocal(50, 8, 0) tilt_lens {}", "Circle is 0.0000"),
+            (eye + "tilt_lens { shift <0, Tilt_Lens_Rise(<0, 0, 0>, <0, 1, 0>, 24)> }", "straight up or down"),
+            (eye + "tilt_lens { shift <0, Tilt_Lens_Rise(<0, 0, 0>, <0, 1, 1>, 0)> }", "Film_Distance is 0.0000"),
+        ):
             code, said = refusal(camera)
             self.assertNotEqual(code, 0, f"{camera}\n{said}")
             self.assertIn(words, said, f"{camera}: {said}")
@@ -325,14 +348,17 @@ class Macros(rendering.RenderTest):
     def test_wrong_kinds(self):
         """A value of another type is refused at its place, with macro, argument and the allowed type."""
         for camera, words in (
-                ("Tilt_Lens_Canon_TS_E_24(1000, 5.6, 0, 0, 8)",
-                 "Tilt_Lens_Canon_TS_E_24: Shift is a number. It must be a vector of two numbers; write for example <0, 8>."),
-                ("Tilt_Lens_Glass(50, 0, 1000, 0, 0, 0, <0, 8>)", "Tilt_Lens_Glass: File is a number. It must be a text; write for example"),
-                ("Tilt_Lens_Real(24, 1000, 5.6, 0, 0, <0, 8>)", "Tilt_Lens_Real: Lens is a number. It must be an array"),
-                ("Tilt_Lens_Miniature(<0, 2, -6>, <0, 0, 0>, <1, 2, 3>)", "Strength is a point <x, y, z>. It must be a number"),
-                ('Tilt_Lens_Upright("here", <0, 9, 0>, 50, 1000, 0)', "Tilt_Lens_Upright: Location is a text. It must be a point"),
-                ("Tilt_Lens_On_Ground(0, 1000, Tilt_Lens_TS_24)", "Tilt_Lens_On_Ground: Stop is an array. It must be a number"),
-                ("tilt_lens { film_width Tilt_Lens_Film_Width(36) }", "Tilt_Lens_Film_Width: Film is a number. It must be an array")):
+            (
+                "Tilt_Lens_Canon_TS_E_24(1000, 5.6, 0, 0, 8)",
+                "Tilt_Lens_Canon_TS_E_24: Shift is a number. It must be a vector of two numbers; write for example <0, 8>.",
+            ),
+            ("Tilt_Lens_Glass(50, 0, 1000, 0, 0, 0, <0, 8>)", "Tilt_Lens_Glass: File is a number. It must be a text; write for example"),
+            ("Tilt_Lens_Real(24, 1000, 5.6, 0, 0, <0, 8>)", "Tilt_Lens_Real: Lens is a number. It must be an array"),
+            ("Tilt_Lens_Miniature(<0, 2, -6>, <0, 0, 0>, <1, 2, 3>)", "Strength is a point <x, y, z>. It must be a number"),
+            ('Tilt_Lens_Upright("here", <0, 9, 0>, 50, 1000, 0)', "Tilt_Lens_Upright: Location is a text. It must be a point"),
+            ("Tilt_Lens_On_Ground(0, 1000, Tilt_Lens_TS_24)", "Tilt_Lens_On_Ground: Stop is an array. It must be a number"),
+            ("tilt_lens { film_width Tilt_Lens_Film_Width(36) }", "Tilt_Lens_Film_Width: Film is a number. It must be an array"),
+        ):
             code, said = refusal("location <0, 2, -6> look_at 0 " + camera)
             self.assertNotEqual(code, 0, f"{camera}\n{said}")
             joined = " ".join(said.split())
@@ -348,8 +374,10 @@ class Macros(rendering.RenderTest):
 
     def test_facade(self):
         """The rectangle fills the picture, all of it sharp, from any camera."""
-        corners = "".join(f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
-                          for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z")))
+        corners = "".join(
+            f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
+            for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z"))
+        )
         rendering.SETTINGS.library = [povray_run.INCLUDE]
         for eye in ("<4, 5.5, -20>", "<-3, 1.7, -15>", "<10, 8, -12>"):
             camera = f"Tilt_Lens_Facade({eye}, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>, 1000, 0)"
@@ -362,11 +390,13 @@ class Macros(rendering.RenderTest):
         lens = report("Tilt_Lens_Facade(<-3, 1.7, -15>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>, 1000, 4)")
         for point in ((-4, 1, 3), (12, 10, 3)):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
-        for camera, words in (("<0, 0, 3>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>", "Location is 0.0000 units before the facade"),
-                              ("<0, 0, 9>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>", "Lower_Left is to the right of Lower_Right"),
-                              ("<0, 0, -9>, <12, 1, 3>, <-4, 1, 3>, <12, 10, 3>", "Lower_Left is to the right of Lower_Right"),
-                              ("<0, 0, -9>, <-4, 1, 3>, <12, 1, 3>, <0, 10, 3>", "angle at Lower_Left is 66.038 degrees. It must be 90"),
-                              ("<0, 0, -9>, <-4, 1, 3>, <-4, 1, 3>, <-4, 10, 3>", "two of the corners are the same point")):
+        for camera, words in (
+            ("<0, 0, 3>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>", "Location is 0.0000 units before the facade"),
+            ("<0, 0, 9>, <-4, 1, 3>, <12, 1, 3>, <-4, 10, 3>", "Lower_Left is to the right of Lower_Right"),
+            ("<0, 0, -9>, <12, 1, 3>, <-4, 1, 3>, <12, 10, 3>", "Lower_Left is to the right of Lower_Right"),
+            ("<0, 0, -9>, <-4, 1, 3>, <12, 1, 3>, <0, 10, 3>", "angle at Lower_Left is 66.038 degrees. It must be 90"),
+            ("<0, 0, -9>, <-4, 1, 3>, <-4, 1, 3>, <-4, 10, 3>", "two of the corners are the same point"),
+        ):
             said = " ".join(refusal(f"Tilt_Lens_Facade({camera}, 1000, 0)")[1].split())
             self.assertIn(words, said, f"{camera}: {said}")
 
@@ -374,11 +404,14 @@ class Macros(rendering.RenderTest):
         """The corners are as seen by the camera, for any directions of right and sky."""
         rendering.SETTINGS.library = [povray_run.INCLUDE]
         for upward, forward, hand in (("y", "z", "x"), ("y", "-z", "-x"), ("z", "y", "-x"), ("z", "-y", "x")):
+
             def place(a, b, c, upward=upward, forward=forward):
                 return f"({a}*x + {b}*{upward} + {c}*{forward})"
 
-            marks = "".join(f"sphere {{ {place(a, b, 3)}, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
-                            for a, b, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z")))
+            marks = "".join(
+                f"sphere {{ {place(a, b, 3)}, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
+                for a, b, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z"))
+            )
             corners = f"{place(-4, 1, 3)}, {place(12, 1, 3)}, {place(-4, 10, 3)}"
             for moved in ("", "rotate <10, 40, 20>"):
                 camera = f"camera {{ right {hand}*image_width/image_height Tilt_Lens_Facade({place(-3, 1.7, -15)}, {corners}, 1000, 0) {moved} }}"

@@ -20,7 +20,7 @@ def fenced(body, above="", language="povray"):
 
 class Convention(unittest.TestCase):
     def test_whole_scene(self):
-        example, = read(fenced("// tilt.pov: a board\n#version 3.7;\ncamera {}"))
+        (example,) = read(fenced("// tilt.pov: a board\n#version 3.7;\ncamera {}"))
         self.assertEqual((example.kind, example.name, example.block.line), ("whole", "tilt.pov", 3))
 
     def test_code_without_a_comment_is_refused(self):
@@ -33,14 +33,14 @@ class Convention(unittest.TestCase):
 
     def test_kinds(self):
         for kind in ("camera items", "tilt_lens items", "scene", "not rendered, it is upstream's"):
-            example, = read(fenced("tilt 3", f"<!-- example: {kind} -->\n"))
+            (example,) = read(fenced("tilt 3", f"<!-- example: {kind} -->\n"))
             self.assertEqual(example.kind, kind.split(",")[0])
         for kind in ("camera", "not rendered", "not rendered, ", "camera items; shouts: x", "camera items; says"):
             with self.assertRaises(pages.BadPage, msg=kind):
                 read(fenced("tilt 3", f"<!-- example: {kind} -->\n"))
 
     def test_expectations(self):
-        example, = read(fenced("tilt 3", "<!-- example: scene; says: f/4, 3; warns: a; warns: b -->\n"))
+        (example,) = read(fenced("tilt 3", "<!-- example: scene; says: f/4, 3; warns: a; warns: b -->\n"))
         self.assertEqual(example.expected, {"says": ["f/4, 3"], "warns": ["a", "b"], "fails": []})
 
     def test_two_scenes_of_one_name(self):
@@ -52,7 +52,7 @@ class Convention(unittest.TestCase):
             read("Text\n```povray\ncamera {}\n")
 
     def test_fence_in_a_list(self):
-        example, = read("- item\n\n  ```povray\n  #version 3.7;\n    sphere {}\n  ```\n")
+        (example,) = read("- item\n\n  ```povray\n  #version 3.7;\n    sphere {}\n  ```\n")
         self.assertEqual(example.block.text, "#version 3.7;\n  sphere {}\n")
 
     def test_other_languages_are_no_examples(self):
@@ -65,14 +65,17 @@ class Commands(unittest.TestCase):
         self.assertEqual(pages.commands_of("p", text), [(3, "./render a.pov +W640"), (6, "cd x"), (7, "make all")])
 
     def test_rendered(self):
-        self.assertEqual(examples.rendered_command("./render scenes/a.pov +W640 +H360 Declare=T=1 +A0.1", []),
-                         ("scenes/a.pov", ["Declare=T=1", "+A0.1"]))
+        self.assertEqual(
+            examples.rendered_command("./render scenes/a.pov +W640 +H360 Declare=T=1 +A0.1", []), ("scenes/a.pov", ["Declare=T=1", "+A0.1"])
+        )
         for command in ("./render SCENE.pov", "./render page.pov", "./check -L unit", "./render", "ls a.pov"):
             self.assertIsNone(examples.rendered_command(command, ["page.pov"]), command)
 
     def test_missing_program(self):
-        self.assertEqual(list(links.check_commands("    ./render\n    cmake/setup.sh\n", "p")),
-                         ["line 2: 'cmake/setup.sh' runs cmake/setup.sh, which is not a program here"])
+        self.assertEqual(
+            list(links.check_commands("    ./render\n    cmake/setup.sh\n", "p")),
+            ["line 2: 'cmake/setup.sh' runs cmake/setup.sh, which is not a program here"],
+        )
         self.assertEqual(len(list(links.check_commands("    experiments/nothing --all\n", "p"))), 1)
 
 
@@ -96,7 +99,7 @@ class Links(unittest.TestCase):
 
 class Outcome(unittest.TestCase):
     def wrong(self, above, code, said, picture):
-        example, = read(fenced("tilt 3", above))
+        (example,) = read(fenced("tilt 3", above))
         return list(examples.wrong_with(example, code, said, picture))
 
     def test_well(self):
@@ -106,12 +109,16 @@ class Outcome(unittest.TestCase):
 
     def test_each_fault(self):
         plain = "<!-- example: scene -->\n"
-        for above, code, said, picture in ((plain, 1, "", False), (plain, None, "", True), (plain, 0, "", False),
-                                           (plain, 0, "Parse Warning: oh", True),
-                                           ("<!-- example: scene; says: a -->\n", 0, "b", True),
-                                           ("<!-- example: scene; warns: a -->\n", 0, "a", True),
-                                           ("<!-- example: scene; fails: a -->\n", 0, "a", True),
-                                           ("<!-- example: scene; fails: a -->\n", 1, "b", False)):
+        for above, code, said, picture in (
+            (plain, 1, "", False),
+            (plain, None, "", True),
+            (plain, 0, "", False),
+            (plain, 0, "Parse Warning: oh", True),
+            ("<!-- example: scene; says: a -->\n", 0, "b", True),
+            ("<!-- example: scene; warns: a -->\n", 0, "a", True),
+            ("<!-- example: scene; fails: a -->\n", 0, "a", True),
+            ("<!-- example: scene; fails: a -->\n", 1, "b", False),
+        ):
             self.assertTrue(self.wrong(above, code, said, picture), f"{above} {code} {said} {picture}")
 
 

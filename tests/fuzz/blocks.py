@@ -24,7 +24,7 @@ def parse(parser, texts):
     """After a crash, a new process continues behind the block that caused it."""
     answers = []
     while len(answers) < len(texts):
-        data = b"".join(text.encode() + b"\0" for text in texts[len(answers):])
+        data = b"".join(text.encode() + b"\0" for text in texts[len(answers) :])
         settings = {**WITHOUT_LEAKS, **os.environ}
         done = subprocess.run([parser], input=data, capture_output=True, check=False, timeout=PATIENCE, env=settings)
         answers += done.stdout.decode(errors="replace").splitlines()
@@ -39,7 +39,7 @@ def run(parser, seed, count):
     made = grammar.Grammar(seed).blocks(count)
     answers = []
     for start in range(0, count, BATCH):
-        answers += parse(parser, [text for _, text in made[start:start + BATCH]])
+        answers += parse(parser, [text for _, text in made[start : start + BATCH]])
     return [Outcome(kind, text, answer) for (kind, text), answer in zip(made, answers)]
 
 
@@ -47,6 +47,9 @@ def tally(outcomes):
     """Counts by kind and answer, and the failed blocks."""
     counts = collections.Counter((o.kind, o.answer.split()[0]) for o in outcomes)
     bad = [o for o in outcomes if o.answer.split()[0] in ("wrong", "crash")]
-    return {"counts": {f"{kind}: {answer}": n for (kind, answer), n in sorted(counts.items())},
-            "messages": len({o.answer[:40] for o in outcomes if o.answer.startswith("error")}),
-            "blocks": len(outcomes), "bad": [{"text": o.text, "answer": o.answer} for o in bad]}
+    return {
+        "counts": {f"{kind}: {answer}": n for (kind, answer), n in sorted(counts.items())},
+        "messages": len({o.answer[:40] for o in outcomes if o.answer.startswith("error")}),
+        "blocks": len(outcomes),
+        "bad": [{"text": o.text, "answer": o.answer} for o in bad],
+    }

@@ -19,15 +19,15 @@ light_source { <4, 8, -6>, rgb 1 }
 background { rgb <0.3, 0.5, 0.8> }
 """
 # that of SceneAround() in parse_driver.cpp, with few samples
-CAMERA = ("camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aperture 0.3 blur_samples 2, 4\n"
-          "tilt_lens {{{}}} }}\n")
+CAMERA = "camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aperture 0.3 blur_samples 2, 4\n" "tilt_lens {{{}}} }}\n"
 
 
 def _animate(povray, folder, first, last):
     """Renders frames until one fails; returns the messages, or "" if none failed."""
     # one frame more than there are blocks: a single one would be no animation
-    command = povray_run.command(povray, "scene.pov", "frame.exr", (8, 6), "+FE", "+WT1", "+KFI1", f"+KFF{last + 1}", f"+SF{first}",
-                                 f"+EF{last}", "-C")
+    command = povray_run.command(
+        povray, "scene.pov", "frame.exr", (8, 6), "+FE", "+WT1", "+KFI1", f"+KFF{last + 1}", f"+SF{first}", f"+EF{last}", "-C"
+    )
     done = povray_run.run(command, folder, povray_run.environment(**povray_run.WITHOUT_LEAKS))
     if done.code == 0:
         return ""
@@ -74,5 +74,5 @@ def render(povray, texts):
     """The failed blocks, in the form of blocks.tally()."""
     wrong = []
     for start in range(0, len(texts), BATCH):
-        wrong += _render_batch(povray, texts[start:start + BATCH])
+        wrong += _render_batch(povray, texts[start : start + BATCH])
     return [{"text": text, "answer": words} for text, words in wrong]

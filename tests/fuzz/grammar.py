@@ -6,16 +6,92 @@ import random
 
 FAMILIES = (("tilt", "swing"), ("focus_tilt", "focus_swing"), ("focal_plane",), ("focal_points",), ("sharp_points",))
 DISTANCES = ("focus_scale", "film_distance", "focus_on", "focus_at")  # the first one fits any scene
-FREE = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "blade_curvature", "squeeze",
-        "denoise", "sample_seed", "edge_light", "natural_vignetting", "optical_vignetting", "distortion", "field_curvature",
-        "lateral_colour", "axial_colour", "prescription", "dispersion", "sharp_within", "circle_of_confusion")
+FREE = (
+    "film_width",
+    "focal_length",
+    "scene_unit",
+    "shift",
+    "f_stop",
+    "blades",
+    "blade_curvature",
+    "squeeze",
+    "denoise",
+    "sample_seed",
+    "edge_light",
+    "natural_vignetting",
+    "optical_vignetting",
+    "distortion",
+    "field_curvature",
+    "lateral_colour",
+    "axial_colour",
+    "prescription",
+    "dispersion",
+    "sharp_within",
+    "circle_of_confusion",
+)
 AIDS = ("focus_peaking", "show_planes", "focus_map")  # the last one stands alone
 WORDS = tuple(word for family in FAMILIES for word in family) + DISTANCES + FREE + AIDS
-ODD_NUMBERS = ("0", "-0", "1e-320", "-1e-320", "1e308", "-1e308", "1e309", "-1e309", "1e309-1e309", "90", "-90", "89.999999",
-               "1e-12", "0.1+0.2", "1/3", "pi", "2147483648", "1e12", "-7", "12345678901234567890")
-STRANGE = ("{", "}", "<", ">", ",", ";", "(", ")", "[", "]", "+", "-", "*", "/", "=", "!", "tlit", "TILT", "angle",
-           "aperture", "sphere", "rgb", "x", "clock", "blades_", "é", "\\", "@", "'", "//", "/* */", "..", "1..2", "0x1F",
-           "tilt_lens", "location", "no_such_word_of_any_length_that_goes_on_and_on_and_on")
+ODD_NUMBERS = (
+    "0",
+    "-0",
+    "1e-320",
+    "-1e-320",
+    "1e308",
+    "-1e308",
+    "1e309",
+    "-1e309",
+    "1e309-1e309",
+    "90",
+    "-90",
+    "89.999999",
+    "1e-12",
+    "0.1+0.2",
+    "1/3",
+    "pi",
+    "2147483648",
+    "1e12",
+    "-7",
+    "12345678901234567890",
+)
+STRANGE = (
+    "{",
+    "}",
+    "<",
+    ">",
+    ",",
+    ";",
+    "(",
+    ")",
+    "[",
+    "]",
+    "+",
+    "-",
+    "*",
+    "/",
+    "=",
+    "!",
+    "tlit",
+    "TILT",
+    "angle",
+    "aperture",
+    "sphere",
+    "rgb",
+    "x",
+    "clock",
+    "blades_",
+    "é",
+    "\\",
+    "@",
+    "'",
+    "//",
+    "/* */",
+    "..",
+    "1..2",
+    "0x1F",
+    "tilt_lens",
+    "location",
+    "no_such_word_of_any_length_that_goes_on_and_on_and_on",
+)
 
 
 class Grammar:
@@ -37,9 +113,17 @@ class Grammar:
 
     def colour(self):
         r = self.random
-        return r.choice((f"rgb {self.vector(3, 0, 1)}", f"rgb {self.number(0, 1)}", f"rgbf {self.vector(4, 0, 1)}",
-                         f"color rgb {self.vector(3, 0, 2)}", f"red {self.number(0, 1)} green 0.5", self.vector(3, -1, 1),
-                         f"srgb {self.vector(3, 0, 1)}"))
+        return r.choice(
+            (
+                f"rgb {self.vector(3, 0, 1)}",
+                f"rgb {self.number(0, 1)}",
+                f"rgbf {self.vector(4, 0, 1)}",
+                f"color rgb {self.vector(3, 0, 2)}",
+                f"red {self.number(0, 1)} green 0.5",
+                self.vector(3, -1, 1),
+                f"srgb {self.vector(3, 0, 1)}",
+            )
+        )
 
     def value(self, word):
         """The value for an item, mostly in a range that makes a lens."""
@@ -68,28 +152,43 @@ class Grammar:
         if word in ("denoise", "dispersion"):
             return r.choice(("on", "off", "yes", "no", "true", "1", "0", "0.5", "2 > 1"))
         if word == "prescription":
-            return f'"lenses/{r.choice(("zeiss_planar_50.dat", "minolta_50.json"))}"' + (f", {self.number(5, 500)}" if r.random() < 0.5 else "")
+            return f'"lenses/{r.choice(("zeiss_planar_50.dat", "minolta_50.json"))}"' + (
+                f", {self.number(5, 500)}" if r.random() < 0.5 else ""
+            )
         if word == "focus_peaking":
             return self.colour() + (f", {self.number(0.1, 20)}" if r.random() < 0.5 else "")
         if word in AIDS:
             return ""
-        return {"film_width": lambda: self.number(1, 300), "focal_length": lambda: self.number(5, 500),
-                "scene_unit": lambda: self.number(0.1, 2000), "f_stop": lambda: self.number(0.5, 32),
-                "blade_curvature": lambda: self.number(0, 1), "squeeze": lambda: self.number(0.1, 10),
-                "edge_light": lambda: self.number(-0.9, 0.9), "natural_vignetting": lambda: self.number(0, 1),
-                "optical_vignetting": lambda: self.number(0, 2), "distortion": lambda: ", ".join(self.number(-0.2, 0.5) for _ in range(r.choice((1, 2, 3)))),
-                "field_curvature": lambda: self.number(-1, 1), "lateral_colour": lambda: self.number(-0.5, 0.5),
-                "axial_colour": lambda: self.number(-0.5, 0.5), "film_distance": lambda: self.number(1, 500),
-                "focus_scale": lambda: self.number(0.1, 20), "sharp_within": lambda: self.number(0.1, 20),
-                "circle_of_confusion": lambda: self.number(0.001, 1)}[word]()
+        return {
+            "film_width": lambda: self.number(1, 300),
+            "focal_length": lambda: self.number(5, 500),
+            "scene_unit": lambda: self.number(0.1, 2000),
+            "f_stop": lambda: self.number(0.5, 32),
+            "blade_curvature": lambda: self.number(0, 1),
+            "squeeze": lambda: self.number(0.1, 10),
+            "edge_light": lambda: self.number(-0.9, 0.9),
+            "natural_vignetting": lambda: self.number(0, 1),
+            "optical_vignetting": lambda: self.number(0, 2),
+            "distortion": lambda: ", ".join(self.number(-0.2, 0.5) for _ in range(r.choice((1, 2, 3)))),
+            "field_curvature": lambda: self.number(-1, 1),
+            "lateral_colour": lambda: self.number(-0.5, 0.5),
+            "axial_colour": lambda: self.number(-0.5, 0.5),
+            "film_distance": lambda: self.number(1, 500),
+            "focus_scale": lambda: self.number(0.1, 20),
+            "sharp_within": lambda: self.number(0.1, 20),
+            "circle_of_confusion": lambda: self.number(0.001, 1),
+        }[word]()
 
     def items(self):
         r = self.random
         words = [word for word in FREE if r.random() < 0.3]
         words = [word for word in words if word != "blade_curvature" or "blades" in words]
         # the scene around the block has angle and aperture
-        words = [word for word in words if word not in ("focal_length", "f_stop", "prescription", "sharp_within",
-                                                        "circle_of_confusion") or r.random() < 0.1]
+        words = [
+            word
+            for word in words
+            if word not in ("focal_length", "f_stop", "prescription", "sharp_within", "circle_of_confusion") or r.random() < 0.1
+        ]
         words = [word for word in words if word != "dispersion" or "prescription" in words]
         if r.random() < 0.9:
             family = r.choice(FAMILIES)
@@ -128,7 +227,7 @@ class Grammar:
             items[at] = (word, self.vector(r.choice((1, 2, 4, 5)), -1e9, 1e9))
         elif way == 7:
             text = self.text(items)
-            return text[:r.randrange(len(text) + 1)]
+            return text[: r.randrange(len(text) + 1)]
         else:
             text = list(self.text(items))
             for _ in range(r.randint(1, 4)):

@@ -41,6 +41,7 @@ def unpack(name, folder):
 def minimise(name, program, found):
     """Reduces all inputs to the kept corpus: the fewest that reach the same code."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
-        subprocess.run([str(program), "-set_cover_merge=1", folder, str(found)], capture_output=True, check=True,
-                       env={**WITHOUT_LEAKS, **os.environ})
+        subprocess.run(
+            [str(program), "-set_cover_merge=1", folder, str(found)], capture_output=True, check=True, env={**WITHOUT_LEAKS, **os.environ}
+        )
         save("corpus", name, [path.read_bytes() for path in pathlib.Path(folder).iterdir()])

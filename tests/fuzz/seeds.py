@@ -29,8 +29,10 @@ def seeds():
                 rest = [0.1, 1.0, 0.3, 1.0, 0.5, 3.0, 0.2, 0.1, 9.0, 0.4, 2.0, -1.0]
                 made.append(camera(flags, head + turns + rest, 7))
     # raw camera vectors as well
-    made.append(struct.pack("<BI12d", 128, 1, 0.4, 1.5, -4, 0, 0, 1.6, 1.6, 0, 0, 0, 1.2, 0)
-                + struct.pack("<15d", 0.1, 6, -3, 0.1, 1, 0.3, 1, 0.5, 3, 0.2, 0.1, 9, 0.4, 2, -1))
+    made.append(
+        struct.pack("<BI12d", 128, 1, 0.4, 1.5, -4, 0, 0, 1.6, 1.6, 0, 0, 0, 1.2, 0)
+        + struct.pack("<15d", 0.1, 6, -3, 0.1, 1, 0.3, 1, 0.5, 3, 0.2, 0.1, 9, 0.4, 2, -1)
+    )
     return made
 
 

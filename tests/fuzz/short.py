@@ -14,14 +14,12 @@ from tests.parse import items
 RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 1200, 60
 SECONDS_OF_ONE = 60  # a file is read within a thousandth of it
 # a block that the parser refuses, and one followed by more light than the file can hold
-BAD = ("tilt",
-       "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
+BAD = ("tilt", "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
 
 
 def run_libfuzzer(program, *arguments):
     """Runs libFuzzer; ends the test with its messages if it finds a fault."""
-    done = subprocess.run([str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          check=False)
+    done = subprocess.run([str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     print("\n".join(done.stdout.splitlines()[-3:]))
     if done.returncode != 0:
         sys.exit(done.stdout[-4000:])
@@ -40,8 +38,15 @@ def prescription(settings):
         folder = pathlib.Path(name)
         seeds.write_lenses(folder / "corpus")
         kept.unpack("prescription", folder / "corpus")
-        run_libfuzzer(settings.prescription, f"-runs={READER_RUNS}", "-seed=1", "-max_len=4096", f"-timeout={SECONDS_OF_ONE}",
-                      f"-artifact_prefix={name}/", folder / "corpus")
+        run_libfuzzer(
+            settings.prescription,
+            f"-runs={READER_RUNS}",
+            "-seed=1",
+            "-max_len=4096",
+            f"-timeout={SECONDS_OF_ONE}",
+            f"-artifact_prefix={name}/",
+            folder / "corpus",
+        )
 
 
 def grammar_blocks(settings):
@@ -81,8 +86,9 @@ def regressions(settings):
         kept.unpack("solver", pathlib.Path(name))
         run_libfuzzer(settings.solver, *sorted(pathlib.Path(name).iterdir()))
     blocks_ = [text.decode() for text in texts]
-    bad = [(text, answer) for text, answer in zip(blocks_, blocks.parse(settings.parser, blocks_))
-           if answer.split()[0] in ("wrong", "crash")]
+    bad = [
+        (text, answer) for text, answer in zip(blocks_, blocks.parse(settings.parser, blocks_)) if answer.split()[0] in ("wrong", "crash")
+    ]
     if bad:
         sys.exit("\n".join(f"{answer}\n{text}\n---" for text, answer in bad))
     print(f"{len(cameras)} cameras, {len(texts)} blocks")

@@ -23,23 +23,22 @@ WIDTH, HEIGHT = 64, 36
 
 
 def warnings(said):
-    return [line for line in said.splitlines() if re.search(r"warning", line, re.IGNORECASE)
-            and not line.strip().startswith("Warning Stream")]
+    return [
+        line for line in said.splitlines() if re.search(r"warning", line, re.IGNORECASE) and not line.strip().startswith("Warning Stream")
+    ]
 
 
 def check_scene(path, povray):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
-        command = povray_run.command(povray, path, "picture.exr", (WIDTH, HEIGHT), "+FE", "Declare=Samples=4",
-                                     library=[povray_run.INCLUDE])
+        command = povray_run.command(povray, path, "picture.exr", (WIDTH, HEIGHT), "+FE", "Declare=Samples=4", library=[povray_run.INCLUDE])
         done = povray_run.run(command, folder)
         if done.code != 0:
             return [done.told()]
         faults = [f"it warns: {line}" for line in warnings(done.said)]
         taken = re.search(r"Samples per pixel\.+mean ([\d.]+)", done.said)
         if not taken or float(taken.group(1)) > 4:
-            faults.append("Declare=Samples=4 does not limit the samples to 4 a pixel"
-                          + (f": {taken.group(1)} were taken" if taken else ""))
+            faults.append("Declare=Samples=4 does not limit the samples to 4 a pixel" + (f": {taken.group(1)} were taken" if taken else ""))
         picture = rendering.read_picture(folder / "picture.exr", " ".join(command))
     bad = sum(not math.isfinite(value) for value in picture.values)
     if bad:
@@ -61,7 +60,7 @@ def check_blocks(page):
     """Faults of the page's excerpts: each must occur in the scene whose command precedes it."""
     faults = []
     for block in re.finditer(r"^```\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
-        names = re.findall(r"\./render scenes/gallery/(\w+)\.pov", page[:block.start()])
+        names = re.findall(r"\./render scenes/gallery/(\w+)\.pov", page[: block.start()])
         scene = ROOT / f"scenes/gallery/{names[-1]}.pov"
         if not scene.is_file() or plain(block.group(1)) not in plain(scene.read_text()):
             faults.append(f"docs/gallery.md shows what is not in {scene.name}:\n{block.group(1)}")

@@ -20,10 +20,27 @@ BATCHES, SAMPLES, PROCESSES, SEED = 8, 16, 16, 1001
 
 def live(args, case, name):
     output = args.work / (name + ".exr")
-    subprocess.run([args.oracle, "render", str(case), str(output), "--povray", args.stock,
-                    "--work", str(args.work / name), "--batches", str(BATCHES),
-                    "--samples", str(SAMPLES), "--processes", str(PROCESSES),
-                    "--seed", str(SEED)], check=True)
+    subprocess.run(
+        [
+            args.oracle,
+            "render",
+            str(case),
+            str(output),
+            "--povray",
+            args.stock,
+            "--work",
+            str(args.work / name),
+            "--batches",
+            str(BATCHES),
+            "--samples",
+            str(SAMPLES),
+            "--processes",
+            str(PROCESSES),
+            "--seed",
+            str(SEED),
+        ],
+        check=True,
+    )
     return output
 
 

@@ -23,7 +23,7 @@ from experiments.lens import Lens
 from tests.render import rendering
 
 TILTS, STOPS = (0, 4, 8), (8, 2.1)
-SAMPLES = {8: 1024, 2.1: 4096}      # of the tracer, per pixel: its noise must be small against the limits
+SAMPLES = {8: 1024, 2.1: 4096}  # of the tracer, per pixel: its noise must be small against the limits
 WIDTH, HEIGHT = 60, 40
 # The limits of the oracle's pictures. With the wrong sign of the tilt the RMSE is 0.11.
 RMSE, MEAN = 0.006, 0.0005
@@ -35,9 +35,11 @@ MOVED, MOVED_TILT, UNMOVED = 2.0, 4, 0.1
 
 def scene(tilt, stop, even=False, glass='"gauss.dat", 50'):
     world = "background { rgb 1 }\n" if even else '#include "box_objects.inc"\n'
-    return ('#declare Quality = 1; #declare Variance = 5e-6;\n#include "box_camera.inc"\n'
-            f"camera {{ Box_Camera() focal_point <{', '.join(map(str, EDGE_TOP))}>\n"
-            f'tilt_lens {{ scene_unit Scene_Unit prescription {glass} f_stop {stop} tilt {tilt} }} }}\n{world}')
+    return (
+        '#declare Quality = 1; #declare Variance = 5e-6;\n#include "box_camera.inc"\n'
+        f"camera {{ Box_Camera() focal_point <{', '.join(map(str, EDGE_TOP))}>\n"
+        f"tilt_lens {{ scene_unit Scene_Unit prescription {glass} f_stop {stop} tilt {tilt} }} }}\n{world}"
+    )
 
 
 def program_picture(folder, tilt, stop, even=False, **glass):
@@ -51,9 +53,29 @@ def lens_of(tilt, stop):
 def traced_picture(tool, folder, tilt, stop, moved=0.0):
     lens = lens_of(tilt, stop)
     made = folder / f"traced_{tilt}_{stop}.exr"
-    done = subprocess.run([tool, made, "--width", str(WIDTH), "--height", str(HEIGHT), "--samples", str(SAMPLES[stop]),
-                           "--f-stop", str(stop), "--tilt", str(tilt), "--moved", str(moved), "--film-distance", repr(lens.film_distance * VIEW.scene_unit)],
-                          check=True, capture_output=True, text=True)
+    done = subprocess.run(
+        [
+            tool,
+            made,
+            "--width",
+            str(WIDTH),
+            "--height",
+            str(HEIGHT),
+            "--samples",
+            str(SAMPLES[stop]),
+            "--f-stop",
+            str(stop),
+            "--tilt",
+            str(tilt),
+            "--moved",
+            str(moved),
+            "--film-distance",
+            repr(lens.film_distance * VIEW.scene_unit),
+        ],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
     # the tracer's stop stays in place when the first element moves
     assert abs(json.loads(done.stdout)["entrance_pupil"]) < (0.02 if moved == 0.0 else 0.03), done.stdout
     # three floats, and three halves for an error that the mean of one batch lacks
@@ -85,12 +107,17 @@ def inner_focus(tool, folder, stop):
     found = []
     for name in ("moving", "stays"):
         glass = {"glass": f'"{name}.json", {at_infinity!r}'}
-        found.append(differences(program_picture(folder, MOVED_TILT, stop, **glass),
-                                 program_picture(folder, MOVED_TILT, stop, True, **glass), traced))
+        found.append(
+            differences(
+                program_picture(folder, MOVED_TILT, stop, **glass), program_picture(folder, MOVED_TILT, stop, True, **glass), traced
+            )
+        )
     (rmse, mean), (unmoved, _) = found
     good = rmse < RMSE and abs(mean) < MEAN and unmoved > UNMOVED
-    print(f"first element moved, f/{stop}: RMSE {rmse:.5f}, signed mean {mean:+.6f}; the film moved instead: RMSE {unmoved:.5f}"
-          f"{'' if good else '  WRONG'}")
+    print(
+        f"first element moved, f/{stop}: RMSE {rmse:.5f}, signed mean {mean:+.6f}; the film moved instead: RMSE {unmoved:.5f}"
+        f"{'' if good else '  WRONG'}"
+    )
     return good
 
 

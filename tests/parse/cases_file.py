@@ -55,8 +55,7 @@ class Case:
 
 def place_of_mark(name, files):
     """File and line of the mark; None without a mark."""
-    places = [(file, number) for file, text in files.items()
-              for number, line in enumerate(text.split("\n"), 1) if MARK in line]
+    places = [(file, number) for file, text in files.items() for number, line in enumerate(text.split("\n"), 1) if MARK in line]
     if len(places) > 1:
         raise BadCase(f"{name}: more than one mark {MARK}")
     return places[0] if places else None

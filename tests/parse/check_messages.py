@@ -64,8 +64,7 @@ def compare_messages(case, found, kind):
         if not fits:
             yield f"no {kind} with the parts: " + " | ".join(parts)
         elif not any(message[1:3] == case.place for message in fits):
-            yield (f"the {kind} names {fits[0][1]} line {fits[0][2]}, "
-                   f"expected {case.place[0]} line {case.place[1]}")
+            yield (f"the {kind} names {fits[0][1]} line {fits[0][2]}, " f"expected {case.place[0]} line {case.place[1]}")
 
 
 def check(povray, case, library):
@@ -91,7 +90,7 @@ def check(povray, case, library):
     if not wrong:
         return wrong, ""
     files = "".join(f"--- {file}\n{text}" for file, text in case.files.items())
-    tail = output[output.find("[Parsing"):] if "[Parsing" in output else output[-1500:]
+    tail = output[output.find("[Parsing") :] if "[Parsing" in output else output[-1500:]
     return wrong, f"{' '.join(done.command)}\n{files}--- messages\n{tail.strip()[:1200]}\n"
 
 

@@ -27,7 +27,7 @@ class Number:
 @dataclasses.dataclass
 class Item:
     word: str
-    values: str   # placeholders of its values, as in the manual
+    values: str  # placeholders of its values, as in the manual
     example: str  # the word with values
     numbers: list
 
@@ -35,7 +35,20 @@ class Item:
 def items(parse_blocks):
     """All items, in the order of messages."""
     told = subprocess.run([parse_blocks, "--items"], capture_output=True, timeout=PATIENCE, check=True).stdout
-    return [Item(entry["word"], entry["values"], entry["example"],
-                 [Number(number["name"], -math.inf if number["least"] is None else number["least"],
-                         math.inf if number["most"] is None else number["most"], number["whole"]) for number in entry["numbers"]])
-            for entry in json.loads(told)]
+    return [
+        Item(
+            entry["word"],
+            entry["values"],
+            entry["example"],
+            [
+                Number(
+                    number["name"],
+                    -math.inf if number["least"] is None else number["least"],
+                    math.inf if number["most"] is None else number["most"],
+                    number["whole"],
+                )
+                for number in entry["numbers"]
+            ],
+        )
+        for entry in json.loads(told)
+    ]

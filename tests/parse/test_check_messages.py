@@ -27,8 +27,15 @@ class Cases(unittest.TestCase):
         self.assertEqual(case.place, ("a.inc", 2))
 
     def test_refused(self):
-        for text in ["x", "x\n--- error: a", "x // <<\n--- ok", "// <<\n// <<\n--- error: a", "x\n--- eror: a",
-                     "x // <<\n--- error: a\n--- error: b", "x\n--- ok\nstray"]:
+        for text in [
+            "x",
+            "x\n--- error: a",
+            "x // <<\n--- ok",
+            "// <<\n// <<\n--- error: a",
+            "x\n--- eror: a",
+            "x // <<\n--- error: a\n--- error: b",
+            "x\n--- ok\nstray",
+        ]:
             with self.subTest(text), self.assertRaises(cases_file.BadCase):
                 case_of(text)
 
@@ -40,8 +47,7 @@ class Messages(unittest.TestCase):
 
     def test_place_before_the_message(self):
         text = "File: scene.pov  Line: 3\nFile Context (2 lines):\na\nb\nRender Warning: one\n two\nmore\nWarning: three\n"
-        self.assertEqual(check_messages.messages_of(text),
-                         [("warning", "scene.pov", 3, "one two"), ("warning", None, 0, "three")])
+        self.assertEqual(check_messages.messages_of(text), [("warning", "scene.pov", 3, "one two"), ("warning", None, 0, "three")])
 
     def test_parts_in_order(self):
         self.assertTrue(check_messages.has_parts("a b c", ["a", "c"]))
@@ -63,18 +69,28 @@ class Verdicts(unittest.TestCase):
         text = "x // <<\n--- error: one | two"
         good = "File 'scene.pov' line 2: Parse Error: one\n two"
         self.assertEqual(self.verdict(good, 1, False, text), [])
-        for message, code, picture in [(good, 0, False), (good, 1, True), (good.replace("2", "3"), 1, False),
-                                       (good.replace("two", "three"), 1, False), (good + "\n" + good, 1, False),
-                                       (good.replace("scene", "other"), 1, False), ("", 1, False),
-                                       ("File 'scene.pov' line 2: Parse Warning: one two", 1, False)]:
+        for message, code, picture in [
+            (good, 0, False),
+            (good, 1, True),
+            (good.replace("2", "3"), 1, False),
+            (good.replace("two", "three"), 1, False),
+            (good + "\n" + good, 1, False),
+            (good.replace("scene", "other"), 1, False),
+            ("", 1, False),
+            ("File 'scene.pov' line 2: Parse Warning: one two", 1, False),
+        ]:
             with self.subTest(message=message, code=code, picture=picture):
                 self.assertNotEqual(self.verdict(message, code, picture, text), [])
 
     def test_no_error(self):
         text = "x\n--- says: one | two"
         self.assertEqual(self.verdict("one\n  two", 0, True, text), [])
-        for message, code, picture in [("one two", 1, True), ("one two", 0, False), ("two one", 0, True),
-                                       ("one two\nFile 'scene.pov' line 1: Parse Warning: w", 0, True)]:
+        for message, code, picture in [
+            ("one two", 1, True),
+            ("one two", 0, False),
+            ("two one", 0, True),
+            ("one two\nFile 'scene.pov' line 1: Parse Warning: w", 0, True),
+        ]:
             with self.subTest(message=message, code=code, picture=picture):
                 self.assertNotEqual(self.verdict(message, code, picture, text), [])
 

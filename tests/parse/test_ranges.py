@@ -26,8 +26,9 @@ def allowed(number):
 
 def answers(blocks):
     """What the parser says to each block."""
-    done = subprocess.run([SETTINGS.parser], input="".join(block + "\0" for block in blocks), capture_output=True, text=True,
-                          timeout=PATIENCE, check=True)
+    done = subprocess.run(
+        [SETTINGS.parser], input="".join(block + "\0" for block in blocks), capture_output=True, text=True, timeout=PATIENCE, check=True
+    )
     return done.stdout.splitlines()
 
 
@@ -37,8 +38,12 @@ class Ranges(unittest.TestCase):
 
     def check(self, values_of, judge):
         """Tries the values of each number behind allowed ones; `judge` looks at number, value and answer."""
-        tried = [(item, number, value, ", ".join([*(written(allowed(n)) for n in item.numbers[:place]), value]))
-                 for item in self.items for place, number in enumerate(item.numbers) for value in values_of(number)]
+        tried = [
+            (item, number, value, ", ".join([*(written(allowed(n)) for n in item.numbers[:place]), value]))
+            for item in self.items
+            for place, number in enumerate(item.numbers)
+            for value in values_of(number)
+        ]
         self.assertGreater(len(tried), 20)
         blocks = [f"{item.word} {values}" for item, _, _, values in tried]
         said = answers(blocks)
@@ -49,6 +54,7 @@ class Ranges(unittest.TestCase):
 
     def test_ends_are_taken(self):
         """Other items or the lens may refuse them, but not the range."""
+
         def judge(number, value, answer):
             del value
             self.assertNotIn(f"{number.name} ", answer.split("in tilt_lens.")[0] if "in tilt_lens." in answer else "")
@@ -69,9 +75,13 @@ class Ranges(unittest.TestCase):
         self.check(beyond, judge)
 
     def test_other_values_are_refused(self):
-        cases = {"1e999": " inf in tilt_lens. It must be a finite number", "1e999 - 1e999": "nan in tilt_lens. It must be a finite number",
-                 "<1, 2>": " in tilt_lens: found a value of 2 numbers. It takes one number", "}": " in tilt_lens has no value: found '}'",
-                 "Unknown": " in tilt_lens has no value: found the undeclared 'Unknown'"}
+        cases = {
+            "1e999": " inf in tilt_lens. It must be a finite number",
+            "1e999 - 1e999": "nan in tilt_lens. It must be a finite number",
+            "<1, 2>": " in tilt_lens: found a value of 2 numbers. It takes one number",
+            "}": " in tilt_lens has no value: found '}'",
+            "Unknown": " in tilt_lens has no value: found the undeclared 'Unknown'",
+        }
 
         def judge(number, value, answer):
             self.assertIn(cases[value], answer)

@@ -75,8 +75,10 @@ def check_list(folder):
         if not (folder / name).is_file():
             yield f"{name}: listed in series, but there is no such file"
         if not re.fullmatch(rf"({'|'.join(FOLDERS)})/[a-z]+(-[a-z0-9]+)+\.patch", name):
-            yield (f"{name}: a patch is named like camera/add-camera-item.patch (words, no number in front, in one of "
-                   f"the folders {', '.join(FOLDERS)})")
+            yield (
+                f"{name}: a patch is named like camera/add-camera-item.patch (words, no number in front, in one of "
+                f"the folders {', '.join(FOLDERS)})"
+            )
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
         if path.is_file() and name != "series" and name not in names:
@@ -107,8 +109,10 @@ def check_size(folder):
         if added == 0:
             yield f"{name}: adds no line"
         if added > budget:
-            yield (f"{name}: adds {added} lines, allowed are {budget}; move the logic into povray-src/, or "
-                   f"say in the field Size-Reason why it cannot be (then up to {LINE_BUDGET_WITH_REASON})")
+            yield (
+                f"{name}: adds {added} lines, allowed are {budget}; move the logic into povray-src/, or "
+                f"say in the field Size-Reason why it cannot be (then up to {LINE_BUDGET_WITH_REASON})"
+            )
 
 
 def check_style(folder):

@@ -25,8 +25,7 @@ def png(width, height, value):
         return struct.pack(">I", len(data)) + kind + data + check
 
     header = struct.pack(">IIBBBBB", width, height, 16, 2, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header)
-            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
 class FailureKinds(unittest.TestCase):
@@ -42,9 +41,11 @@ class FailureKinds(unittest.TestCase):
         grey = self.picture(self.folder / "grey.png", self.entry.width, self.entry.height, 30000)
         subprocess.run([self.compare, "average", str(self.reference), str(grey)], check=True)
         self.record = dict.fromkeys(manifest.FIELDS, "something") | {
-            "file": "oracle/tilt.exr", "sources_sha256": self.entry.sources_sha256(),
+            "file": "oracle/tilt.exr",
+            "sources_sha256": self.entry.sources_sha256(),
             "pixels_sha256": pictures.pixel_hash(self.compare, self.reference),
-            "comparison": manifest.ORACLE_COMPARISON}
+            "comparison": manifest.ORACLE_COMPARISON,
+        }
         self.save(self.record)
 
     def picture(self, path, width, height, value):
@@ -59,11 +60,24 @@ class FailureKinds(unittest.TestCase):
         stand_in = self.folder / "stand_in"
         stand_in.write_text("#!/bin/sh\n" + script + "\n")
         stand_in.chmod(0o755)
-        done = subprocess.run(module_command("tests.tools.check_picture", NAME,
-                                             "--povray", stand_in, "--compare", self.compare,
-                                             "--work", self.folder / "work",
-                                             "--references", self.references, *more),
-                              capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            module_command(
+                "tests.tools.check_picture",
+                NAME,
+                "--povray",
+                stand_in,
+                "--compare",
+                self.compare,
+                "--work",
+                self.folder / "work",
+                "--references",
+                self.references,
+                *more,
+            ),
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         return done.returncode, done.stderr
 
     def expect(self, outcome, script):
@@ -83,8 +97,15 @@ class FailureKinds(unittest.TestCase):
 
     def test_different(self):
         _, page = self.expect("different", self.copy_of(self.entry.width, self.entry.height, 31000))
-        for word in ("new.png", "reference.png", "difference.png", "Worst pixels",
-                     "Render it again", "Accept the change", "tests.tools.update_references"):
+        for word in (
+            "new.png",
+            "reference.png",
+            "difference.png",
+            "Worst pixels",
+            "Render it again",
+            "Accept the change",
+            "tests.tools.update_references",
+        ):
             self.assertIn(word, page.read_text())
         for name in ("new.png", "reference.png", "difference.png"):
             self.assertTrue((page.parent / name).is_file(), name)
@@ -156,8 +177,7 @@ class FailureKinds(unittest.TestCase):
         self.assertIn("has no entry", complaints((NAME, "oracle/other")))
         self.assertIn("no such case", complaints(()))
         self.picture(self.folder / "other.png", self.entry.width, self.entry.height, 1)
-        subprocess.run([self.compare, "average", str(self.references / "stray.exr"),
-                        str(self.folder / "other.png")], check=True)
+        subprocess.run([self.compare, "average", str(self.references / "stray.exr"), str(self.folder / "other.png")], check=True)
         self.assertIn("stray.exr: is no entry's picture", complaints())
         (self.references / "stray.exr").replace(self.reference)
         self.assertIn("not those of the manifest", complaints())

@@ -34,15 +34,20 @@ class Picture:
     def pixel(self, x, y):
         n = len(self.names)
         at = (y * self.width + x) * n
-        return self.values[at:at + n]
+        return self.values[at : at + n]
 
     def crop(self, left, top, right, bottom):
         rows = [self.pixel(x, y) for y in range(top, bottom) for x in range(left, right)]
-        return Picture(right - left, bottom - top, self.names, [v for p in rows for v in p],
-                       f"{self.told}cut to columns {left} to {right - 1}, rows {top} to {bottom - 1}\n")
+        return Picture(
+            right - left,
+            bottom - top,
+            self.names,
+            [v for p in rows for v in p],
+            f"{self.told}cut to columns {left} to {right - 1}, rows {top} to {bottom - 1}\n",
+        )
 
     def channel(self, name):
-        return self.values[self.names.index(name)::len(self.names)]
+        return self.values[self.names.index(name) :: len(self.names)]
 
 
 def read_pixels(path):
@@ -74,8 +79,16 @@ class Job:
     def command(self):
         """The command line, run in a folder of its own."""
         kind = {"png": "+FN16", "exr": "+FE"}[self.extension]
-        return povray_run.command(SETTINGS.povray, "scene.pov", f"picture.{self.extension}", (self.width, self.height), kind,
-                                  "File_Gamma=1.0", *self.options, library=SETTINGS.library)
+        return povray_run.command(
+            SETTINGS.povray,
+            "scene.pov",
+            f"picture.{self.extension}",
+            (self.width, self.height),
+            kind,
+            "File_Gamma=1.0",
+            *self.options,
+            library=SETTINGS.library,
+        )
 
     def told(self):
         """The command and the scene, for messages."""
@@ -157,8 +170,10 @@ class RenderTest(unittest.TestCase):
         rms, largest = difference(a, b)
         if largest != 0.0:
             off = [i // len(a.names) for i, (u, v) in enumerate(zip(a.values, b.values)) if u != v]
-            self.fail(f"{what}: {len(set(off))} pixels differ, by up to {largest:g} (RMS {rms:g}), the first "
-                      f"at column {off[0] % a.width}, row {off[0] // a.width}\n{a.told}--- and\n{b.told}")
+            self.fail(
+                f"{what}: {len(set(off))} pixels differ, by up to {largest:g} (RMS {rms:g}), the first "
+                f"at column {off[0] % a.width}, row {off[0] // a.width}\n{a.told}--- and\n{b.told}"
+            )
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
     def assert_same_in_parts(self, scene, *options, first, last, **size):
@@ -175,8 +190,9 @@ class RenderTest(unittest.TestCase):
     def assert_near(self, a, b, rms, what=""):
         """Root mean square difference at most rms."""
         found, largest = difference(a, b)
-        self.assertLessEqual(found, rms, f"{what}: RMS difference {found:g}, allowed {rms:g}, largest {largest:g}\n"
-                                         f"{a.told}--- and\n{b.told}")
+        self.assertLessEqual(
+            found, rms, f"{what}: RMS difference {found:g}, allowed {rms:g}, largest {largest:g}\n" f"{a.told}--- and\n{b.told}"
+        )
 
     def assert_different(self, a, b, rms, what=""):
         """Root mean square difference at least rms: shows that a test of equality can fail."""

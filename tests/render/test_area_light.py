@@ -7,9 +7,11 @@ import re
 from tests.render import rendering, scenes
 
 FLOOR = "plane { y, 0 pigment { rgb 0.8 } }\nbackground { rgb 0.3 }\n"
-THINGS = ("sphere { <0.3, 0.8, 0>, 0.7 pigment { rgb <0.8, 0.3, 0.2> } }\n"
-          "box { <-1.6, 0, -0.3>, <-1.2, 1.5, 0.3> pigment { rgb <0.3, 0.5, 0.8> } finish { specular 0.5 } }\n"
-          "sphere { <1.5, 0.5, 1>, 0.5 pigment { rgb 0.1 } finish { reflection 0.7 } }\n")
+THINGS = (
+    "sphere { <0.3, 0.8, 0>, 0.7 pigment { rgb <0.8, 0.3, 0.2> } }\n"
+    "box { <-1.6, 0, -0.3>, <-1.2, 1.5, 0.3> pigment { rgb <0.3, 0.5, 0.8> } finish { specular 0.5 } }\n"
+    "sphere { <1.5, 0.5, 1>, 0.5 pigment { rgb 0.1 } finish { reflection 0.7 } }\n"
+)
 LIGHTS = {
     "grid of 5 by 5": "x*3, z*3, 5, 5 adaptive 10",
     "grid of 4 by 3": "x*4, z*2, 4, 3 adaptive 10",
@@ -38,8 +40,9 @@ class AreaLight(rendering.RenderTest):
                 # too small a lens to blur: only the light's points differ from a pinhole's picture
                 lens = rendering.render(scenes.camera("", 1e-6, samples) + world, **SIZE)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world, "+A0.0", "+AM1", "+R7", "-J", **SIZE)
-                hard = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + light("x*3, z*3, 1, 1") + FLOOR + THINGS,
-                                        "+A0.0", "+AM1", "+R7", "-J", **SIZE)
+                hard = rendering.render(
+                    f"camera {{ {scenes.VIEW} }}\n" + light("x*3, z*3, 1, 1") + FLOOR + THINGS, "+A0.0", "+AM1", "+R7", "-J", **SIZE
+                )
                 self.assert_near(lens, pinhole, 0.003, name)
                 self.assert_different(hard, pinhole, 0.01, name)
 

@@ -34,11 +34,13 @@ def declared(camera, tail=""):
 def moved_world(tail):
     """Objects that glow, because POV-Ray's shadows and reflections have absolute tolerances, which would show at
     another scale."""
-    return ("#default { finish { ambient 1 diffuse 0 } }\nunion {\n"
-            "  plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"
-            "  sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } }\n"
-            "  box { <-2, 0, 1>, <-1, 1.6, 2> pigment { gradient y color_map { [0.5 rgb 0.9][0.5 rgb 0.1] } scale 0.4 } }\n"
-            f"  {tail}\n}}\nbackground {{ rgb <0.3, 0.5, 0.8> }}\n")
+    return (
+        "#default { finish { ambient 1 diffuse 0 } }\nunion {\n"
+        "  plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"
+        "  sphere { <0.3, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } }\n"
+        "  box { <-2, 0, 1>, <-1, 1.6, 2> pigment { gradient y color_map { [0.5 rgb 0.9][0.5 rgb 0.1] } scale 0.4 } }\n"
+        f"  {tail}\n}}\nbackground {{ rgb <0.3, 0.5, 0.8> }}\n"
+    )
 
 
 class Declared(rendering.RenderTest):
@@ -54,13 +56,19 @@ class Declared(rendering.RenderTest):
         for name in ("lens turned", "focus turned", "points"):
             for before in ("", "tilt_lens { tilt -7 blades 3 }"):
                 with self.subTest(name, before=before):
-                    text = (f"#declare Cam = {view}{before} }}\n#declare Other = camera {{ Cam tilt_lens {{ tilt 1 }} }}\n"
-                            f"camera {{ Cam tilt_lens {{ {LENSES[name]} }} }}\n")
-                    self.assert_same(rendering.render(text + scenes.WORLD, **SIZE), rendering.render(camera_of(name) + scenes.WORLD, **SIZE))
+                    text = (
+                        f"#declare Cam = {view}{before} }}\n#declare Other = camera {{ Cam tilt_lens {{ tilt 1 }} }}\n"
+                        f"camera {{ Cam tilt_lens {{ {LENSES[name]} }} }}\n"
+                    )
+                    self.assert_same(
+                        rendering.render(text + scenes.WORLD, **SIZE), rendering.render(camera_of(name) + scenes.WORLD, **SIZE)
+                    )
 
     def test_transformations_behind_the_identifier(self):
-        tails = {"all of them": "translate x rotate 20*y scale 1.5 matrix <1,0,0, 0,0.8,-0.6, 0,0.6,0.8, 0.1,0.2,0.3>",
-                 "transform": "transform { rotate 10*z translate <1, 2, 3> scale 0.5 }"}
+        tails = {
+            "all of them": "translate x rotate 20*y scale 1.5 matrix <1,0,0, 0,0.8,-0.6, 0,0.6,0.8, 0.1,0.2,0.3>",
+            "transform": "transform { rotate 10*z translate <1, 2, 3> scale 0.5 }",
+        }
         for name in LENSES:
             for kind, tail in tails.items():
                 with self.subTest(name, kind=kind):
@@ -70,8 +78,7 @@ class Declared(rendering.RenderTest):
                     self.assert_same(behind, inside, f"{name}, {kind}")
 
     def test_identifier_is_not_changed(self):
-        both = (f"#declare Cam = {camera_of('points')}#declare Other = camera {{ Cam translate 5*x scale 3 }}\n"
-                f"camera {{ Cam }}\n")
+        both = f"#declare Cam = {camera_of('points')}#declare Other = camera {{ Cam translate 5*x scale 3 }}\n" f"camera {{ Cam }}\n"
         self.assert_same(rendering.render(both + scenes.WORLD), rendering.render(camera_of("points") + scenes.WORLD))
 
 
@@ -109,18 +116,22 @@ class Together(rendering.RenderTest):
 
     def test_camera_written_out(self):
         tail = "translate <1, 2, 3>"
-        out = ("camera { location <1.4, 3.5, -1> look_at <1, 2.5, 3.5> angle 45 aperture 0.3 " + SAMPLES +
-               "tilt_lens { focal_points <1, 2, 3>, <2, 2.2, 3>, <1, 2.5, 6> } }\n")
-        self.assert_near(rendering.render(camera_of("points", tail) + moved_world(tail)),
-                         rendering.render(out + moved_world(tail)), 2e-3)
+        out = (
+            "camera { location <1.4, 3.5, -1> look_at <1, 2.5, 3.5> angle 45 aperture 0.3 "
+            + SAMPLES
+            + "tilt_lens { focal_points <1, 2, 3>, <2, 2.2, 3>, <1, 2.5, 6> } }\n"
+        )
+        self.assert_near(rendering.render(camera_of("points", tail) + moved_world(tail)), rendering.render(out + moved_world(tail)), 2e-3)
 
 
 class Alpha(rendering.RenderTest):
     def test_coverage(self):
         """A bright disc out of focus: opaque inside, clear outside, partial at the rim."""
-        scene = scenes.camera("tilt 3", samples="blur_samples 256 variance 0 ",
-                              view="location -4*z focal_point 0 angle 45 ") + """
+        scene = (
+            scenes.camera("tilt 3", samples="blur_samples 256 variance 0 ", view="location -4*z focal_point 0 angle 45 ")
+            + """
             sphere { <0, 0, 2>, 1.2 pigment { rgb <1, 0.5, 0.25> } finish { ambient 1 diffuse 0 } } background { rgbt <9, 9, 9, 1> }"""
+        )
         picture = rendering.render(scene, "+UA", extension="exr")
         self.assert_finite(picture)
         alpha, red, blue = (picture.channel(name) for name in "ARB")

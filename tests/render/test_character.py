@@ -14,8 +14,10 @@ VIEW = "location 0 look_at <0, 0, 10> right 4/3*x angle 50 "
 HALF = math.tan(math.radians(25))  # tangent of half the angle of view: half a film's width
 SAMPLES = "blur_samples 32, 32 variance 0 "
 EVEN = "background { rgb 0.5 }\n"
-ALL = ("edge_light 0.4 natural_vignetting 1 optical_vignetting 0.4 distortion 0.05, 0.01 field_curvature 0.3 lateral_colour 0.2 "
-       "axial_colour 0.2 ")
+ALL = (
+    "edge_light 0.4 natural_vignetting 1 optical_vignetting 0.4 distortion 0.05, 0.01 field_curvature 0.3 lateral_colour 0.2 "
+    "axial_colour 0.2 "
+)
 BENT = "tilt 4 shift <2, -1> blades 5 " + ALL
 
 
@@ -87,7 +89,9 @@ class Distortion(rendering.RenderTest):
         film = 18 / HALF  # mm from the lens
         for distance in (10, 1.5):
             view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
-            at = layers_of(scenes.camera("scene_unit 100 distortion -0.02, 0.01, 0.8", 0.5, SAMPLES, view) + "plane { z, 20 pigment { rgb 1 } }\n")
+            at = layers_of(
+                scenes.camera("scene_unit 100 distortion -0.02, 0.01, 0.8", 0.5, SAMPLES, view) + "plane { z, 20 pigment { rgb 1 } }\n"
+            )
             k1 = -0.02 + 0.8 / (1 + 100 * distance / film)  # f/D with 1/f = 1/film + 1/D
             for x, y in ((0, 0), (63, 20), (40, 47)):
                 own = place(x, y)
@@ -99,7 +103,11 @@ class Distortion(rendering.RenderTest):
 
     def test_light_is_at_its_position_in_the_layers(self):
         for k1, shift in ((0.1, (0, 0)), (-0.05, (3 / 18, 2 / 18))):
-            picture = rendering.render(camera(f"distortion {k1} shift <{18 * shift[0]}, {18 * shift[1]}>") + "sphere { <2.2, -1.4, 10>, 0.1 pigment { rgb 1 } finish { emission 20 } }\n", **SIZE)
+            picture = rendering.render(
+                camera(f"distortion {k1} shift <{18 * shift[0]}, {18 * shift[1]}>")
+                + "sphere { <2.2, -1.4, 10>, 0.1 pigment { rgb 1 } finish { emission 20 } }\n",
+                **SIZE,
+            )
             own = [at + by for at, by in zip(middle_of(picture, 0), shift)]
             factor = 1 + k1 * (own[0] ** 2 + own[1] ** 2)
             self.assertAlmostEqual(own[0] * factor * HALF * 10, 2.2, delta=0.03)
@@ -132,7 +140,10 @@ class Colours(rendering.RenderTest):
 
     def test_lateral(self):
         picture = rendering.render(
-            camera("lateral_colour 1.8", samples="blur_samples 256, 256 variance 0 ") + "sphere { <3.2, 0, 10>, 0.15 pigment { rgb 1 } finish { emission 10 } }\n", **SIZE)
+            camera("lateral_colour 1.8", samples="blur_samples 256, 256 variance 0 ")
+            + "sphere { <3.2, 0, 10>, 0.15 pigment { rgb 1 } finish { emission 10 } }\n",
+            **SIZE,
+        )
         red, green, blue = (middle_of(picture, channel)[0] for channel in range(3))
         # the centres of the outer thirds are 2/3 of the way to the spectrum's ends
         self.assertAlmostEqual(red / green - 1, 2 / 3 * 0.05, delta=0.008)

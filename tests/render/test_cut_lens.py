@@ -28,8 +28,8 @@ def stand_out(picture, width, height):
     found = []
     for y in range(2, height - 2):
         for x in range(2, width - 2):
-            around = [green[v*width + u] for v in (y - 1, y, y + 1) for u in (x - 1, x, x + 1) if (u, v) != (x, y)]
-            if not 0.7*min(around) <= green[y*width + x] <= 1.4*max(around):
+            around = [green[v * width + u] for v in (y - 1, y, y + 1) for u in (x - 1, x, x + 1) if (u, v) != (x, y)]
+            if not 0.7 * min(around) <= green[y * width + x] <= 1.4 * max(around):
                 found.append((x, y))
     return found
 

@@ -36,7 +36,7 @@ def clipped_error(picture, truth):
     """Mean square error per channel as displayed, and the share of pixels off by more than 2 sqrt(1e-4)."""
     channels = len(picture.names)
     errors = [(min(1.0, a) - min(1.0, b)) ** 2 for a, b in zip(picture.values, truth.values)]
-    pixels = [max(errors[i:i + channels]) for i in range(0, len(errors), channels)]
+    pixels = [max(errors[i : i + channels]) for i in range(0, len(errors), channels)]
     return sum(errors) / len(errors), sum(e > 4e-4 for e in pixels) / len(pixels)
 
 

@@ -28,20 +28,22 @@ from tests.stress.pictures import students_quantile
 
 WIDTH, HEIGHT = 64, 48
 REFERENCE_SEEDS = (101, 102)
-LEAST_REFERENCE, FINER = 512, 10        # samples of each picture of a reference: the least, and how many for each ray that is judged
-CHANCE = 1e-2               # that any scene fails by chance
-WHITE = 0.9                 # above white nothing is seen; brighter pixels are left out
+LEAST_REFERENCE, FINER = 512, 10  # samples of each picture of a reference: the least, and how many for each ray that is judged
+CHANCE = 1e-2  # that any scene fails by chance
+WHITE = 0.9  # above white nothing is seen; brighter pixels are left out
 SETTINGS = argparse.Namespace(scenes=4, seeds=8, scene=None, show=None, told=False)
 
 
 def lamp(r, aperture, mirrored):
     z = r.uniform(28, 50) if mirrored else r.choice((r.uniform(-5, -1), r.uniform(1, 25)))
-    far = (z + 10)/10
-    blur = aperture*abs(z)/(z + 10)*WIDTH/7.28                  # pixels
-    pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))    # that a sharp one would have
-    emission = math.exp(r.uniform(math.log(0.05), math.log(0.8)))*max(1.0, (blur/pixels)**2)
-    x, y, radius = 3.6*far*r.uniform(-1, 1), 2.7*far*r.uniform(-1, 1), pixels/2*7.28/WIDTH*far
-    look = f"pigment {{ rgb <1, {r.uniform(0.3, 1):.3f}, {r.uniform(0.3, 1):.3f}> }} finish {{ emission {emission:.5g} diffuse 0 ambient 0 }}"
+    far = (z + 10) / 10
+    blur = aperture * abs(z) / (z + 10) * WIDTH / 7.28  # pixels
+    pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))  # that a sharp one would have
+    emission = math.exp(r.uniform(math.log(0.05), math.log(0.8))) * max(1.0, (blur / pixels) ** 2)
+    x, y, radius = 3.6 * far * r.uniform(-1, 1), 2.7 * far * r.uniform(-1, 1), pixels / 2 * 7.28 / WIDTH * far
+    look = (
+        f"pigment {{ rgb <1, {r.uniform(0.3, 1):.3f}, {r.uniform(0.3, 1):.3f}> }} finish {{ emission {emission:.5g} diffuse 0 ambient 0 }}"
+    )
     if not mirrored and r.random() < 0.7:
         look = f"texture {{ gradient x texture_map {{ [0 {look}] [1 {look}] }} }}"
     return f"sphere {{ <{x:.4f}, {y:.4f}, {16 - z if mirrored else z:.4f}>, {radius:.6f} {look} }}\n"
@@ -49,24 +51,30 @@ def lamp(r, aperture, mirrored):
 
 def edge(r):
     """A board that hides a part of the scene."""
-    return (f"box {{ <0, -9, 0>, <{r.uniform(0.3, 4):.3f}, 9, 0.02> pigment {{ rgb {r.uniform(0, 0.5):.3f} }} finish {{ emission 1 diffuse 0 }}"
-            f" rotate {r.uniform(0, 360):.2f}*z translate <{r.uniform(-3, 3):.3f}, {r.uniform(-2, 2):.3f}, {r.uniform(-6, 0.9):.3f}> }}\n")
+    return (
+        f"box {{ <0, -9, 0>, <{r.uniform(0.3, 4):.3f}, 9, 0.02> pigment {{ rgb {r.uniform(0, 0.5):.3f} }} finish {{ emission 1 diffuse 0 }}"
+        f" rotate {r.uniform(0, 360):.2f}*z translate <{r.uniform(-3, 3):.3f}, {r.uniform(-2, 2):.3f}, {r.uniform(-6, 0.9):.3f}> }}\n"
+    )
 
 
 def world(number):
     """Random objects before the camera, and the aperture."""
     r = random.Random(number)
     aperture, mirrored = r.uniform(0.5, 3), r.random() < 0.3
-    wall = (f"box {{ <-30, -30, {8 if mirrored else 40}>, <30, 30, 41> pigment {{ rgb {r.uniform(0, 0.2):.3f} }}"
-            f" finish {{ emission 1 diffuse 0 {'reflection 0.9' if mirrored else ''} }} }}\n")
+    wall = (
+        f"box {{ <-30, -30, {8 if mirrored else 40}>, <30, 30, 41> pigment {{ rgb {r.uniform(0, 0.2):.3f} }}"
+        f" finish {{ emission 1 diffuse 0 {'reflection 0.9' if mirrored else ''} }} }}\n"
+    )
     lamps = "".join(lamp(r, aperture, mirrored) for _ in range(r.randint(1, 24)))
     return wall + lamps + "".join(edge(r) for _ in range(r.randint(0, 3))), aperture
 
 
 def scene(number, seed, samples=""):
     things, aperture = world(number)
-    return (f"camera {{ right x*image_width/image_height location -10*z look_at 0 angle 40 focal_point 0 aperture {aperture:.4f}"
-            f" {samples} tilt_lens {{ sample_seed {seed} }} }}\n{things}")
+    return (
+        f"camera {{ right x*image_width/image_height location -10*z look_at 0 angle 40 focal_point 0 aperture {aperture:.4f}"
+        f" {samples} tilt_lens {{ sample_seed {seed} }} }}\n{things}"
+    )
 
 
 def picture(number, seed, samples=""):
@@ -80,25 +88,25 @@ class Reference:
     """The mean of two pictures, and its noise."""
 
     def __init__(self, number, rays):
-        samples = max(LEAST_REFERENCE, FINER*rays)
+        samples = max(LEAST_REFERENCE, FINER * rays)
         one, two = (picture(number, seed, f"blur_samples {samples}, {samples} variance 0")[0] for seed in REFERENCE_SEEDS)
-        self.kept = [i for i, (a, b) in enumerate(zip(one, two)) if a + b < 2*WHITE]
-        self.truth = [(one[i] + two[i])/2 for i in self.kept]
-        self.noise = [((one[i] - two[i])/2)**2 for i in self.kept]     # squared standard error of the mean
+        self.kept = [i for i, (a, b) in enumerate(zip(one, two)) if a + b < 2 * WHITE]
+        self.truth = [(one[i] + two[i]) / 2 for i in self.kept]
+        self.noise = [((one[i] - two[i]) / 2) ** 2 for i in self.kept]  # squared standard error of the mean
 
     def shown(self, values):
         return [min(1.0, values[i]) for i in self.kept]
 
     def error(self, values):
         """Mean square error without the reference's own."""
-        return statistics.fmean((a - b)**2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
+        return statistics.fmean((a - b) ** 2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
 
     def excess(self, values, others):
         """Difference of two errors over their sum, and its variance by the reference."""
         pairs = list(zip(self.shown(values), self.shown(others), self.truth, self.noise))
-        difference = sum((a - b)*(a + b - 2*truth) for a, b, truth, _ in pairs)
-        scale = sum((a - truth)**2 + (b - truth)**2 for a, b, truth, _ in pairs)
-        return (difference/scale, sum(4*(a - b)**2*noise for a, b, _, noise in pairs)/scale**2) if scale > 0.0 else (0.0, 0.0)
+        difference = sum((a - b) * (a + b - 2 * truth) for a, b, truth, _ in pairs)
+        scale = sum((a - truth) ** 2 + (b - truth) ** 2 for a, b, truth, _ in pairs)
+        return (difference / scale, sum(4 * (a - b) ** 2 * noise for a, b, _, noise in pairs) / scale**2) if scale > 0.0 else (0.0, 0.0)
 
 
 class Excess:
@@ -111,10 +119,10 @@ class Excess:
         self.mean = statistics.fmean(excesses)
         count = len(excesses)
         # the reference is the same for all seeds: its part is no smaller in their mean
-        by_seeds, by_reference = statistics.variance(excesses)/count, statistics.fmean(given)
+        by_seeds, by_reference = statistics.variance(excesses) / count, statistics.fmean(given)
         variance = by_seeds + by_reference
-        freedom = (count - 1)*(variance/by_seeds)**2 if by_seeds > 0.0 else math.inf
-        self.margin = students_quantile((1 - CHANCE)**(1/tests), min(freedom, 1000.0))*math.sqrt(variance)
+        freedom = (count - 1) * (variance / by_seeds) ** 2 if by_seeds > 0.0 else math.inf
+        self.margin = students_quantile((1 - CHANCE) ** (1 / tests), min(freedom, 1000.0)) * math.sqrt(variance)
 
     @property
     def is_found(self):
@@ -149,8 +157,12 @@ class FixedSampling(rendering.RenderTest):
         if SETTINGS.told:
             print("\n".join(words for _, words in found))
         worse = [words for excess, words in found if excess.is_found]
-        self.assertFalse(worse, "more error than fixed sampling with as many rays:\n" + "\n".join(worse)
-                         + "\nA scene's text: add --show NUMBER to the command of this test")
+        self.assertFalse(
+            worse,
+            "more error than fixed sampling with as many rays:\n"
+            + "\n".join(worse)
+            + "\nA scene's text: add --show NUMBER to the command of this test",
+        )
 
     def test_the_comparison_finds_an_eighth_of_the_rays(self):
         """Shows that it can fail."""

@@ -12,8 +12,10 @@ from tests.render import rendering, scenes
 # four squares: values above and below half's range, one with more digits than half has, and white
 CAMERA = "camera { orthographic location -z look_at 0 right 4*x up y }\n"
 VALUES = (123456.75, 1e-9, 0.7071067690849304, 1.0)
-SQUARES = CAMERA + "".join(f"box {{ <{i - 2}, -1, 0>, <{i - 1}, 1, 1> pigment {{ rgb {v} }} finish {{ ambient 0 emission 1 diffuse 0 }} }}\n"
-                           for i, v in enumerate(VALUES))
+SQUARES = CAMERA + "".join(
+    f"box {{ <{i - 2}, -1, 0>, <{i - 1}, 1, 1> pigment {{ rgb {v} }} finish {{ ambient 0 emission 1 diffuse 0 }} }}\n"
+    for i, v in enumerate(VALUES)
+)
 SIZE = {"width": 8, "height": 2}
 
 

@@ -31,8 +31,10 @@ def pinhole(world=scenes.WORLD, lens=LENS, **how):
 def wall(distance, aid, width=64, height=48):
     """A black wall parallel to the film, focus at 10. Its blur is |1/Z - 1/10| times diameter times film distance in pixels, here 0.5 * 1 *
     64."""
-    scene = (f"camera {{ location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z tilt_lens {{ {aid} }} }}\n"
-             f"plane {{ z, {distance} pigment {{ rgb 0 }} }}\n")
+    scene = (
+        f"camera {{ location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z tilt_lens {{ {aid} }} }}\n"
+        f"plane {{ z, {distance} pigment {{ rgb 0 }} }}\n"
+    )
     return rendering.render(scene, width=width, height=height), 32 * (1 / distance - 1 / 10)
 
 
@@ -142,8 +144,10 @@ class Map(rendering.RenderTest):
                 self.assertLess(max(abs(a - b) for a, b in zip(bar, shown)), 0.02, f"{name}: {blur} pixels\n{seen.told}")
 
     def test_background_is_blurred_as_at_infinity(self):
-        empty = rendering.render("camera { location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z "
-                                 "tilt_lens { focus_map } }\nsphere { -9*z, 1 }\n")
+        empty = rendering.render(
+            "camera { location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z "
+            "tilt_lens { focus_map } }\nsphere { -9*z, 1 }\n"
+        )
         far, _ = wall(1e6, "focus_map")
         self.assertLess(max(abs(a - b) for a, b in zip(empty.pixel(5, 5), far.pixel(5, 5))), 1e-3, empty.told)
 
@@ -182,9 +186,11 @@ class Planes(rendering.RenderTest):
 
     def test_wedge_meets_in_the_hinge(self):
         """From a tilted lens, no surface is visible above the hinge's horizon, and all three below it."""
-        scene = ("camera { location 0 direction z right x up 0.75*y aperture 1 focal_point <0, 0, 10> "
-                 "tilt_lens { focus_tilt 80 show_planes } }\n"
-                 "sphere { -9*z, 1 }\nbackground { rgb 0 }\n")
+        scene = (
+            "camera { location 0 direction z right x up 0.75*y aperture 1 focal_point <0, 0, 10> "
+            "tilt_lens { focus_tilt 80 show_planes } }\n"
+            "sphere { -9*z, 1 }\nbackground { rgb 0 }\n"
+        )
         seen = rendering.render(scene, "+UA", width=64, height=48)
         self.assertEqual(max(seen.pixel(30, 1)[:3]), 0.0, f"above\n{seen.told}")
         self.assertGreater(min(seen.pixel(30, 40)[:3]), 0.1, f"below\n{seen.told}")
@@ -199,8 +205,10 @@ class Cost(rendering.RenderTest):
     def test_one_ray_a_pixel(self):
         """No more rays than a pinhole picture, by the program's own count."""
         rays = {}
-        for name, scene in {"pinhole": f"camera {{ {scenes.VIEW} tilt_lens {{}} }}\n" + scenes.WORLD,
-                            **{aid: scenes.camera(aid) + scenes.WORLD for aid in AIDS}}.items():
+        for name, scene in {
+            "pinhole": f"camera {{ {scenes.VIEW} tilt_lens {{}} }}\n" + scenes.WORLD,
+            **{aid: scenes.camera(aid) + scenes.WORLD for aid in AIDS},
+        }.items():
             said = rendering.render_and_listen(scene, **SIZE)[1]
             found = re.search(r"^Rays: +(\d+)", said, re.MULTILINE)
             self.assertIsNotNone(found, said)
@@ -211,9 +219,11 @@ class Cost(rendering.RenderTest):
 
 class Report(rendering.RenderTest):
     def test_reports_the_drawn_aid(self):
-        for aid, words in ((PEAKING, "focus_peaking: tinted where blurred under 1.5 pixels"),
-                           ("focus_map", "focus_map: blue behind the sharp plane, orange before it"),
-                           ("show_planes", "show_planes: the sharp plane's grid has 0*\\.?0*[125]0* units")):
+        for aid, words in (
+            (PEAKING, "focus_peaking: tinted where blurred under 1.5 pixels"),
+            ("focus_map", "focus_map: blue behind the sharp plane, orange before it"),
+            ("show_planes", "show_planes: the sharp plane's grid has 0*\\.?0*[125]0* units"),
+        ):
             with self.subTest(aid=aid):
                 said = rendering.render_and_listen(scenes.camera(aid) + scenes.WORLD)[1]
                 self.assertRegex(said, r"Drawn\.{16}" + words)

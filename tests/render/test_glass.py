@@ -85,7 +85,9 @@ class Focus(rendering.RenderTest):
 
     def test_its_stop_blurs(self):
         near = "plane { z, 3 pigment { checker rgb 0.2 rgb 1 scale 0.12 } finish { emission 1 diffuse 0 } }\n"
-        spread = lambda items: (lambda row: max(row) - min(row))(render(camera(GAUSS + items) + near).channel("R")[WIDTH * 16 + 16:WIDTH * 16 + 32])
+        spread = lambda items: (lambda row: max(row) - min(row))(
+            render(camera(GAUSS + items) + near).channel("R")[WIDTH * 16 + 16 : WIDTH * 16 + 32]
+        )
         self.assertGreater(spread("f_stop 64"), 0.7)
         self.assertLess(spread(""), 0.35)
 
@@ -104,7 +106,10 @@ class Layers(rendering.RenderTest):
             self.assertAlmostEqual(at["depth.Z"], 10, places=4)
             self.assertAlmostEqual(at["position.Z"], 10, places=4)
             place = f"<{at['position.X']}, {at['position.Y']}, 10>"
-            picture = render(camera(items, "blur_samples 64, 64 variance 0 ") + f"sphere {{ {place}, 0.06 pigment {{ rgb 1 }} finish {{ emission 4 }} }}\n")
+            picture = render(
+                camera(items, "blur_samples 64, 64 variance 0 ")
+                + f"sphere {{ {place}, 0.06 pigment {{ rgb 1 }} finish {{ emission 4 }} }}\n"
+            )
             light = {(i, j): picture.pixel(i, j)[0] for i in range(WIDTH) for j in range(HEIGHT)}
             middle = [sum((at[axis] + 0.5) * value for at, value in light.items()) / sum(light.values()) for axis in (0, 1)]
             self.assertAlmostEqual(middle[0], x + 0.5, delta=0.15)
@@ -181,7 +186,7 @@ class Dispersion(rendering.RenderTest):
     @staticmethod
     def disc(wavelength):
         """Radius in mm: of a thick lens with dispersion by the Abbe number, with the stop 30 mm behind it."""
-        index = 1.5168 + 0.5168 / 64.17 * (wavelength ** -2 - 587.6 ** -2) / (486.1 ** -2 - 656.3 ** -2)
+        index = 1.5168 + 0.5168 / 64.17 * (wavelength**-2 - 587.6**-2) / (486.1**-2 - 656.3**-2)
         focal = lambda n: 1 / ((n - 1) * (2 / 100 - (n - 1) * 4 / (n * 100 * 100)))
         image = lambda n: 1 / (1 / focal(n) - 1 / 10000)
         return abs(image(1.5168) - image(index)) * 2 / (image(1.5168) - 32)

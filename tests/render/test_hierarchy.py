@@ -80,23 +80,26 @@ CAMERAS = {
     # all rays run along an axis; those in mirrors along two
     "along an axis": "camera { orthographic location <0.1, 0.7, -4> direction z right 4*x up 3*y }\n",
 }
-TILTED = ("camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> focal_point <0, 0.7, 0> aperture 0.1 "
-          "blur_samples 2, 2 variance 0 tilt_lens { tilt 5 } }\n")
+TILTED = (
+    "camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> focal_point <0, 0.7, 0> aperture 0.1 "
+    "blur_samples 2, 2 variance 0 tilt_lens { tilt 5 } }\n"
+)
 
 
 class Hierarchy(rendering.RenderTest):
     def test_equals_the_picture_without_boxes(self):
         for name, camera in {**CAMERAS, "tilt_lens": TILTED}.items():
             with self.subTest(name):
-                self.assert_same(rendering.render(camera + WORLD, **SIZE), rendering.render(camera + WORLD, "-MB", **SIZE),
-                                 name)
+                self.assert_same(rendering.render(camera + WORLD, **SIZE), rendering.render(camera + WORLD, "-MB", **SIZE), name)
 
     def test_of_one_object_and_of_infinite_ones(self):
-        for name, world in (("one", LIGHT + "sphere { 0, 1 pigment { rgb 1 } }"), ("infinite", LIGHT + 4*INFINITE),
-                            ("crowd", LIGHT + CROWD)):
+        for name, world in (
+            ("one", LIGHT + "sphere { 0, 1 pigment { rgb 1 } }"),
+            ("infinite", LIGHT + 4 * INFINITE),
+            ("crowd", LIGHT + CROWD),
+        ):
             with self.subTest(name):
-                self.assert_same(rendering.render(TILTED + world, "+MB1", **SIZE),
-                                 rendering.render(TILTED + world, "-MB", **SIZE), name)
+                self.assert_same(rendering.render(TILTED + world, "+MB1", **SIZE), rendering.render(TILTED + world, "-MB", **SIZE), name)
 
     def test_of_meshes(self):
         pictures = {name: rendering.render(TILTED + LIGHT + TRIANGLES % leaves, **SIZE) for name, leaves in LEAVES.items()}

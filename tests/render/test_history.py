@@ -20,13 +20,15 @@ def vector(chance, low, high):
 def texture(chance):
     """Opaque, patterned, transparent or refracting."""
     normal = chance.choice(["", "normal { facets size 0.2 }", "normal { bumps 0.4 scale 0.1 }", "normal { crackle 0.5 scale 0.2 }"])
-    pigment = chance.choice([
-        f"rgb {vector(chance, 0.2, 1)}",
-        f"rgbf <{chance.uniform(0.5, 1):.2f}, 0.9, 0.8, 0.8>",
-        f"rgbt <0.9, {chance.uniform(0.5, 1):.2f}, 0.8, 0.6>",
-        "checker rgb 0.9 rgbt <1, 0.4, 0.3, 0.5> scale 0.21",
-        "crackle color_map { [0 rgb 0.1][0.3 rgbf <0.9, 0.9, 0.5, 0.4>] } scale 0.3",
-    ])
+    pigment = chance.choice(
+        [
+            f"rgb {vector(chance, 0.2, 1)}",
+            f"rgbf <{chance.uniform(0.5, 1):.2f}, 0.9, 0.8, 0.8>",
+            f"rgbt <0.9, {chance.uniform(0.5, 1):.2f}, 0.8, 0.6>",
+            "checker rgb 0.9 rgbt <1, 0.4, 0.3, 0.5> scale 0.21",
+            "crackle color_map { [0 rgb 0.1][0.3 rgbf <0.9, 0.9, 0.5, 0.4>] } scale 0.3",
+        ]
+    )
     finish = chance.choice(["", "finish { reflection 0.3 phong 0.4 }", "finish { crand 0.1 }"])
     return f"pigment {{ {pigment} }} {normal} {finish}", "rgbf" in pigment
 
@@ -36,19 +38,34 @@ def thing(chance):
     place = "<{:.1f}, {:.1f}, {:.1f}>".format(*at)
     surface, clear = texture(chance)
     interior = "interior { ior 1.4 }" if clear and chance.random() < 0.6 else ""
-    solid = chance.choice(["sphere { 0, 0.4", "box { -0.4, 0.4", "box { <-0.6, -0.2, -0.2>, <0.6, 0.2, 0.2>",
-                           "cylinder { -0.4*y, 0.4*y, 0.4", "torus { 0.4, 0.2", "cone { -0.4*y, 0.4, 0.4*y, 0",
-                           "union { box { -0.4, <0.4, 0, 0.4> } sphere { <0, 0.2, 0>, 0.2 }",
-                           "difference { box { -0.4, 0.4 } sphere { 0, 0.5 }",
-                           "isosurface { function { x*x + y*y + z*z - 0.16 + 0.02*sin(20*x) } contained_by { box { -0.5, 0.5 } } max_gradient 1.2",
-                           "isosurface { function { sqrt(x*x + y*y + z*z) - 0.3 - 0.05*sin(25*y) } contained_by { sphere { 0, 0.5 } } "
-                           "evaluate 0.6, 1.1, 0.9"])
+    solid = chance.choice(
+        [
+            "sphere { 0, 0.4",
+            "box { -0.4, 0.4",
+            "box { <-0.6, -0.2, -0.2>, <0.6, 0.2, 0.2>",
+            "cylinder { -0.4*y, 0.4*y, 0.4",
+            "torus { 0.4, 0.2",
+            "cone { -0.4*y, 0.4, 0.4*y, 0",
+            "union { box { -0.4, <0.4, 0, 0.4> } sphere { <0, 0.2, 0>, 0.2 }",
+            "difference { box { -0.4, 0.4 } sphere { 0, 0.5 }",
+            "isosurface { function { x*x + y*y + z*z - 0.16 + 0.02*sin(20*x) } contained_by { box { -0.5, 0.5 } } max_gradient 1.2",
+            "isosurface { function { sqrt(x*x + y*y + z*z) - 0.3 - 0.05*sin(25*y) } contained_by { sphere { 0, 0.5 } } "
+            "evaluate 0.6, 1.1, 0.9",
+        ]
+    )
     return f"{solid} {surface} {interior} translate {place} }}\n"
 
 
 def light(chance):
-    kind = chance.choice(["", "area_light 2*x, 2*y, 4, 4 adaptive 1", "area_light 2*x, 2*z, 3, 5 jitter", "shadowless",
-                          "spotlight point_at 0 radius 20 falloff 35"])
+    kind = chance.choice(
+        [
+            "",
+            "area_light 2*x, 2*y, 4, 4 adaptive 1",
+            "area_light 2*x, 2*z, 3, 5 jitter",
+            "shadowless",
+            "spotlight point_at 0 radius 20 falloff 35",
+        ]
+    )
     return f"light_source {{ <{chance.randrange(-6, 7)}, {chance.randrange(4, 9)}, {chance.randrange(-8, 0)}>, rgb 0.5 {kind} }}\n"
 
 
@@ -58,8 +75,7 @@ def scene(seed, more=""):
     group = "".join(thing(chance) for _ in range(3))
     lights = "".join(light(chance) for _ in range(3))
     ground = "plane { y, -0.4 pigment { checker rgb 0.8 rgb 0.4 } finish { reflection 0.1 } }\n"
-    return (f"{CAMERA}{more}{ground}{things}{lights}light_group {{ {light(chance)}{group} global_lights on }}\n"
-            "background { rgb 0.3 }\n")
+    return f"{CAMERA}{more}{ground}{things}{lights}light_group {{ {light(chance)}{group} global_lights on }}\n" "background { rgb 0.3 }\n"
 
 
 class History(rendering.RenderTest):
@@ -82,8 +98,11 @@ class History(rendering.RenderTest):
 
     def test_photons(self):
         """Two lights, three targets: free threads take the pairs in any order."""
-        targets = "".join(f"sphere {{ <{x}, 0.3, {x}>, 0.35 pigment {{ rgbf <1, 0.9, 0.8, 0.9> }} interior {{ ior 1.5 }} "
-                          "photons { target refraction on reflection on collect off } }\n" for x in (-0.9, 0, 0.9))
+        targets = "".join(
+            f"sphere {{ <{x}, 0.3, {x}>, 0.35 pigment {{ rgbf <1, 0.9, 0.8, 0.9> }} interior {{ ior 1.5 }} "
+            "photons { target refraction on reflection on collect off } }\n"
+            for x in (-0.9, 0, 0.9)
+        )
         lights = "".join(f"light_source {{ <{x}, 6, -2>, rgb 0.7 photons {{ refraction on reflection on }} }}\n" for x in (-3, 3))
         ground = "plane { y, 0 pigment { rgb 0.8 } }\nbackground { rgb 0.3 }\n"
         photons = "global_settings { photons { count 4000 jitter 0.6 } }\n"

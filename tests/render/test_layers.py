@@ -67,8 +67,12 @@ class Numbers(rendering.RenderTest):
     def test_common_tools_open_it(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             rendering.Job(TURNED, ("+N",), **SIZE).run(pathlib.Path(name))
-            said = subprocess.run(["oiiotool", "--info", "-v", "--stats", str(pathlib.Path(name) / "picture.layers.exr")],
-                                  capture_output=True, check=True, text=True).stdout
+            said = subprocess.run(
+                ["oiiotool", "--info", "-v", "--stats", str(pathlib.Path(name) / "picture.layers.exr")],
+                capture_output=True,
+                check=True,
+                text=True,
+            ).stdout
         self.assertIn("67 x   45, 7 channel, float openexr", said)
         self.assertIn("tiltLens:tilt: 4", said)
 
@@ -117,8 +121,10 @@ class Numbers(rendering.RenderTest):
     def test_blur_of_a_wall(self):
         """|1/Z - 1/10| times diameter times film distance in pixels, positive before the plane of focus."""
         for distance in (4.0, 10.0, 30.0):
-            scene = ("camera { location 0 direction z right 1.5*x up y aperture 1 focal_point 10*z blur_samples 4 tilt_lens {} }\n"
-                     f"plane {{ z, {distance} pigment {{ rgb 0.5 }} }}\n")
+            scene = (
+                "camera { location 0 direction z right 1.5*x up y aperture 1 focal_point 10*z blur_samples 4 tilt_lens {} }\n"
+                f"plane {{ z, {distance} pigment {{ rgb 0.5 }} }}\n"
+            )
             seen = Rendered(scene)
             for x, y in ((0, 0), (33, 22), (66, 44)):
                 self.assertAlmostEqual(seen.at("depth.Z", x, y), distance, delta=1e-5)
@@ -179,12 +185,22 @@ class Numbers(rendering.RenderTest):
 class Attributes(rendering.RenderTest):
     def test_physical_lens(self):
         view = "location 0 direction z up 2/3*y right x look_at 10*z "
-        scene = (f"camera {{ {view}blur_samples 4 tilt_lens {{ focal_length 50 f_stop 2 film_width 36 tilt 3 swing -2 "
-                 "shift <4, 6> } }\n" + "sphere { 10*z, 1 pigment { rgb 1 } }\n")
+        scene = (
+            f"camera {{ {view}blur_samples 4 tilt_lens {{ focal_length 50 f_stop 2 film_width 36 tilt 3 swing -2 "
+            "shift <4, 6> } }\n" + "sphere { 10*z, 1 pigment { rgb 1 } }\n"
+        )
         seen = Rendered(scene)
-        for name, wanted in (("nominalFocalLength", [50]), ("aperture", [2]), ("focus", [10]),
-                             ("sensorOverallDimensions", [36, 24]), ("tiltLens:tilt", [3]), ("tiltLens:swing", [-2]),
-                             ("tiltLens:shift", [4, 6]), ("tiltLens:diameter", [25]), ("tiltLens:millimetresPerUnit", [1000])):
+        for name, wanted in (
+            ("nominalFocalLength", [50]),
+            ("aperture", [2]),
+            ("focus", [10]),
+            ("sensorOverallDimensions", [36, 24]),
+            ("tiltLens:tilt", [3]),
+            ("tiltLens:swing", [-2]),
+            ("tiltLens:shift", [4, 6]),
+            ("tiltLens:diameter", [25]),
+            ("tiltLens:millimetresPerUnit", [1000]),
+        ):
             with self.subTest(name=name):
                 for found, value in zip(seen.attribute(name), wanted, strict=True):
                     self.assertAlmostEqual(found, value, delta=1e-4 * abs(value))
@@ -208,9 +224,14 @@ class Cameras(rendering.RenderTest):
         self.assertGreater(len(set(seen.layers.channel("blur"))), 100)
 
     def test_stock_cameras_have_their_layers(self):
-        for name, camera, options in (("pinhole", scenes.VIEW, ()), ("focal blur", scenes.VIEW + "aperture 0.3 blur_samples 9", ()),
-                                      ("anti-aliasing 1", scenes.VIEW, ("+A0.1",)), ("anti-aliasing 2", scenes.VIEW, ("+A0.1", "+AM2")),
-                                      ("preview", scenes.VIEW, ("+SP8",)), ("sheared", scenes.VIEW + SHEARED, ())):
+        for name, camera, options in (
+            ("pinhole", scenes.VIEW, ()),
+            ("focal blur", scenes.VIEW + "aperture 0.3 blur_samples 9", ()),
+            ("anti-aliasing 1", scenes.VIEW, ("+A0.1",)),
+            ("anti-aliasing 2", scenes.VIEW, ("+A0.1", "+AM2")),
+            ("preview", scenes.VIEW, ("+SP8",)),
+            ("sheared", scenes.VIEW + SHEARED, ()),
+        ):
             with self.subTest(name=name):
                 scene = f"camera {{ {camera} }}\n" + scenes.WORLD
                 seen = Rendered(scene, *options, "+WT1")
@@ -222,10 +243,14 @@ class Cameras(rendering.RenderTest):
     def test_depth_of_other_cameras_is_the_ray(self):
         for kind in ("spherical angle 90 60", "fisheye angle 90", "panoramic", "cylinder 1"):
             with self.subTest(kind=kind):
-                seen = Rendered(f"camera {{ {kind} location 0 look_at z }}\nsphere {{ 0, 5 pigment {{ rgb 1 }} finish {{ emission 1 }} }}\n")
+                seen = Rendered(
+                    f"camera {{ {kind} location 0 look_at z }}\nsphere {{ 0, 5 pigment {{ rgb 1 }} finish {{ emission 1 }} }}\n"
+                )
                 for x, y in ((33, 22), (20, 15), (50, 30)):
                     self.assertAlmostEqual(seen.at("depth.Z", x, y), math.dist(seen.position(x, y), (0, 0, 0)), delta=1e-4)
-                self.assertAlmostEqual(seen.at("depth.Z", 33, 22), 5.0 if "cylinder" not in kind else seen.at("depth.Z", 33, 22), delta=1e-4)
+                self.assertAlmostEqual(
+                    seen.at("depth.Z", 33, 22), 5.0 if "cylinder" not in kind else seen.at("depth.Z", 33, 22), delta=1e-4
+                )
 
     def test_orthographic(self):
         seen = Rendered("camera { orthographic location -3*z look_at 0 right 4*x up 3*y }\nplane { z, 2 pigment { rgb 1 } }\n")
@@ -251,7 +276,7 @@ class Files(rendering.RenderTest):
     def test_a_file_for_each_frame(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
-            job = rendering.Job(scenes.TILTED.replace("tilt 4", "tilt 4*clock") , ("+N", "+KFI1", "+KFF3"))
+            job = rendering.Job(scenes.TILTED.replace("tilt 4", "tilt 4*clock"), ("+N", "+KFI1", "+KFF3"))
             code, said = job.attempt(folder)
             self.assertEqual(code, 0, said)
             tilts = [re.search(r"tiltLens:tilt \(type float\): (\S+)", header(folder / f"picture{i}.layers.exr"))[1] for i in (1, 2, 3)]

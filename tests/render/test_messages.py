@@ -11,8 +11,17 @@ from tools import povray_run
 
 STOCK = f"camera {{ {scenes.VIEW}aperture 0.3 blur_samples 9 }}\n" + scenes.WORLD
 FILM = scenes.camera("film_width 24 shift <3, -2>")
-BEFORE = ("Tilt Lens\n", "Lens....", "Focal length....", "Film....", "angle of view....", "Aperture....",
-          "Sharp plane", "Hinge line....", "Sharp on the axis....")
+BEFORE = (
+    "Tilt Lens\n",
+    "Lens....",
+    "Focal length....",
+    "Film....",
+    "angle of view....",
+    "Aperture....",
+    "Sharp plane",
+    "Hinge line....",
+    "Sharp on the axis....",
+)
 AFTER = ("Tilt Lens Sampling\n", "Samples per pixel....", "Standard error....")
 
 

@@ -20,17 +20,21 @@ RANDOM = {
     "media": LIGHT + FLOOR + BALL + "media { scattering { 1, 0.1 } samples 4, 8 jitter 1 method 3 }\n",
     "media of method 1": LIGHT + FLOOR + BALL + "media { scattering { 1, 0.1 } intervals 2 samples 2, 4 jitter 1 method 1 }\n",
     "media in an object": LIGHT + FLOOR + "sphere { <0, 1, 0>, 1 hollow pigment { rgbt 1 } interior { media {"
-                          " emission 0.5 scattering { 1, 0.5 } density { bozo } jitter 1 } } }\n",
-    "photons": "global_settings { photons { count 2000 jitter 1 } }\n" + LIGHT + FLOOR +
-               "sphere { <0.3, 0.8, 0>, 0.7 pigment { rgbf 0.9 } interior { ior 1.4 }"
-               " photons { target reflection on refraction on } }\n",
-    "subsurface": "global_settings { mm_per_unit 10 subsurface { samples 8, 8 } }\n" + LIGHT + FLOOR +
-                  "sphere { <0.3, 0.8, 0>, 0.7 pigment { rgb 0.8 } finish { ambient 0 subsurface {"
-                  " translucency <0.9, 0.6, 0.3> } } interior { ior 1.3 } }\n",
+    " emission 0.5 scattering { 1, 0.5 } density { bozo } jitter 1 } } }\n",
+    "photons": "global_settings { photons { count 2000 jitter 1 } }\n"
+    + LIGHT
+    + FLOOR
+    + "sphere { <0.3, 0.8, 0>, 0.7 pigment { rgbf 0.9 } interior { ior 1.4 }"
+    " photons { target reflection on refraction on } }\n",
+    "subsurface": "global_settings { mm_per_unit 10 subsurface { samples 8, 8 } }\n"
+    + LIGHT
+    + FLOOR
+    + "sphere { <0.3, 0.8, 0>, 0.7 pigment { rgb 0.8 } finish { ambient 0 subsurface {"
+    " translucency <0.9, 0.6, 0.3> } } interior { ior 1.3 } }\n",
     "averaged normals": LIGHT + FLOOR + "sphere { <0.3, 0.8, 0>, 0.7 pigment { rgb 0.1 } finish { reflection 0.8 }"
-                        " normal { average normal_map { [1 bumps 0.3 scale 0.01][1 bumps 0.3 scale 0.01 translate 5] } } }\n",
+    " normal { average normal_map { [1 bumps 0.3 scale 0.01][1 bumps 0.3 scale 0.01 translate 5] } } }\n",
     "dispersion": LIGHT + FLOOR + "sphere { <0.3, 0.8, 0>, 0.7 pigment { rgbf 1 } interior { ior 1.5 dispersion 1.1"
-                  " dispersion_samples 5 } }\n",
+    " dispersion_samples 5 } }\n",
     "camera normal": LIGHT + FLOOR + BALL,
 }
 
@@ -49,8 +53,10 @@ class Threads(rendering.RenderTest):
         camera = scenes.camera("tilt 6 focus_peaking rgb x", samples=FEW)
         for name in ("area light", "crand", "media", "subsurface"):
             with self.subTest(name):
-                one, many = (rendering.render(camera + RANDOM[name], *options, width=40, height=30)
-                             for options in (["+WT1", "+BS8"], ["+WT4", "+BS13"]))
+                one, many = (
+                    rendering.render(camera + RANDOM[name], *options, width=40, height=30)
+                    for options in (["+WT1", "+BS8"], ["+WT4", "+BS13"])
+                )
                 self.assert_same(many, one, name)
 
     def test_sub_image(self):

@@ -59,39 +59,42 @@ class Refused(rendering.RenderTest):
 
     def test_words(self):
         for word, said in (
-                ("Width=abc", "'Width=abc': Width takes a whole number."),
-                ("Antialias_Threshold=x", "'Antialias_Threshold=x': Antialias_Threshold takes a number."),
-                ("File_Gamma=0", "'File_Gamma=0': File_Gamma takes a number above 0, or sRGB."),
-                ("Output_File_Type=Q", "'Output_File_Type=Q': Output_File_Type takes one of the letters B (BMP)"),
-                ("Dither_Method=Q", "'Dither_Method=Q': Dither_Method takes one of B2, B3"),
-                ("Foo=1", "'Foo=1': there is no option 'Foo'. povray(1) lists all options."),
-                ("Widht=1", "'Widht=1': there is no option 'Widht', but Width."),
-                ("+A-1", "'+A-1': there is no such option. With its first letter there are +AG with a number above 0"),
-                ("+Wabc", "'+Wabc': +W takes a whole number."),
-                ("+W", "'+W': +W takes a whole number, directly behind it."),
-                ("+W10.7", "'+W10.7': +W takes a whole number."),
-                ("+H1e2", "'+H1e2': +H takes a whole number."),
-                ("Width=0x10", "'Width=0x10': Width takes a whole number."),
-                ("Clock=1,5", "'Clock=1,5': Clock takes a number."),
-                ("+K1,5", "'+K1,5': +K takes a number."),
-                ("Clock=nan", "'Clock=nan': Clock takes a number."),
-                ("Antialias=maybe", "'Antialias=maybe': Antialias takes on or off."),
-                ("Declare=A", "'Declare=A': Declare takes NAME=NUMBER, or 'NAME=\"TEXT\"' with both marks."),
-                ("Declare=A=", "'Declare=A=': Declare takes NAME=NUMBER"),
-                ("Declare==3", "'Declare==3': Declare takes NAME=NUMBER"),
-                ("Declare=3=4", "'Declare=3=4': Declare takes NAME=NUMBER"),
-                ("Declare=A=x", "'Declare=A=x': Declare takes NAME=NUMBER"),
-                ("+FQ", "'+FQ': +F takes one of the letters B (BMP)"),
-                ("+\u00e4", "'+\u00e4': there is no such option. povray(1) lists all options."),
-                ("nofile.ini", "'nofile.ini' cannot be read as an INI file (No such file or directory)."),
-                ("scene", "'scene' cannot be read as an INI file (No such file or directory).")):
+            ("Width=abc", "'Width=abc': Width takes a whole number."),
+            ("Antialias_Threshold=x", "'Antialias_Threshold=x': Antialias_Threshold takes a number."),
+            ("File_Gamma=0", "'File_Gamma=0': File_Gamma takes a number above 0, or sRGB."),
+            ("Output_File_Type=Q", "'Output_File_Type=Q': Output_File_Type takes one of the letters B (BMP)"),
+            ("Dither_Method=Q", "'Dither_Method=Q': Dither_Method takes one of B2, B3"),
+            ("Foo=1", "'Foo=1': there is no option 'Foo'. povray(1) lists all options."),
+            ("Widht=1", "'Widht=1': there is no option 'Widht', but Width."),
+            ("+A-1", "'+A-1': there is no such option. With its first letter there are +AG with a number above 0"),
+            ("+Wabc", "'+Wabc': +W takes a whole number."),
+            ("+W", "'+W': +W takes a whole number, directly behind it."),
+            ("+W10.7", "'+W10.7': +W takes a whole number."),
+            ("+H1e2", "'+H1e2': +H takes a whole number."),
+            ("Width=0x10", "'Width=0x10': Width takes a whole number."),
+            ("Clock=1,5", "'Clock=1,5': Clock takes a number."),
+            ("+K1,5", "'+K1,5': +K takes a number."),
+            ("Clock=nan", "'Clock=nan': Clock takes a number."),
+            ("Antialias=maybe", "'Antialias=maybe': Antialias takes on or off."),
+            ("Declare=A", "'Declare=A': Declare takes NAME=NUMBER, or 'NAME=\"TEXT\"' with both marks."),
+            ("Declare=A=", "'Declare=A=': Declare takes NAME=NUMBER"),
+            ("Declare==3", "'Declare==3': Declare takes NAME=NUMBER"),
+            ("Declare=3=4", "'Declare=3=4': Declare takes NAME=NUMBER"),
+            ("Declare=A=x", "'Declare=A=x': Declare takes NAME=NUMBER"),
+            ("+FQ", "'+FQ': +F takes one of the letters B (BMP)"),
+            ("+\u00e4", "'+\u00e4': there is no such option. povray(1) lists all options."),
+            ("nofile.ini", "'nofile.ini' cannot be read as an INI file (No such file or directory)."),
+            ("scene", "'scene' cannot be read as an INI file (No such file or directory)."),
+        ):
             self.check((word,), said)
 
     def test_lines_of_ini_files(self):
-        for text, said in (("Width=abc", "line 2: 'Width=abc': Width takes a whole number."),
-                           ('Declare=A="x y"', "line 2: 'Declare=A=\"x y\"': Declare takes NAME=NUMBER"),
-                           ("  Foo = 1 ; nothing", "line 2: 'Foo = 1 ; nothing': there is no option 'Foo'."),
-                           ("+A-1", "line 2: '+A-1': there is no such option.")):
+        for text, said in (
+            ("Width=abc", "line 2: 'Width=abc': Width takes a whole number."),
+            ('Declare=A="x y"', "line 2: 'Declare=A=\"x y\"': Declare takes NAME=NUMBER"),
+            ("  Foo = 1 ; nothing", "line 2: 'Foo = 1 ; nothing': there is no option 'Foo'."),
+            ("+A-1", "line 2: '+A-1': there is no such option."),
+        ):
             with self.subTest(text), tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 (pathlib.Path(name) / "own.ini").write_text(f"; first line\n{text}\n")
                 code, told = rendering.Job(STOCK, ("own.ini",)).attempt(pathlib.Path(name))
@@ -106,15 +109,30 @@ class Allowed(rendering.RenderTest):
                 code, said, _ = run(STOCK, *options)
                 self.assertEqual(code, 0, said)
 
-
     def test_values(self):
         scene = STOCK + '#if (A != -1500 | strcmp(B, "x y") != 0) #error "otherwise declared" #end'
-        code, said, _ = run(scene, "+A0.3", "+J0.5", "-J", "+SC0.25", "Clock=-1.5e3", "+K.5", "Antialias=On", "Jitter=0", "Width=+64",
-                            "Declare=A=-1.5e3", "Declare='B=\"x y\"'", "File_Gamma=sRGB", "+MB", "+R3")
+        code, said, _ = run(
+            scene,
+            "+A0.3",
+            "+J0.5",
+            "-J",
+            "+SC0.25",
+            "Clock=-1.5e3",
+            "+K.5",
+            "Antialias=On",
+            "Jitter=0",
+            "Width=+64",
+            "Declare=A=-1.5e3",
+            "Declare='B=\"x y\"'",
+            "File_Gamma=sRGB",
+            "+MB",
+            "+R3",
+        )
         self.assertEqual(code, 0, said)
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "own.ini").write_text(
-                "Width = 64  ; pixels\nHeight=48\t\r\nAntialias=Yes # or no\nDeclare=A=-1500\nDeclare='B=\"x y\"'\n")
+                "Width = 64  ; pixels\nHeight=48\t\r\nAntialias=Yes # or no\nDeclare=A=-1500\nDeclare='B=\"x y\"'\n"
+            )
             code, said = rendering.Job(scene, ("own.ini",)).attempt(pathlib.Path(name))
             self.assertEqual(code, 0, said)
 

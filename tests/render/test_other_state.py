@@ -41,7 +41,7 @@ class OtherState(rendering.RenderTest):
         shutil.rmtree(self.picture)
         data = self.state.read_bytes()
         ends = whole_messages(data)
-        self.state.write_bytes(data[:ends[len(ends) // 2]])
+        self.state.write_bytes(data[: ends[len(ends) // 2]])
 
     def refused(self, scene, *options, reason, **size):
         before = self.state.read_bytes()
@@ -84,11 +84,13 @@ class OtherState(rendering.RenderTest):
 
     def test_options(self):
         self.begin(SCENE, "Declare=A=1")
-        for options, reason in ((("+Q3", "Declare=A=1"), "Quality was not given and now is 3"),
-                                (("Declare=A=2",), "Declare A was 1 and now is 2"),
-                                ((), "its render had Declare A, which now is missing"),
-                                (("Declare=A=1", "+SR10"), "Start_Row was not given and now is 10"),
-                                (("Declare=A=1", "+BS16"), "Render_Block_Size was 8 and now is 16")):
+        for options, reason in (
+            (("+Q3", "Declare=A=1"), "Quality was not given and now is 3"),
+            (("Declare=A=2",), "Declare A was 1 and now is 2"),
+            ((), "its render had Declare A, which now is missing"),
+            (("Declare=A=1", "+SR10"), "Start_Row was not given and now is 10"),
+            (("Declare=A=1", "+BS16"), "Render_Block_Size was 8 and now is 16"),
+        ):
             self.refused(SCENE, *options, reason=reason)
         self.continued(SCENE, "Declare=A=1")
 
@@ -114,7 +116,7 @@ class OtherState(rendering.RenderTest):
     def test_without_a_key(self):
         self.begin(SCENE)
         data = self.state.read_bytes()
-        self.state.write_bytes(data[:STATE_HEADER] + data[whole_messages(data)[1]:])
+        self.state.write_bytes(data[:STATE_HEADER] + data[whole_messages(data)[1] :])
         self.refused(SCENE, reason="does not say which render it belongs to")
 
     def test_no_tile_yet(self):
@@ -129,7 +131,7 @@ class OtherState(rendering.RenderTest):
             self.begin(scene)
             data = self.state.read_bytes()
             at = data.index(b"Righ", whole_messages(data)[2]) + 12
-            self.state.write_bytes(data[:at] + struct.pack(">i", 5000) + data[at + 4:])
+            self.state.write_bytes(data[:at] + struct.pack(">i", 5000) + data[at + 4 :])
             self.continued(scene)
 
     def test_stock_scene(self):

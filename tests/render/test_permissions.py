@@ -115,8 +115,11 @@ class Permissions(rendering.RenderTest):
 
     def files(self):
         """Files that a scene could have written."""
-        return {path: path.read_bytes() for path in self.top.rglob("*") if path.is_file()
-                and path.name not in ("scene.pov",) and not path.name.startswith("picture.")}
+        return {
+            path: path.read_bytes()
+            for path in self.top.rglob("*")
+            if path.is_file() and path.name not in ("scene.pov",) and not path.name.startswith("picture.")
+        }
 
     def refused(self, line, deed):
         """The message, after a look at the files."""
@@ -151,18 +154,28 @@ class Permissions(rendering.RenderTest):
         """The scene's folder and those in it, folders of +L, the program's own, and the picture's, by any path."""
         more = f"+L{self.outside}"
         for line, *options in (
-                ('#include "file.inc"',), ('#include "sub/file.inc"',), ('#include "{outside}/../own folder/sub/file.inc"',),
-                ('#include "/proc/self/cwd/file.inc"',), ('#include "../outside/file.inc"', more), ('#include "link.inc"', more),
-                ('#fopen F "../outside/file.inc" read', more), ('#include "colors.inc"',), ('#include "tilt_lens.inc"',),
-                ('text {{ ttf "/usr/share/fonts/truetype/povray/crystal.ttf" "a", 1, 0 }}',),
-                ('text {{ ttf "timrom.ttf" "a", 1, 0 }}',), ('text {{ internal 1 "a", 1, 0 }}',),
-                ('plane {{ z, 9 pigment {{ image_map {{ png "plasma2.png" }} }} }}',),
-                ('plane {{ z, 9 pigment {{ density_file df3 "sub/file.df3" }} }}',),
-                ('camera {{ location -9*z look_at 0 tilt_lens {{ prescription "sub/lens.dat" }} }}',),
-                ('camera {{ location -9*z look_at 0 tilt_lens {{ prescription "lenses/zeiss_master_prime_100.json" }} }}',),
-                ('#fopen F "new.txt" write #write (F, 1, ",") #fclose F #fopen F "new.txt" append #write (F, 2, ",") #fclose F '
-                 '#fopen F "{own}/new.txt" read #read (F, A, B) #if (A + B != 3) #error "lost" #end',),
-                ('#fopen F "stdout" write',)):
+            ('#include "file.inc"',),
+            ('#include "sub/file.inc"',),
+            ('#include "{outside}/../own folder/sub/file.inc"',),
+            ('#include "/proc/self/cwd/file.inc"',),
+            ('#include "../outside/file.inc"', more),
+            ('#include "link.inc"', more),
+            ('#fopen F "../outside/file.inc" read', more),
+            ('#include "colors.inc"',),
+            ('#include "tilt_lens.inc"',),
+            ('text {{ ttf "/usr/share/fonts/truetype/povray/crystal.ttf" "a", 1, 0 }}',),
+            ('text {{ ttf "timrom.ttf" "a", 1, 0 }}',),
+            ('text {{ internal 1 "a", 1, 0 }}',),
+            ('plane {{ z, 9 pigment {{ image_map {{ png "plasma2.png" }} }} }}',),
+            ('plane {{ z, 9 pigment {{ density_file df3 "sub/file.df3" }} }}',),
+            ('camera {{ location -9*z look_at 0 tilt_lens {{ prescription "sub/lens.dat" }} }}',),
+            ('camera {{ location -9*z look_at 0 tilt_lens {{ prescription "lenses/zeiss_master_prime_100.json" }} }}',),
+            (
+                '#fopen F "new.txt" write #write (F, 1, ",") #fclose F #fopen F "new.txt" append #write (F, 2, ",") #fclose F '
+                '#fopen F "{own}/new.txt" read #read (F, A, B) #if (A + B != 3) #error "lost" #end',
+            ),
+            ('#fopen F "stdout" write',),
+        ):
             with self.subTest(line):
                 code, said = self.call(self.own, line, "+Opicture.png", *options)
                 self.assertEqual(code, 0, said)
@@ -179,8 +192,13 @@ class Permissions(rendering.RenderTest):
         (self.outside / "sub").mkdir()
         self.fill(self.outside / "sub")
         (self.outside / "sub" / "new.inc").touch()
-        for line, permitted in (('#include "file.inc"', True), ('#include "sub/new.inc"', True), ('#fopen F "new.txt" write', True),
-                                ('#fopen F "sub/new.txt" write', False), ('#fopen F "{own}/new.txt" write', False)):
+        for line, permitted in (
+            ('#include "file.inc"', True),
+            ('#include "sub/new.inc"', True),
+            ('#fopen F "new.txt" write', True),
+            ('#fopen F "sub/new.txt" write', False),
+            ('#fopen F "{own}/new.txt" write', False),
+        ):
             with self.subTest(line):
                 code, said = self.call(self.outside, line, "+Opicture.png")
                 self.assertEqual(code, 0 if permitted else 1, said)
@@ -188,8 +206,13 @@ class Permissions(rendering.RenderTest):
 
     def test_folder_of_the_picture(self):
         """The user permits it on the command line; the scene cannot."""
-        for options, permitted in ((("+O../outside/",), True), (("+O../outside/picture.png",), True), (("+Opicture.png",), False),
-                                   (("+O../outside/picture", "+KFF2"), True), (("-F",), False)):
+        for options, permitted in (
+            (("+O../outside/",), True),
+            (("+O../outside/picture.png",), True),
+            (("+Opicture.png",), False),
+            (("+O../outside/picture", "+KFF2"), True),
+            (("-F",), False),
+        ):
             with self.subTest(options):
                 code, said = self.call(self.own, '#fopen F "../outside/new.txt" write', *options)
                 self.assertEqual(code, 0 if permitted else 1, said)
@@ -221,10 +244,11 @@ class Permissions(rendering.RenderTest):
         settings = self.top / "home" / ".povray" / "3.7" / "povray.conf"
         settings.parent.mkdir(parents=True)
         for text, line, permitted in (
-                ("[File I/O Security]\nnone\n", '#include "../outside/file.inc"', False),
-                ("[File I/O Security]\nrestricted\n[Permitted Paths]\nread = {outside}\n", '#include "../outside/file.inc"', True),
-                ("[File I/O Security]\nrestricted\n[Permitted Paths]\nread = {outside}\n", '#fopen F "../outside/a" write', False),
-                ("[File I/O Security]\nrestricted\n[Permitted Paths]\nread+write = {outside}\n", '#fopen F "../outside/a" write', True)):
+            ("[File I/O Security]\nnone\n", '#include "../outside/file.inc"', False),
+            ("[File I/O Security]\nrestricted\n[Permitted Paths]\nread = {outside}\n", '#include "../outside/file.inc"', True),
+            ("[File I/O Security]\nrestricted\n[Permitted Paths]\nread = {outside}\n", '#fopen F "../outside/a" write', False),
+            ("[File I/O Security]\nrestricted\n[Permitted Paths]\nread+write = {outside}\n", '#fopen F "../outside/a" write', True),
+        ):
             with self.subTest(text, line=line):
                 settings.write_text(text.format(outside=self.outside))
                 code, said = self.call(self.own, line, "+Opicture.png", home=self.top / "home")

@@ -10,10 +10,12 @@ import tempfile
 from tests.render import rendering, scenes
 
 # a uniform sky above, with the fewest samples, and a floor below with hundreds
-HALVES = ("camera { location y look_at <0, 1, 1> right 4/3*x angle 60 aperture 0.5 focal_point <0, 1, 9> "
-          "blur_samples 8, 256 variance 1/20000 tilt_lens {} }\n"
-          "plane { y, 0 pigment { checker rgb 0 rgb 1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
-          "background { rgb <0.3, 0.5, 0.8> }\n")
+HALVES = (
+    "camera { location y look_at <0, 1, 1> right 4/3*x angle 60 aperture 0.5 focal_point <0, 1, 9> "
+    "blur_samples 8, 256 variance 1/20000 tilt_lens {} }\n"
+    "plane { y, 0 pigment { checker rgb 0 rgb 1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
+    "background { rgb <0.3, 0.5, 0.8> }\n"
+)
 SIZE = {"width": 128, "height": 96}
 MESSAGE = re.compile(r"Rendered (\d+) of (\d+) pixels \((\d+)% of the work\)")
 

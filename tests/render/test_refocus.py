@@ -81,8 +81,12 @@ class Refocus(unittest.TestCase):
         self.assertRegex(done.stderr, r"refocus: [0-9.]+% of the pixels should be sharper")
 
     def test_mistakes(self):
-        for words, said in ((("--at", "10", "3"), "no object in this pixel"), (("--at", "160", "3"), "columns 0 to 159"),
-                            (("--plane", "0", "0", "0", "1"), "has no direction"), (("--plane", "0", "1", "0", "2"), "through the camera")):
+        for words, said in (
+            (("--at", "10", "3"), "no object in this pixel"),
+            (("--at", "160", "3"), "columns 0 to 159"),
+            (("--plane", "0", "0", "0", "1"), "has no direction"),
+            (("--plane", "0", "1", "0", "2"), "through the camera"),
+        ):
             said_now = self.refocus(*words, code=1)
             self.assertIn(said, said_now)
             self.assertEqual(len(said_now.splitlines()), 1)

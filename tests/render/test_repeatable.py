@@ -59,8 +59,7 @@ class SubImages(rendering.RenderTest):
 
     def check(self, left, top, right, bottom, *options):
         """Columns left to right, rows top to bottom, from 1 as in POV-Ray."""
-        part = rendering.render(scenes.TILTED, f"+SC{left}", f"+EC{right}", f"+SR{top}", f"+ER{bottom}", *options,
-                                **SIZE)
+        part = rendering.render(scenes.TILTED, f"+SC{left}", f"+EC{right}", f"+SR{top}", f"+ER{bottom}", *options, **SIZE)
         # POV-Ray writes a file of the whole picture's size, black outside the rendered part
         place = (left - 1, top - 1, right, bottom)
         self.assert_same(part.crop(*place), self.whole.crop(*place), "sub-image")
@@ -95,14 +94,15 @@ class OneSample(rendering.RenderTest):
 
     def test_is_nearer_to_the_truth_than_the_rays_alone(self):
         truth = rendering.render(scenes.camera(samples="blur_samples 400, 400 variance 0 ") + scenes.WORLD, **SIZE)
-        plain = rendering.render(scenes.camera("tilt 4 swing 2 shift <2, -1> blades 5, 10 denoise off",
-                                               samples="blur_samples 1 ") + scenes.WORLD, **SIZE)
+        plain = rendering.render(
+            scenes.camera("tilt 4 swing 2 shift <2, -1> blades 5, 10 denoise off", samples="blur_samples 1 ") + scenes.WORLD, **SIZE
+        )
         shown = rendering.render(self.SCENE, **SIZE)
 
         def error(picture):
-            return sum((a - b)**2 for a, b in zip(picture.values, truth.values))
+            return sum((a - b) ** 2 for a, b in zip(picture.values, truth.values))
 
-        self.assertLess(error(shown), 0.7*error(plain))
+        self.assertLess(error(shown), 0.7 * error(plain))
 
 
 class Animation(rendering.RenderTest):

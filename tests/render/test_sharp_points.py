@@ -18,8 +18,10 @@ FILM, ANGLE = 36.0, 50.0
 FILM_DISTANCE = 0.5 * FILM / math.tan(math.radians(ANGLE / 2))  # mm
 POINTS = ((-1.8, 1.4, -1.0), (1.2, -0.2, -1.6), (0.1, 1.4, 1.0), (-1.5, -0.6, 3.4), (2.4, 1.0, 2.2))
 DIAMETER, UNIT = 0.8, 20.0  # units; mm
-VIEW = (f"location <{LOCATION[0]}, {LOCATION[1]}, {LOCATION[2]}> direction z right 4/3*x up y "
-        f"look_at <0, {LOCATION[1] - 6 * math.tan(DOWN)!r}, 0> angle {ANGLE} ")
+VIEW = (
+    f"location <{LOCATION[0]}, {LOCATION[1]}, {LOCATION[2]}> direction z right 4/3*x up y "
+    f"look_at <0, {LOCATION[1] - 6 * math.tan(DOWN)!r}, 0> angle {ANGLE} "
+)
 
 
 def dot(a, b):
@@ -40,17 +42,17 @@ def defocus(k, points):
 def determinant(rows):
     if len(rows) == 1:
         return rows[0][0]
-    return sum((-1) ** i * rows[0][i] * determinant([row[:i] + row[i + 1:] for row in rows[1:]]) for i in range(len(rows)))
+    return sum((-1) ** i * rows[0][i] * determinant([row[:i] + row[i + 1 :] for row in rows[1:]]) for i in range(len(rows)))
 
 
 def levelled(points):
     """(k, greatest defocus), equal for four points, with signs by which no k has less for them."""
     rows = [[p[0] / p[2], p[1] / p[2], 1.0] for p in points]
-    weights = [(-1) ** i * determinant(rows[:i] + rows[i + 1:]) for i in range(4)]
+    weights = [(-1) ** i * determinant(rows[:i] + rows[i + 1 :]) for i in range(4)]
     system = [[*row, math.copysign(1.0, w)] for row, w in zip(rows, weights)]
     right = [1.0 / p[2] for p in points]
     whole = determinant(system)
-    unknown = [determinant([row[:i] + [b] + row[i + 1:] for row, b in zip(system, right)]) / whole for i in range(4)]
+    unknown = [determinant([row[:i] + [b] + row[i + 1 :] for row, b in zip(system, right)]) / whole for i in range(4)]
     return tuple(unknown[:3]), abs(unknown[3])
 
 
@@ -78,8 +80,9 @@ def camera(items, aperture=""):
     return f"camera {{ {VIEW}{aperture}blur_samples 64 variance 0 tilt_lens {{ scene_unit {UNIT} denoise off sharp_points {written} {items} }} }}\n"
 
 
-LAMPS = "".join(f"sphere {{ <{x}, {y}, {z}>, 0.008 pigment {{ rgb 100 }} finish {{ ambient 1 diffuse 0 }} no_shadow }}\n"
-                for x, y, z in POINTS)
+LAMPS = "".join(
+    f"sphere {{ <{x}, {y}, {z}>, 0.008 pigment {{ rgb 100 }} finish {{ ambient 1 diffuse 0 }} no_shadow }}\n" for x, y, z in POINTS
+)
 
 
 def reported(said):

@@ -30,7 +30,7 @@ class Skipped(rendering.RenderTest):
         self.assertEqual(numbers("Ended at the minimum", said_of(EVEN)), [64 * 48, 64 * 48, 8])
         ended = numbers("Ended at the minimum", said_of(FLOOR + EVEN, view=LEVEL))
         self.assertGreaterEqual(ended[0], 64 * 16)  # the blocks above the horizon
-        self.assertLess(ended[0], 64 * 24)          # no more than the sky
+        self.assertLess(ended[0], 64 * 24)  # no more than the sky
 
     def test_first_round_is_longer_if_many_pixels_of_a_block_need_more(self):
         """The horizon is in the first row of blocks, so that its pixels of sky exceed the minimum, too."""
@@ -41,9 +41,15 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 16 variance 0 ")))
 
     def test_first_round_has_four_samples_if_eight_bring_nothing(self):
-        for samples, lens, least in (("", "", 4), ("blur_samples 64 ", "", 4), ("blur_samples 2 ", "", 2), ("", "denoise off", 8),
-                                     ("normal { bumps 1e-5 } ", "", 8), ("variance 0 blur_samples 8 ", "", None),
-                                     ("blur_samples 16, 64 ", "", 16)):
+        for samples, lens, least in (
+            ("", "", 4),
+            ("blur_samples 64 ", "", 4),
+            ("blur_samples 2 ", "", 2),
+            ("", "denoise off", 8),
+            ("normal { bumps 1e-5 } ", "", 8),
+            ("variance 0 blur_samples 8 ", "", None),
+            ("blur_samples 16, 64 ", "", 16),
+        ):
             with self.subTest(samples + lens):
                 ended = numbers("Ended at the minimum", said_of(EVEN, samples, lens="scene_unit 100 " + lens))
                 self.assertEqual(ended, least and [64 * 48, 64 * 48, least])
@@ -108,13 +114,20 @@ class Skipped(rendering.RenderTest):
         """Counts of objects: tested, with an interior, containing the whole lens. The lens is at <0.4, 1.5, -4>, 0.075 wide."""
         rest = "pigment { rgbt 1 } interior { ior 1.3 } "
         for solid, found in (
-                ("sphere { <0.4, 1.5, -4>, 0.5", [0, 1, 1]), ("sphere { <0.4, 1.5, -4>, 0.05", [1, 1, 0]),
-                ("sphere { <0.4, 1.5, -4>, 0.5 scale 2 translate <-0.4, -1.5, 4>", [0, 1, 1]),
-                ("sphere { <0.4, 1.5, -4>, 0.01 inverse", [1, 1, 0]), ("box { <0, 1, -5>, <1, 2, -3>", [0, 1, 1]),
-                ("box { <0, 1, -5>, <1, 1.5, -3>", [1, 1, 0]), ("box { <0.39, 1, -5>, <0.41, 2, -3> inverse", [1, 1, 0]),
-                ("plane { y, 0", [0, 1, 0]), ("plane { y, 1.5", [1, 1, 0]), ("plane { y, 3", [0, 1, 1]),
-                ("plane { y, 3 inverse", [0, 1, 0]), ("plane { x+y, 0", [0, 1, 0]),
-                ("cylinder { <0.4, 1, -4>, <0.4, 2, -4>, 1", [1, 1, 0])):
+            ("sphere { <0.4, 1.5, -4>, 0.5", [0, 1, 1]),
+            ("sphere { <0.4, 1.5, -4>, 0.05", [1, 1, 0]),
+            ("sphere { <0.4, 1.5, -4>, 0.5 scale 2 translate <-0.4, -1.5, 4>", [0, 1, 1]),
+            ("sphere { <0.4, 1.5, -4>, 0.01 inverse", [1, 1, 0]),
+            ("box { <0, 1, -5>, <1, 2, -3>", [0, 1, 1]),
+            ("box { <0, 1, -5>, <1, 1.5, -3>", [1, 1, 0]),
+            ("box { <0.39, 1, -5>, <0.41, 2, -3> inverse", [1, 1, 0]),
+            ("plane { y, 0", [0, 1, 0]),
+            ("plane { y, 1.5", [1, 1, 0]),
+            ("plane { y, 3", [0, 1, 1]),
+            ("plane { y, 3 inverse", [0, 1, 0]),
+            ("plane { x+y, 0", [0, 1, 0]),
+            ("cylinder { <0.4, 1, -4>, <0.4, 2, -4>, 1", [1, 1, 0]),
+        ):
             with self.subTest(solid):
                 self.assertEqual(numbers("Around the lens", said_of(EVEN + solid + " " + rest + "}\n")), found)
 
@@ -124,10 +137,14 @@ class Skipped(rendering.RenderTest):
         lens = scenes.camera("scene_unit 100", 0.3, "blur_samples 8, 8 ")
         known, asked, without = (
             rendering.render_and_listen(lens + FLOOR + EVEN + solid + fog + "}\n", **SIZE)[0]
-            for solid in ("sphere { <0.4, 1.5, -4>, 3 ", "intersection { sphere { <0.4, 1.5, -4>, 3 } plane { y, 9 } ",
-                          "sphere { <0.4, 1.5, -40>, 3 "))
+            for solid in (
+                "sphere { <0.4, 1.5, -4>, 3 ",
+                "intersection { sphere { <0.4, 1.5, -4>, 3 } plane { y, 9 } ",
+                "sphere { <0.4, 1.5, -40>, 3 ",
+            )
+        )
         self.assert_same(known, asked)
-        self.assertLess(sum(known.values), 0.8*sum(without.values))
+        self.assertLess(sum(known.values), 0.8 * sum(without.values))
 
     def test_pinhole_takes_one_ray_per_pixel(self):
         said = said_of(FLOOR + EVEN, aperture=0)

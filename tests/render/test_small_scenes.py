@@ -18,11 +18,13 @@ POST = {
 
 def scene(post, scale, block):
     """A post on a floor, in the light of two lamps; no aperture, so that each pixel has one ray."""
-    return (f"#declare S = {scale};\n"
-            f"camera {{ right x*image_width/image_height location <0, 2, -9>*S look_at <1, -0.5, -3>*S angle 20 {block} }}\n"
-            "light_source { <20, 30, -30>*S, rgb 0.8 }\n"
-            "light_source { <-20, 20, -10>*S, rgb 0.3 area_light 2*S*x, 2*S*z, 3, 3 }\n"
-            f"plane {{ y, -1*S pigment {{ rgb 0.8 }} }}\n{POST[post]}\n")
+    return (
+        f"#declare S = {scale};\n"
+        f"camera {{ right x*image_width/image_height location <0, 2, -9>*S look_at <1, -0.5, -3>*S angle 20 {block} }}\n"
+        "light_source { <20, 30, -30>*S, rgb 0.8 }\n"
+        "light_source { <-20, 20, -10>*S, rgb 0.3 area_light 2*S*x, 2*S*z, 3, 3 }\n"
+        f"plane {{ y, -1*S pigment {{ rgb 0.8 }} }}\n{POST[post]}\n"
+    )
 
 
 class Shadows(rendering.RenderTest):

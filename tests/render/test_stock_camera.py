@@ -23,8 +23,9 @@ class Pinhole(rendering.RenderTest):
         for lens in ("", "tilt 0 shift <0, 0>", "film_width 24 scene_unit 10"):
             for options in ((), ("+A0.2", "+AM2", "+R2", "-J")):
                 with self.subTest(lens=lens, options=options):
-                    self.assert_same(rendering.render(pinhole(lens), *options, **SIZE),
-                                     rendering.render(stock(), *options, **SIZE), "pinhole")
+                    self.assert_same(
+                        rendering.render(pinhole(lens), *options, **SIZE), rendering.render(stock(), *options, **SIZE), "pinhole"
+                    )
 
     def test_tilt_shows_nothing(self):
         self.assert_same(rendering.render(pinhole("tilt 8 swing -3"), **SIZE), rendering.render(stock(), **SIZE), "tilt")
@@ -54,8 +55,7 @@ class WithAperture(rendering.RenderTest):
         view = RIGHT + "location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 "
         size = {"width": 36, "height": 27}
         still = rendering.render(scenes.camera("focal_plane { y, 0.1 }", samples=samples, view=view) + scenes.WORLD, **size)
-        moved = rendering.render(scenes.camera("focal_plane { y, 0.1 } shift <5, 3>", samples=samples, view=view) +
-                                 scenes.WORLD, **size)
+        moved = rendering.render(scenes.camera("focal_plane { y, 0.1 } shift <5, 3>", samples=samples, view=view) + scenes.WORLD, **size)
         self.assert_near(moved.crop(0, 3, 31, 27), still.crop(5, 0, 36, 24), 0.006, "shift")
 
 
@@ -94,8 +94,10 @@ class BlurSize(rendering.RenderTest):
     def test_blur_scales_with_aperture(self):
         """The same test must fail for a lens of another size."""
         half = self.CAMERA.replace("aperture 2", "aperture 1")
-        self.assertLess(self.spread(f"camera {{ {half}tilt_lens {{}} }}\n{self.SCENE}")[0],
-                        0.75 * self.spread(f"camera {{ {self.CAMERA}tilt_lens {{}} }}\n{self.SCENE}")[0])
+        self.assertLess(
+            self.spread(f"camera {{ {half}tilt_lens {{}} }}\n{self.SCENE}")[0],
+            0.75 * self.spread(f"camera {{ {self.CAMERA}tilt_lens {{}} }}\n{self.SCENE}")[0],
+        )
 
 
 if __name__ == "__main__":

@@ -10,9 +10,11 @@ import threading
 
 from tests.render import rendering, scenes
 
-WAITING = {"include": '#include "pipe.inc"\n' + scenes.TILTED,
-           "prescription": 'camera { location -5*z look_at 0 tilt_lens { prescription "pipe.inc" } }\n',
-           "loop": "#while (1) #end\n"}
+WAITING = {
+    "include": '#include "pipe.inc"\n' + scenes.TILTED,
+    "prescription": 'camera { location -5*z look_at 0 tilt_lens { prescription "pipe.inc" } }\n',
+    "loop": "#while (1) #end\n",
+}
 PATIENCE = 100  # seconds; it takes about three
 
 

@@ -7,19 +7,25 @@ import numpy
 from tests.render import rendering
 from tests.tools import error_direction
 
-MOST = 1.2      # power of noise in one direction over that in another
+MOST = 1.2  # power of noise in one direction over that in another
 
 LIGHTS = "light_source { <-20, 30, -20> rgb 1.1 area_light 4*x, 4*z, 5, 5 adaptive 1 jitter }\nlight_source { <6, 4, -6> rgb 0.3 }\n"
 
-WALL = LIGHTS + """
+WALL = (
+    LIGHTS
+    + """
 box { <-8, 0, 5>, <8, 6, 5.2> pigment { gradient x triangle_wave color_map { [0 rgb <0.32, 0.3, 0.42>] [1 rgb <0.42, 0.4, 0.5>] } scale 0.06 }
   normal { gradient y 0.3 scale 0.07 } }
 """
+)
 
-CHROME = WALL + """
+CHROME = (
+    WALL
+    + """
 plane { y, 0 pigment { checker rgb 0.75, rgb 0.25 scale 0.12 } finish { reflection 0.15 diffuse 0.7 } }
 sphere { <1.7, 0.6, 0.6>, 0.6 pigment { rgb 0.1 } finish { reflection 0.85 specular 1 roughness 0.0005 } }
 """
+)
 
 HIGHLIGHTS = """light_source { <-20, 30, -20> rgb 1 }
 plane { y, 0 pigment { rgb 0.3 } }
@@ -32,18 +38,32 @@ plane { y, 0 pigment { rgb 0.3 } }
 
 
 def camera(place, samples, items, seed):
-    return (f"camera {{ right x*image_width/image_height {place} {samples} tilt_lens {{ {items} sample_seed {seed} }} }}\n"
-            "background { rgb <0.05, 0.06, 0.1> }\n")
+    return (
+        f"camera {{ right x*image_width/image_height {place} {samples} tilt_lens {{ {items} sample_seed {seed} }} }}\n"
+        "background { rgb <0.05, 0.06, 0.1> }\n"
+    )
 
 
 PICTURE_QUALITY = "blur_samples 256 variance 1/8000"
-CASES = {   # where the camera is and looks; samples; lens; world
-    "blurred wall": ("location <0, 2.2, -7> look_at <-1.5, 2, 5> angle 6.3 focal_point <0, 0.5, 0>", PICTURE_QUALITY,
-                     "scene_unit 40 f_stop 8.4 tilt 0.3", WALL),
-    "chrome": ("location <0, 2.2, -7> look_at <1.7, 1.15, 0.6> angle 6.3 focal_point <0, 0.5, 0>", PICTURE_QUALITY,
-               "scene_unit 40 f_stop 8.4 tilt 0.3", CHROME),
-    "highlights": ("location <0, 1.5, -5> look_at <1.2, 0.2, 2> angle 16 focal_point <0, 0.6, -1.5>", "",
-                   "scene_unit 60 f_stop 3.6", HIGHLIGHTS),
+CASES = {  # where the camera is and looks; samples; lens; world
+    "blurred wall": (
+        "location <0, 2.2, -7> look_at <-1.5, 2, 5> angle 6.3 focal_point <0, 0.5, 0>",
+        PICTURE_QUALITY,
+        "scene_unit 40 f_stop 8.4 tilt 0.3",
+        WALL,
+    ),
+    "chrome": (
+        "location <0, 2.2, -7> look_at <1.7, 1.15, 0.6> angle 6.3 focal_point <0, 0.5, 0>",
+        PICTURE_QUALITY,
+        "scene_unit 40 f_stop 8.4 tilt 0.3",
+        CHROME,
+    ),
+    "highlights": (
+        "location <0, 1.5, -5> look_at <1.2, 0.2, 2> angle 16 focal_point <0, 0.6, -1.5>",
+        "",
+        "scene_unit 60 f_stop 3.6",
+        HIGHLIGHTS,
+    ),
 }
 
 
@@ -69,6 +89,7 @@ class Measure(rendering.RenderTest):
         def with_borders(noise):
             noise[:, ::16] += 2
             return noise
+
         self.assertGreater(self.figures(with_borders)[1], 2)
 
 
@@ -79,7 +100,9 @@ class Texture(rendering.RenderTest):
                 first, second = (rendering.render(camera(place, samples, items, seed) + world, width=192, height=128) for seed in (1, 2))
                 self.assertGreater(rendering.difference(first, second)[0], 1e-4, f"{name}: no noise to measure\n{first.told}")
                 axes, blocks = error_direction.figures(first, second)
-                self.assertLess(max(axes, 1 / axes), MOST, f"{name}: power of noise along rows and columns over diagonals {axes:.2f}\n{first.told}")
+                self.assertLess(
+                    max(axes, 1 / axes), MOST, f"{name}: power of noise along rows and columns over diagonals {axes:.2f}\n{first.told}"
+                )
                 self.assertLess(blocks, MOST, f"{name}: power of noise at periods of a block over others {blocks:.2f}\n{first.told}")
 
 

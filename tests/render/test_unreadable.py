@@ -53,7 +53,7 @@ class Pictures(unittest.TestCase):
             job = rendering.Job(scenes.TILTED)
             job.run(folder)
             whole, torn = folder / "picture.png", folder / "torn.png"
-            torn.write_bytes(whole.read_bytes()[:whole.stat().st_size // 2])
+            torn.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
             before = job.result(folder)
             for path in (torn, folder / "none.png"):
                 with self.assertRaisesRegex(povray_run.UnreadablePicture, path.name):
@@ -64,14 +64,14 @@ class Pictures(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             paths = [pathlib.Path(name) / f"{width}.pfm" for width in range(1, 9)]
             for width, path in enumerate(paths, 1):
-                path.write_bytes(f"PF\n{width} 1\n-1.0\n".encode() + struct.pack(f"<{3*width}f", *[width]*3*width))
+                path.write_bytes(f"PF\n{width} 1\n-1.0\n".encode() + struct.pack(f"<{3*width}f", *[width] * 3 * width))
 
             def read(width):
                 return [rendering.read_picture(paths[width - 1], "").values for _ in range(100)]
 
             with concurrent.futures.ThreadPoolExecutor(len(paths)) as threads:
                 for width, pictures in enumerate(threads.map(read, range(1, 9)), 1):
-                    self.assertEqual(pictures, [[width]*3*width]*100)
+                    self.assertEqual(pictures, [[width] * 3 * width] * 100)
 
 
 if __name__ == "__main__":

@@ -53,8 +53,11 @@ class Unwritable(unittest.TestCase):
     def test_state_file_beyond_the_size_limit(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
         said = self.refused("+W64", "+H64", "+BS8", "+WT1", preexec_fn=limit)
-        self.assertRegex(said, r"Cannot write the state file '[^']*picture\.pov-state' \(File too large\)\. Make room there, then continue with \+C")
+        self.assertRegex(
+            said, r"Cannot write the state file '[^']*picture\.pov-state' \(File too large\)\. Make room there, then continue with \+C"
+        )
         self.assertNotIn("Cannot access data in file", said)
         self.assertEqual(said.count("Cannot write the state file"), 1, said)
         state = self.folder / "picture.pov-state"
@@ -64,8 +67,10 @@ class Unwritable(unittest.TestCase):
 
     def test_text_file_beyond_the_size_limit(self):
         """Closed by the scene, and left open; longer than a buffer, and shorter."""
+
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+
         for count, reason in ((300, "File too large"), (3000, "not all of it was taken; is the disk full?")):
             for close, kind in (("#fclose F", "Parse Error"), ("", "Possible Parse Error")):
                 with self.subTest(count=count, close=close):

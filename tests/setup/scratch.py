@@ -33,9 +33,17 @@ class SetupTest(unittest.TestCase):
 
     def run_command(self, *command, cwd=None, env=None):
         """Runs COMMAND with ENV added to the environment; returns the finished process with its output."""
-        return subprocess.run([str(word) for word in command], cwd=cwd or self.folder, timeout=PATIENCE,
-                              env=user_environment(**(env or {})), stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, errors="replace", check=False)
+        return subprocess.run(
+            [str(word) for word in command],
+            cwd=cwd or self.folder,
+            timeout=PATIENCE,
+            env=user_environment(**(env or {})),
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+        )
 
     def assert_succeeds(self, process):
         self.assertEqual(process.returncode, 0, f"{process.args}\n{process.stdout}\n{process.stderr}")

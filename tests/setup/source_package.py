@@ -12,8 +12,8 @@ from tests.setup.scratch import CMAKE, REPOSITORY, SetupTest
 
 TARBALL = "povray_1.orig.tar.gz"
 PACKAGING = "povray_1-2.debian.tar.xz"
-TARGET = "LICENSE"                  # the upstream file that this test's patches change
-NO_NETWORK = "http://127.0.0.1:9"   # the discard port: refuses at once
+TARGET = "LICENSE"  # the upstream file that this test's patches change
+NO_NETWORK = "http://127.0.0.1:9"  # the discard port: refuses at once
 
 # structured like the real source package, small enough to be unpacked a dozen times
 ORIG = {
@@ -25,10 +25,8 @@ ORIG = {
 DEBIAN = {
     "debian/copyright": "License: AGPL-3.0+\n",
     "debian/patches/series": "fix-main.patch\nfix-more.patch\n",
-    "debian/patches/fix-main.patch":
-        "--- a/source/main.cpp\n+++ b/source/main.cpp\n@@ -1 +1,2 @@\n int main() {}\n+// Debian's line\n",
-    "debian/patches/fix-more.patch":
-        "--- a/source/main.cpp\n+++ b/source/main.cpp\n@@ -1,2 +1,3 @@\n int main() {}\n // Debian's line\n+// another\n",
+    "debian/patches/fix-main.patch": "--- a/source/main.cpp\n+++ b/source/main.cpp\n@@ -1 +1,2 @@\n int main() {}\n+// Debian's line\n",
+    "debian/patches/fix-more.patch": "--- a/source/main.cpp\n+++ b/source/main.cpp\n@@ -1,2 +1,3 @@\n int main() {}\n // Debian's line\n+// another\n",
 }
 PATCHES = ["fix-main.patch", "fix-more.patch"]
 
@@ -62,26 +60,38 @@ class SourcePackageTest(SetupTest):
         members = {path: text for path, text in DEBIAN.items() if path not in without}
         for patch, text in changed.items():
             members[f"debian/patches/{patch.replace('_', '-')}.patch"] = text
-        write_archive(self.archives / name, mode, {**members, "debian/changelog": f"povray {name}\n",
-                                                    "debian/patches/series": "".join(
-                                                        os.path.basename(path) + "\n" for path in members if path.endswith(".patch"))})
+        write_archive(
+            self.archives / name,
+            mode,
+            {
+                **members,
+                "debian/changelog": f"povray {name}\n",
+                "debian/patches/series": "".join(os.path.basename(path) + "\n" for path in members if path.endswith(".patch")),
+            },
+        )
 
     def write_pin(self):
         """A pin of the tarball and of the packaging's patches."""
         self.pin = self.folder / "upstream.json"
         content = (self.archives / TARBALL).read_bytes()
-        patches = [{"name": name, "sha256": hashlib.sha256(DEBIAN[f"debian/patches/{name}"].encode()).hexdigest()}
-                   for name in PATCHES]
-        self.pin.write_text(json.dumps({"package": "povray", "upstream_version": "1", "source_folder": "povray-1",
-                                        "tarball": {"name": TARBALL, "size": len(content),
-                                                    "sha256": hashlib.sha256(content).hexdigest()},
-                                        "packaging_patches": patches}), encoding="utf-8")
+        patches = [{"name": name, "sha256": hashlib.sha256(DEBIAN[f"debian/patches/{name}"].encode()).hexdigest()} for name in PATCHES]
+        self.pin.write_text(
+            json.dumps(
+                {
+                    "package": "povray",
+                    "upstream_version": "1",
+                    "source_folder": "povray-1",
+                    "tarball": {"name": TARBALL, "size": len(content), "sha256": hashlib.sha256(content).hexdigest()},
+                    "packaging_patches": patches,
+                }
+            ),
+            encoding="utf-8",
+        )
 
     def write_series(self, text):
         """A series of one patch that inserts the line TEXT before TARGET."""
         first = ORIG[f"povray-1/{TARGET}"]
-        (self.series / "add-line.patch").write_text(
-            f"--- a/{TARGET}\n+++ b/{TARGET}\n@@ -1 +1,2 @@\n+{text}\n {first}", encoding="utf-8")
+        (self.series / "add-line.patch").write_text(f"--- a/{TARGET}\n+++ b/{TARGET}\n@@ -1 +1,2 @@\n+{text}\n {first}", encoding="utf-8")
         (self.series / "series").write_text("# a comment\nadd-line.patch\n", encoding="utf-8")
 
     def prepare(self, tarball="", env=None):
@@ -91,7 +101,8 @@ class SourcePackageTest(SetupTest):
             f'include("{REPOSITORY}/cmake/PatchedSource.cmake")\n'
             f'set(POVRAY_TARBALL "{tarball}")\n'
             f'patched_source_prepare("{self.work}" "{self.downloads}" "{self.pin}" "{self.series}" TRUE)\n',
-            encoding="utf-8")
+            encoding="utf-8",
+        )
         return self.run_command(CMAKE, "-P", script, env=env)
 
     def prepared(self, name=TARGET):
@@ -103,5 +114,4 @@ class SourcePackageTest(SetupTest):
         self.assertEqual(self.prepared().read_text(encoding="utf-8").splitlines()[0], text)
         self.assertIn("Debian's line", self.prepared("source/main.cpp").read_text(encoding="utf-8"))
         self.assertFalse(self.prepared("windows").exists())
-        self.assertEqual((self.work / "applied-patches").read_text(encoding="utf-8").split(),
-                         [*PATCHES, "add-line.patch"])
+        self.assertEqual((self.work / "applied-patches").read_text(encoding="utf-8").split(), [*PATCHES, "add-line.patch"])

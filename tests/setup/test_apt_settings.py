@@ -7,9 +7,9 @@ import unittest
 from tests.setup.scratch import REPOSITORY, SetupTest
 
 FETCH = REPOSITORY / "cmake" / "fetch-debian-source"
-CODENAME = next(line.split("=", 1)[1].strip().strip('"')
-                for line in open("/etc/os-release", encoding="utf-8")
-                if line.startswith("VERSION_CODENAME="))
+CODENAME = next(
+    line.split("=", 1)[1].strip().strip('"') for line in open("/etc/os-release", encoding="utf-8") if line.startswith("VERSION_CODENAME=")
+)
 
 
 ONE_LINE = f"""# a comment
@@ -39,8 +39,13 @@ Suites: nodistro
 Components: main
 """
 
-EXPECTED = ["Types: deb-src", "URIs: http://mirror.invalid/debian", f"Suites: {CODENAME}",
-            "Components: main contrib", "Signed-By: /keys/debian.gpg"]
+EXPECTED = [
+    "Types: deb-src",
+    "URIs: http://mirror.invalid/debian",
+    f"Suites: {CODENAME}",
+    "Components: main contrib",
+    "Signed-By: /keys/debian.gpg",
+]
 
 
 class AptSettings(SetupTest):
@@ -50,8 +55,9 @@ class AptSettings(SetupTest):
         for name, text in parts.items():
             (self.folder / "parts" / name.replace("_", ".")).write_text(text, encoding="utf-8")
         config = self.folder / "apt.conf"
-        config.write_text(f'Dir::Etc::sourcelist "{self.folder}/sources.list";\n'
-                          f'Dir::Etc::sourceparts "{self.folder}/parts";\n', encoding="utf-8")
+        config.write_text(
+            f'Dir::Etc::sourcelist "{self.folder}/sources.list";\n' f'Dir::Etc::sourceparts "{self.folder}/parts";\n', encoding="utf-8"
+        )
         return {"APT_CONFIG": str(config)}
 
     def source_list(self, **kwargs):
@@ -82,7 +88,9 @@ class AptSettings(SetupTest):
     def test_other_entries_only_if_none_is_of_the_release(self):
         vendor = "deb https://vendor.invalid/apt amber free\ndeb https://flat.invalid/apt ./\n"
         self.assertEqual(self.source_list(main=vendor + ONE_LINE), EXPECTED)
-        self.assertEqual(self.source_list(main=vendor), ["Types: deb-src", "URIs: https://vendor.invalid/apt", "Suites: amber", "Components: free"])
+        self.assertEqual(
+            self.source_list(main=vendor), ["Types: deb-src", "URIs: https://vendor.invalid/apt", "Suites: amber", "Components: free"]
+        )
 
     def test_discs_are_left_out(self):
         self.assertEqual(self.source_list(main=f"deb cdrom:[Debian 12 - amd64]/ {CODENAME} main\n" + ONE_LINE), EXPECTED)
@@ -92,7 +100,7 @@ class AptSettings(SetupTest):
         self.assert_fails_saying(process, "name no mirror of its release")
 
     def test_no_network(self):
-        mirror = "http://127.0.0.1:9/debian"    # the discard port: refused at once, without a look-up
+        mirror = "http://127.0.0.1:9/debian"  # the discard port: refused at once, without a look-up
         env = self.settings(main=f"deb [trusted=yes] {mirror} {CODENAME} main\n")
         before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         process = self.run_command(FETCH, "fetch", "povray", self.folder / "target", "3.7.0.10", env=env)

@@ -24,8 +24,16 @@ class Bundle(SetupTest):
         cache = dict(re.findall(r"^(\w+):[A-Z]+=(.*)$", (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"), re.MULTILINE))
         work = cls.scratch.folder / "made here"
         cls.made = cls.scratch.run_command(
-            CMAKE, "-DNAME=bundle", f"-DBUILD={BUILD}", "-DVERSION=1", f"-DWORK={work}", f"-DOBJDUMP={cache['CMAKE_OBJDUMP']}",
-            f"-DJEMALLOC={cache['JEMALLOC_LIBRARY']}", "-P", REPOSITORY / "cmake" / "bundle" / "make.cmake")
+            CMAKE,
+            "-DNAME=bundle",
+            f"-DBUILD={BUILD}",
+            "-DVERSION=1",
+            f"-DWORK={work}",
+            f"-DOBJDUMP={cache['CMAKE_OBJDUMP']}",
+            f"-DJEMALLOC={cache['JEMALLOC_LIBRARY']}",
+            "-P",
+            REPOSITORY / "cmake" / "bundle" / "make.cmake",
+        )
         # moved, so that nothing may depend on the original place
         cls.bundle = cls.scratch.folder / "moved to" / "bundle"
         if (work / "bundle").is_dir():
@@ -40,8 +48,17 @@ class Bundle(SetupTest):
 
     def bare(self, *command):
         """Runs COMMAND with a minimal environment."""
-        return subprocess.run([str(word) for word in command], cwd=self.here, timeout=60, stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True, errors="replace", check=False, env={"PATH": "/usr/bin:/bin", "HOME": str(self.folder)})
+        return subprocess.run(
+            [str(word) for word in command],
+            cwd=self.here,
+            timeout=60,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+            env={"PATH": "/usr/bin:/bin", "HOME": str(self.folder)},
+        )
 
     def test_every_library_but_glibc_is_in_the_bundle(self):
         process = self.bare("ldd", self.bundle / "bin" / "povray")

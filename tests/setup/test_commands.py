@@ -52,8 +52,9 @@ class CommandTest(SetupTest):
         build = self.copy / "build"
         build.mkdir()
         (build / "CMakeCache.txt").write_text(
-            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copy}\nCMAKE_CACHEFILE_DIR:INTERNAL={build}\n"
-            "TILT_LENS_TESTS:BOOL=ON\n", encoding="utf-8")
+            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copy}\nCMAKE_CACHEFILE_DIR:INTERNAL={build}\n" "TILT_LENS_TESTS:BOOL=ON\n",
+            encoding="utf-8",
+        )
         (build / "build.ninja").write_text(f"build {target}: phony\n", encoding="utf-8")
         return build
 
@@ -114,10 +115,12 @@ class RenderCommand(CommandTest):
             self.assertNotIn("+W1280", arguments)
 
     def test_spaces_and_quotes_survive(self):
-        arguments = self.arguments(self.render(self.scene, '+O"my own.png"', "+Oother one.png", "Declare=a=1",
-                                               "Output_File_Name=third one.png", "+K 0.5", "$(x) `y` *"))
-        for expected in ('+O"my own.png"', '+O"other one.png"', "Declare=a=1", 'Output_File_Name="third one.png"',
-                         "+K 0.5", "$(x) `y` *"):
+        arguments = self.arguments(
+            self.render(
+                self.scene, '+O"my own.png"', "+Oother one.png", "Declare=a=1", "Output_File_Name=third one.png", "+K 0.5", "$(x) `y` *"
+            )
+        )
+        for expected in ('+O"my own.png"', '+O"other one.png"', "Declare=a=1", 'Output_File_Name="third one.png"', "+K 0.5", "$(x) `y` *"):
             self.assertIn(expected, arguments)
 
     def test_scene_behind_options_brings_its_folder(self):
@@ -158,8 +161,7 @@ class RenderCommand(CommandTest):
 
     def test_reports_the_pictures_place(self):
         process = self.render(self.scene)
-        self.assertEqual(process.stderr.splitlines()[-1],
-                         f"Picture: {self.folder}/a picture.png")
+        self.assertEqual(process.stderr.splitlines()[-1], f"Picture: {self.folder}/a picture.png")
 
     def test_pictures_with_the_users_own_list(self):
         users = self.folder / "list"
@@ -199,14 +201,23 @@ class CheckCommand(CommandTest):
         super().setUp()
         self.built("all")
         self.have_all_packages()
-        self.tool("ctest", f'''echo "arguments: $*"
+        self.tool(
+            "ctest",
+            f"""echo "arguments: $*"
             until [ -e "{self.folder}/go" ]; do sleep 0.02; done
             echo; echo "{self.CLOSING}"; echo "Total Test time (real) =   3.70 sec"; printf "  2 - unit.two (Failed)"
-            exit 8''')
+            exit 8""",
+        )
 
     def test_lines_keep_ctests_order_except_the_closing_one(self):
-        with subprocess.Popen([self.copy / "check", "--all", "-L", "unit"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                              stdin=subprocess.DEVNULL, env={**os.environ, **self.environment()}) as check:
+        with subprocess.Popen(
+            [self.copy / "check", "--all", "-L", "unit"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            stdin=subprocess.DEVNULL,
+            env={**os.environ, **self.environment()},
+        ) as check:
             ready, _, _ = select.select([check.stdout], [], [], PATIENCE)
             first = check.stdout.readline() if ready else "nothing before CTest's end"
             (self.folder / "go").touch()  # the stand-in for CTest waits for this file
@@ -278,11 +289,19 @@ class FastBuild(CommandTest):
         (self.fast / "old.gcda").write_text("an old profile", encoding="utf-8")
         process = self.command(self.copy / "cmake" / "build-fast")
         self.assert_succeeds(process)
-        self.assertEqual(self.steps(), [
-            f"ninja -C {self.copy}/build", "cmake --preset fast -DTILT_LENS_PROFILE=make", f"ninja -C {self.fast}",
-            f'povray +I"{self.gallery}"', f'povray +I"{self.copy}/scenes/tutorial/tilt.pov"',
-            f'povray +I"{self.copy}/scenes/paper/box_a.pov"',
-            "cmake --preset fast -DTILT_LENS_PROFILE=use", f"ninja -C {self.fast}"])
+        self.assertEqual(
+            self.steps(),
+            [
+                f"ninja -C {self.copy}/build",
+                "cmake --preset fast -DTILT_LENS_PROFILE=make",
+                f"ninja -C {self.fast}",
+                f'povray +I"{self.gallery}"',
+                f'povray +I"{self.copy}/scenes/tutorial/tilt.pov"',
+                f'povray +I"{self.copy}/scenes/paper/box_a.pov"',
+                "cmake --preset fast -DTILT_LENS_PROFILE=use",
+                f"ninja -C {self.fast}",
+            ],
+        )
         self.assertFalse((self.fast / "old.gcda").exists())
         self.assertEqual(process.stderr.splitlines()[-1], f"The fast program: {self.fast}/bin/povray")
 
@@ -301,7 +320,8 @@ class SetupStep(CommandTest):
         super().setUp()
         # one package that no system has
         (self.copy / "cmake" / "debian-packages").write_text(
-            "render  bash\nrender  tilt-lens-missing\ncheck  tilt-lens-check-only\n", encoding="utf-8")
+            "render  bash\nrender  tilt-lens-missing\ncheck  tilt-lens-check-only\n", encoding="utf-8"
+        )
         self.tool("apt-get", f'echo "$@" >> "{self.folder}/apt.log"; [ "$1" != --yes ] || exit 0; exit "${{APT_EXIT:-0}}"')
 
     def test_neither_root_nor_sudo(self):
@@ -342,10 +362,12 @@ class SetupStep(CommandTest):
         packages = "render  tilt-a|tilt-b|tilt-c\nrender  bash|tilt-d\nrender  tilt-e|bash\nrender  tilt-f\n"
         self.assertEqual(self.installed_of(packages, known="tilt-b tilt-c"), ["tilt-b", "tilt-f"])
         self.assertEqual(self.installed_of(packages, known="tilt-c tilt-a"), ["tilt-a", "tilt-f"])
-        self.assertEqual(self.installed_of(packages), ["tilt-a", "tilt-f"])     # apt then reports the fault
+        self.assertEqual(self.installed_of(packages), ["tilt-a", "tilt-f"])  # apt then reports the fault
 
     def test_libraries_for_another_processor_are_none_for_this_one(self):
-        self.tool("dpkg-query", 'echo installed tilt-a other; echo installed tilt-b all; echo "installed tilt-c $(dpkg --print-architecture)"')
+        self.tool(
+            "dpkg-query", 'echo installed tilt-a other; echo installed tilt-b all; echo "installed tilt-c $(dpkg --print-architecture)"'
+        )
         self.assertEqual(self.installed_of("render  tilt-a\nrender  tilt-b\nrender  tilt-c\n"), ["tilt-a"])
 
     def test_old_cmake(self):
@@ -357,8 +379,11 @@ class SetupStep(CommandTest):
 
     def test_oldest_cmake(self):
         self.have_all_packages()
-        self.tool("cmake", f"""[ "$1" != --version ] || {{ echo cmake version 3.22.1; exit; }}
-            echo "$@" > "{self.folder}/cmake.log"; exit 1""")
+        self.tool(
+            "cmake",
+            f"""[ "$1" != --version ] || {{ echo cmake version 3.22.1; exit; }}
+            echo "$@" > "{self.folder}/cmake.log"; exit 1""",
+        )
         self.assert_fails_saying(self.command(self.copy / "render"), "the configuration failed")
         self.assertIn("--preset release", (self.folder / "cmake.log").read_text(encoding="utf-8"))
 
@@ -380,8 +405,34 @@ class SetupStep(CommandTest):
 class OtherSystems(CommandTest):
     """Systems without apt and dpkg: only commands that every system has."""
 
-    EVERYWHERE = ("awk", "bash", "basename", "cat", "chmod", "cut", "dirname", "env", "find", "flock", "grep", "head", "id", "mkdir",
-                  "mktemp", "mv", "nproc", "paste", "readlink", "rm", "sed", "sort", "stat", "tail", "tput", "uname")
+    EVERYWHERE = (
+        "awk",
+        "bash",
+        "basename",
+        "cat",
+        "chmod",
+        "cut",
+        "dirname",
+        "env",
+        "find",
+        "flock",
+        "grep",
+        "head",
+        "id",
+        "mkdir",
+        "mktemp",
+        "mv",
+        "nproc",
+        "paste",
+        "readlink",
+        "rm",
+        "sed",
+        "sort",
+        "stat",
+        "tail",
+        "tput",
+        "uname",
+    )
     BUILD = ("gzip", "patch", "tar", "xz")
 
     def setUp(self):
@@ -398,9 +449,12 @@ class OtherSystems(CommandTest):
         self.have(self.BUILD)
         self.tool("c++", "exit 1")
         self.tool("ninja", "exit 0")
-        self.tool("cmake", f"""[ "$1" != --version ] || {{ echo cmake version 4.3.0; exit; }}
+        self.tool(
+            "cmake",
+            f"""[ "$1" != --version ] || {{ echo cmake version 4.3.0; exit; }}
             printf "%s\\n" "$@" > "{self.folder}/cmake.log"
-            touch "{self.copy}/build/build.ninja" """)
+            touch "{self.copy}/build/build.ninja" """,
+        )
 
     def environment(self):
         return {"PATH": str(self.tools), "DISPLAY": ""}
@@ -409,8 +463,9 @@ class OtherSystems(CommandTest):
         return (self.folder / "cmake.log").read_text(encoding="utf-8").splitlines()
 
     def assert_offers_all(self, process, cause):
-        self.assert_fails_saying(process, cause, f"povray-tilt-lens-VERSION-linux-{os.uname().machine}.tar.xz", "docs/building.md",
-                                 "./render --source FOLDER")
+        self.assert_fails_saying(
+            process, cause, f"povray-tilt-lens-VERSION-linux-{os.uname().machine}.tar.xz", "docs/building.md", "./render --source FOLDER"
+        )
         self.assertEqual(len(re.findall("^(?:render|check): ", process.stderr, re.MULTILINE)), 1)
 
     def test_nothing_to_build_with(self):
@@ -461,9 +516,12 @@ class OtherSystems(CommandTest):
         self.assertEqual(self.configured_with(), ["--preset", "release", f"-DPOVRAY_TARBALL={other}"])
 
     def test_wrong_use_of_the_option(self):
-        for words, said in ((("--source",), "--source needs a folder"), (("--source", ""), "--source needs a folder"),
-                            (("--source", "nowhere"), "there is no folder nowhere"),
-                            (("+W8", "--source", "x"), "--source FOLDER stands before the scene")):
+        for words, said in (
+            (("--source",), "--source needs a folder"),
+            (("--source", ""), "--source needs a folder"),
+            (("--source", "nowhere"), "there is no folder nowhere"),
+            (("+W8", "--source", "x"), "--source FOLDER stands before the scene"),
+        ):
             process = self.command(self.copy / "render", *words)
             self.assert_fails_saying(process, said)
             self.assertEqual(len(process.stderr.splitlines()), 1, process.stderr)

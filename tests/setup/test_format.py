@@ -38,10 +38,10 @@ class Format(SetupTest):
         return self.run_command("black", "--config", SETTINGS, *words, env={"BLACK_CACHE_DIR": str(self.folder)})
 
     def test_files(self):
-        files = python_files()[self.part::PARTS]
+        files = python_files()[self.part :: PARTS]
         self.assertGreater(len(files), 50)
         checked = self.black("--check", *files)
-        self.assertEqual(checked.returncode, 0, f"{checked.stderr}\nIn the repository's folder, \"black .\" formats them.")
+        self.assertEqual(checked.returncode, 0, f'{checked.stderr}\nIn the repository\'s folder, "black ." formats them.')
 
     def test_ugly_file_is_found(self):
         (self.folder / "ugly.py").write_text(UGLY)

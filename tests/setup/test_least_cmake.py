@@ -40,7 +40,7 @@ def added(section):
     """The versions that added the words of a SECTION; "" stands for its subject."""
     found = {}
     for place in re.finditer(r"^ *\.\. versionadded:: ([0-9.]+)", section, re.MULTILINE):
-        above = section[:place.start()].strip().rpartition("\n\n")[2]
+        above = section[: place.start()].strip().rpartition("\n\n")[2]
         words = re.findall(r"\b[A-Z][A-Z_]+\b", above) if above else [""]
         for word in words[:1]:
             found[word] = min(found.get(word, (99,)), version(place[1]))
@@ -64,14 +64,17 @@ class LeastCMake(SetupTest):
         commands = {name: added(text) for name, text in sections("--help-commands").items()}
         variables = {name: added(text) for name, text in sections("--help-variables").items()}
         newer = set()
-        files = [path for folder in ("cmake", "tests", "tools") for path in (REPOSITORY / folder).rglob("*")
-                 if path.suffix == ".cmake" or path.name == "CMakeLists.txt"]
+        files = [
+            path
+            for folder in ("cmake", "tests", "tools")
+            for path in (REPOSITORY / folder).rglob("*")
+            if path.suffix == ".cmake" or path.name == "CMakeLists.txt"
+        ]
         self.assertGreater(len(files), 20)
         for path in [REPOSITORY / "CMakeLists.txt", *files]:
             text = path.read_text(encoding="utf-8")
             for command, words in calls(text):
-                newer |= {f"{command} {word}".strip() for word in ("", *words)
-                          if commands.get(command, {}).get(word, (0,)) > least}
+                newer |= {f"{command} {word}".strip() for word in ("", *words) if commands.get(command, {}).get(word, (0,)) > least}
             newer |= {name for name in re.findall(r"\b[A-Z]\w+", text) if variables.get(name, {}).get("", (0,)) > least}
         return newer
 
@@ -88,8 +91,9 @@ class LeastCMake(SetupTest):
 
     def test_finds_what_is_newer(self):
         older = self.newer_than((3, 16))
-        self.assertLessEqual({"file COPY_FILE", "string JSON", "execute_process COMMAND_ERROR_IS_FATAL",
-                              "CMAKE_CURRENT_FUNCTION_LIST_DIR"}, older)
+        self.assertLessEqual(
+            {"file COPY_FILE", "string JSON", "execute_process COMMAND_ERROR_IS_FATAL", "CMAKE_CURRENT_FUNCTION_LIST_DIR"}, older
+        )
 
 
 if __name__ == "__main__":

@@ -43,8 +43,9 @@ class Names(SetupTest):
         told = self.run_command("ctest", "--show-only=json-v1", cwd=BUILD)
         self.assert_succeeds(told)
         called = {word for test in json.loads(told.stdout)["tests"] for word in test.get("command", ())}
-        modules = {".".join(path.relative_to(REPOSITORY).with_suffix("").parts) for path in self.python_files()
-                   if path.name.startswith("test_")}
+        modules = {
+            ".".join(path.relative_to(REPOSITORY).with_suffix("").parts) for path in self.python_files() if path.name.startswith("test_")
+        }
         self.assertEqual(sorted(modules - called), [])
 
 

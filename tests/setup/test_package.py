@@ -15,11 +15,14 @@ from tests.setup.scratch import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
 CPACK = pathlib.Path(CMAKE).with_name("cpack")
 MAINTAINER = {"DEBFULLNAME": "A tester", "DEBEMAIL": "tester@example.org"}
 # folders of this package alone, and single files in shared folders
-OWN = re.compile(r"""/(etc|usr/(lib|share|share/doc))/povray-tilt-lens/.*
+OWN = re.compile(
+    r"""/(etc|usr/(lib|share|share/doc))/povray-tilt-lens/.*
     | /usr/bin/povray-tilt-lens
     | /usr/share/man/man[17]/povray-tilt-lens\.[17]\.gz
     | /usr/share/bash-completion/completions/povray-tilt-lens
-    | /usr/share/vim/vimfiles/after/syntax/pov\.vim""", re.VERBOSE)
+    | /usr/share/vim/vimfiles/after/syntax/pov\.vim""",
+    re.VERBOSE,
+)
 
 
 def pack(test, env):
@@ -47,12 +50,10 @@ class Package(SetupTest):
         self.assert_succeeds(self.made)
 
     def field(self, name):
-        return subprocess.run(["dpkg-deb", "--field", str(self.package), name], capture_output=True, text=True,
-                              check=True).stdout.strip()
+        return subprocess.run(["dpkg-deb", "--field", str(self.package), name], capture_output=True, text=True, check=True).stdout.strip()
 
     def files(self):
-        return sorted("/" + str(path.relative_to(self.root)) for path in self.root.rglob("*")
-                      if path.is_symlink() or not path.is_dir())
+        return sorted("/" + str(path.relative_to(self.root)) for path in self.root.rglob("*") if path.is_symlink() or not path.is_dir())
 
     def test_name_and_control_data(self):
         architecture = subprocess.run(["dpkg", "--print-architecture"], capture_output=True, text=True, check=True).stdout.strip()
@@ -66,14 +67,16 @@ class Package(SetupTest):
     def test_files_have_places_of_their_own(self):
         files = self.files()
         self.assertEqual([name for name in files if not OWN.fullmatch(name)], [])
-        stock = subprocess.run(["dpkg-query", "--listfiles", "povray", "povray-includes"], capture_output=True, text=True,
-                               check=True).stdout.split("\n")
+        stock = subprocess.run(
+            ["dpkg-query", "--listfiles", "povray", "povray-includes"], capture_output=True, text=True, check=True
+        ).stdout.split("\n")
         self.assertGreater(len(stock), 50)
         self.assertEqual(set(files) & set(stock), set())
 
     def test_settings_are_configuration_files(self):
-        listed = subprocess.run(["dpkg-deb", "--info", str(self.package), "conffiles"], capture_output=True, text=True,
-                                check=True).stdout.split()
+        listed = subprocess.run(
+            ["dpkg-deb", "--info", str(self.package), "conffiles"], capture_output=True, text=True, check=True
+        ).stdout.split()
         self.assertEqual(sorted(listed), [name for name in self.files() if name.startswith("/etc/")])
         for name in listed:
             self.assertNotIn(str(REPOSITORY), (self.root / name[1:]).read_text(encoding="utf-8"))
@@ -111,9 +114,10 @@ class Package(SetupTest):
             held = {name.partition("/")[2] for name in (entry.name for entry in opened if not entry.isdir())}
         self.assertIn("CMakeLists.txt", held)
         self.assertFalse([name for name in held if name.startswith((".git/", "build/")) or "__pycache__" in name])
-        if (REPOSITORY / ".git").exists() and shutil.which("git"):   # missing in an archive and in a minimal system
-            wanted = subprocess.run(["git", "-C", str(REPOSITORY), "-c", "safe.directory=*", "ls-files", "-z"], capture_output=True,
-                                    text=True, check=True).stdout.split("\0")
+        if (REPOSITORY / ".git").exists() and shutil.which("git"):  # missing in an archive and in a minimal system
+            wanted = subprocess.run(
+                ["git", "-C", str(REPOSITORY), "-c", "safe.directory=*", "ls-files", "-z"], capture_output=True, text=True, check=True
+            ).stdout.split("\0")
             self.assertEqual({name for name in wanted if name and (REPOSITORY / name).exists()} - held, set())
 
     def test_source_can_be_configured(self):
@@ -121,18 +125,28 @@ class Package(SetupTest):
         archive = next((self.root / "usr/share/doc/povray-tilt-lens").glob("*.tar.xz"))
         self.assert_succeeds(self.run_command("tar", "--extract", "--file", archive, "--directory", self.folder))
         cache = dict(re.findall(r"^(\w+):[A-Z]+=(.*)$", (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"), re.MULTILINE))
-        process = self.run_command(CMAKE, "--preset", "release",
-                                   f"-DPOVRAY_TARBALL={cache['POVRAY_TARBALL'] or cache['TILT_LENS_DOWNLOADS']}",
-                                   cwd=self.folder / archive.name.removesuffix(".tar.xz"))
+        process = self.run_command(
+            CMAKE,
+            "--preset",
+            "release",
+            f"-DPOVRAY_TARBALL={cache['POVRAY_TARBALL'] or cache['TILT_LENS_DOWNLOADS']}",
+            cwd=self.folder / archive.name.removesuffix(".tar.xz"),
+        )
         self.assert_succeeds(process)
         self.assertNotIn("CMake Warning", process.stderr)
 
     def test_renders_from_the_package(self):
         scene = self.folder / "scene.pov"
         scene.write_text(SCENE, encoding="utf-8")
-        process = self.run_command(self.root / "usr/bin/povray-tilt-lens", "scene.pov", "+W16", "+H12", "-D",
-                                   f'+L"{self.root}/usr/share/povray-tilt-lens/include"',
-                                   env={"HOME": str(self.folder)})
+        process = self.run_command(
+            self.root / "usr/bin/povray-tilt-lens",
+            "scene.pov",
+            "+W16",
+            "+H12",
+            "-D",
+            f'+L"{self.root}/usr/share/povray-tilt-lens/include"',
+            env={"HOME": str(self.folder)},
+        )
         self.assert_succeeds(process)
         self.assertTrue((self.folder / "scene.png").read_bytes().startswith(b"\x89PNG"))
 

@@ -12,9 +12,18 @@ from tools import povray_run
 
 COMMAND_LINE = re.compile(r"[\"']\+I\w|[\"']\+I\{|POVINI|#include\\s|POVRAYMS")
 # the module itself; users' own settings and names, and tests of those; the page of ./focus, which reads tiles during the render
-MAY = ("tools/povray_run.py", "tools/batch/", "tools/focus/", "tests/focus/", "tests/batch/test_names.py", "tests/batch/test_units.py",
-       "tests/batch/test_bounds.py", "tests/render/test_unreadable.py", "tests/setup/")
-SCENE = "camera { location -3*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } }\n#debug concat(\"SIZE \", str(image_width, 0, 0), \"\\n\")\n"
+MAY = (
+    "tools/povray_run.py",
+    "tools/batch/",
+    "tools/focus/",
+    "tests/focus/",
+    "tests/batch/test_names.py",
+    "tests/batch/test_units.py",
+    "tests/batch/test_bounds.py",
+    "tests/render/test_unreadable.py",
+    "tests/setup/",
+)
+SCENE = 'camera { location -3*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } }\n#debug concat("SIZE ", str(image_width, 0, 0), "\\n")\n'
 
 
 class Runs(SetupTest):
@@ -69,9 +78,13 @@ class Sources(SetupTest):
         """Those of its own folder come before those of others, each once, also in circles; those of nowhere are left out."""
         other = self.folder / "other"
         other.mkdir()
-        for path, text in ((self.folder / "scene.pov", '#include "a.inc"\n  #include  "colors.inc"\n'),
-                           (self.folder / "a.inc", '#include "b.inc"\n#include "c.inc"\n'), (other / "a.inc", "wrong"),
-                           (other / "b.inc", '#include "a.inc"\n#include "c.inc"'), (other / "c.inc", "")):
+        for path, text in (
+            (self.folder / "scene.pov", '#include "a.inc"\n  #include  "colors.inc"\n'),
+            (self.folder / "a.inc", '#include "b.inc"\n#include "c.inc"\n'),
+            (other / "a.inc", "wrong"),
+            (other / "b.inc", '#include "a.inc"\n#include "c.inc"'),
+            (other / "c.inc", ""),
+        ):
             path.write_text(text)
         found = [str(path.relative_to(self.folder)) for path in povray_run.sources(self.folder / "scene.pov", [other])]
         self.assertEqual(found, ["scene.pov", "a.inc", "other/b.inc", "other/c.inc"])

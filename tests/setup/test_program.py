@@ -109,8 +109,14 @@ class Install(ProgramTest):
     def test_prefix_then_moved(self):
         prefix = self.folder / "prefix"
         self.install(prefix)
-        for name in ("bin/povray", "share/povray-3.7/include/colors.inc", "share/povray-3.7/ini/quickres.ini",
-                     "etc/povray/3.7/povray.conf", "etc/povray/3.7/povray.ini", "share/man/man1/povray.1"):
+        for name in (
+            "bin/povray",
+            "share/povray-3.7/include/colors.inc",
+            "share/povray-3.7/ini/quickres.ini",
+            "etc/povray/3.7/povray.conf",
+            "etc/povray/3.7/povray.ini",
+            "share/man/man1/povray.1",
+        ):
             self.assertTrue((prefix / name).is_file(), name)
         ini = (prefix / "etc/povray/3.7/povray.ini").read_text(encoding="utf-8")
         self.assertIn(f'Library_Path="{prefix}/share/povray-3.7/include"', ini)

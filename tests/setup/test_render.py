@@ -49,7 +49,8 @@ class RenderTest(SetupTest):
         build = self.copy / "build"
         build.mkdir()
         (build / "CMakeCache.txt").write_text(
-            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copy}\nCMAKE_CACHEFILE_DIR:INTERNAL={build}\n", encoding="utf-8")
+            f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copy}\nCMAKE_CACHEFILE_DIR:INTERNAL={build}\n", encoding="utf-8"
+        )
         (build / "build.ninja").write_text("build povray: phony\n", encoding="utf-8")
         (build / "bin").mkdir()
         (build / "bin" / "povray").symlink_to(BUILD / "bin" / "povray")
@@ -156,11 +157,15 @@ class FileNames(RenderTest):
 
     def test_long_names_in_messages(self):
         for length in (1000, 1024, 2048, 4000):
-            name = "/".join(["a" * 99] * 40)[:length - 2] + "/b"
+            name = "/".join(["a" * 99] * 40)[: length - 2] + "/b"
             written = "concat(" + ", ".join(f'"{name[i:i + 80]}"' for i in range(0, len(name), 80)) + ")"
-            for line in (f"#include {written}", f"#fopen F {written} read", f"#fopen F {written} write",
-                         f"camera {{ location -4*z look_at 0 tilt_lens {{ prescription {written} }} }}",
-                         f'plane {{ y, 0 pigment {{ image_map {{ png {written} }} }} }}'):
+            for line in (
+                f"#include {written}",
+                f"#fopen F {written} read",
+                f"#fopen F {written} write",
+                f"camera {{ location -4*z look_at 0 tilt_lens {{ prescription {written} }} }}",
+                f"plane {{ y, 0 pigment {{ image_map {{ png {written} }} }} }}",
+            ):
                 with self.subTest(length=length, line=line[:16]):
                     (self.place / "long.pov").write_text(f"#version 3.7; global_settings {{ assumed_gamma 1 }}\n{line}\n")
                     said = self.run_command(BUILD / "bin" / "povray", "+Ilong.pov", "-D", "+Oout.png", cwd=self.place)
@@ -184,9 +189,15 @@ class Signals(RenderTest):
         (self.place / "s.pov").write_text(SLOW, encoding="utf-8")
         state = self.place / "s.pov-state"
         state.unlink(missing_ok=True)
-        with subprocess.Popen([self.copy / "render", "s.pov", "+W640", "+H480", "Declare=A=1"], cwd=self.place, text=True,
-                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True,
-                              env={**os.environ, "DISPLAY": ""}) as process:
+        with subprocess.Popen(
+            [self.copy / "render", "s.pov", "+W640", "+H480", "Declare=A=1"],
+            cwd=self.place,
+            text=True,
+            stdin=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            start_new_session=True,
+            env={**os.environ, "DISPLAY": ""},
+        ) as process:
             deadline = time.monotonic() + PATIENCE
             while not (state.exists() and state.stat().st_size > 2000):
                 if process.poll() is not None or time.monotonic() > deadline:
@@ -213,8 +224,9 @@ class Signals(RenderTest):
         returned, said = self.stopped(send)
         self.assertEqual(returned, code, said[-4:])
         self.assertIn("Render cancelled by user", said)
-        self.assertEqual(shlex.split(said[-1].partition("to go on: ")[2]),
-                         [f"{self.copy}/render", "s.pov", "+W640", "+H480", "Declare=A=1", "+C"])
+        self.assertEqual(
+            shlex.split(said[-1].partition("to go on: ")[2]), [f"{self.copy}/render", "s.pov", "+W640", "+H480", "Declare=A=1", "+C"]
+        )
 
     def test_ctrl_c_reaches_all_at_once(self):
         self.check(lambda number: os.killpg(number, signal.SIGINT), -signal.SIGINT)
@@ -228,6 +240,7 @@ class Signals(RenderTest):
         def kill(wrapper):
             children = subprocess.run(["pgrep", "-P", str(wrapper)], capture_output=True, text=True, check=True).stdout.split()
             os.kill(int(children[0]), signal.SIGKILL)
+
         code, said = self.stopped(kill)
         self.assertEqual(code, 137)
         self.assertIn("povray was ended by signal 9.", said)

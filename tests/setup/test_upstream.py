@@ -20,8 +20,12 @@ class Upstream(SourcePackageTest):
 
     def test_any_revision_with_the_pinned_patches_will_do(self):
         (self.archives / PACKAGING).unlink()
-        for name, mode in (("povray_1-1.debian.tar.xz", "w:xz"), ("povray_1-2build3.debian.tar.gz", "w:gz"),
-                           ("povray_1-2ubuntu1~24.04.debian.tar.xz", "w:xz"), ("povray_1-7+rpi1.debian.tar.bz2", "w:bz2")):
+        for name, mode in (
+            ("povray_1-1.debian.tar.xz", "w:xz"),
+            ("povray_1-2build3.debian.tar.gz", "w:gz"),
+            ("povray_1-2ubuntu1~24.04.debian.tar.xz", "w:xz"),
+            ("povray_1-7+rpi1.debian.tar.bz2", "w:bz2"),
+        ):
             with self.subTest(name):
                 self.write_packaging(name, mode)
                 (self.work / "key").unlink(missing_ok=True)
@@ -38,14 +42,19 @@ class Upstream(SourcePackageTest):
 
     def test_revision_whose_patches_differ(self):
         self.write_packaging(PACKAGING, fix_more="another text\n")
-        self.assert_fails_saying(self.prepare(self.archives), f"{PACKAGING}: debian/patches/fix-more.patch has SHA-256",
-                                 "Take another packaging", "./render --source FOLDER")
+        self.assert_fails_saying(
+            self.prepare(self.archives),
+            f"{PACKAGING}: debian/patches/fix-more.patch has SHA-256",
+            "Take another packaging",
+            "./render --source FOLDER",
+        )
 
     def test_revision_with_missing_files(self):
         self.write_packaging(PACKAGING, without=("debian/patches/fix-main.patch", "debian/copyright"))
         process = self.prepare(self.archives)
-        self.assert_fails_saying(process, f"{PACKAGING}: debian/patches/fix-main.patch is missing",
-                                 f"{PACKAGING}: debian/copyright is missing")
+        self.assert_fails_saying(
+            process, f"{PACKAGING}: debian/patches/fix-main.patch is missing", f"{PACKAGING}: debian/copyright is missing"
+        )
         self.assertNotIn("fix-more.patch", process.stderr)
 
     def test_good_revision_among_several_is_taken(self):
@@ -86,8 +95,7 @@ class Upstream(SourcePackageTest):
 
     def test_damaged_download_is_dropped_and_missing_network_reported(self):
         config = self.folder / "apt.conf"
-        config.write_text(f'Acquire::http::Proxy "{NO_NETWORK}";\nAcquire::https::Proxy "{NO_NETWORK}";\n',
-                          encoding="utf-8")
+        config.write_text(f'Acquire::http::Proxy "{NO_NETWORK}";\nAcquire::https::Proxy "{NO_NETWORK}";\n', encoding="utf-8")
         self.downloads.mkdir()
         (self.downloads / TARBALL).write_bytes(b"half a file")
         process = self.prepare(env={"APT_CONFIG": str(config), "http_proxy": NO_NETWORK, "https_proxy": NO_NETWORK})
@@ -98,8 +106,11 @@ class Upstream(SourcePackageTest):
         # a tar that stops half-way imitates a full disk
         tools = self.folder / "tools"
         tools.mkdir()
-        (tools / "tar").write_text(f"#!/bin/sh\ncase $* in *{PACKAGING}*) exec {shutil.which('tar')} \"$@\" ;; esac\n"
-                                   "mkdir half\necho 'No space left on device' >&2\nexit 2\n", encoding="utf-8")
+        (tools / "tar").write_text(
+            f"#!/bin/sh\ncase $* in *{PACKAGING}*) exec {shutil.which('tar')} \"$@\" ;; esac\n"
+            "mkdir half\necho 'No space left on device' >&2\nexit 2\n",
+            encoding="utf-8",
+        )
         (tools / "tar").chmod(0o755)
         process = self.prepare(self.archives, env={"PATH": f"{tools}:{os.environ['PATH']}"})
         self.assert_fails_saying(process, "could not be unpacked", "No space left on device")

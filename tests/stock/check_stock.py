@@ -43,8 +43,19 @@ def render(program, args, folder):
     picture = folder / "picture.png"
     # the unpatched program does not know the word; the fork lets no scene write in the build folder, as one of these does
     unrestricted = ["--unrestricted"] if folder.name == "fork" else []
-    command = povray_run.command(program, scene.name, picture.name, (args.width, args.height), *unrestricted, "+FN16", "-V", "-GA", "+WT1",
-                                 *args.options, library=[args.includes])
+    command = povray_run.command(
+        program,
+        scene.name,
+        picture.name,
+        (args.width, args.height),
+        *unrestricted,
+        "+FN16",
+        "-V",
+        "-GA",
+        "+WT1",
+        *args.options,
+        library=[args.includes],
+    )
     done = povray_run.run(command, folder, limit=None)
     if done.code != 0 or not picture.is_file():
         raise SystemExit(f"{program} made no picture of {args.scene}:\n{done.told()}")
@@ -60,23 +71,20 @@ def pixels(compare, picture):
 def main():
     args = arguments()
     if not (args.examples / args.scene).is_file():
-        print(f"there is no {args.examples / args.scene}: is povray-examples installed?",
-              file=sys.stderr)
+        print(f"there is no {args.examples / args.scene}: is povray-examples installed?", file=sys.stderr)
         return 1
     stock, fork = shutil.which(args.stock), shutil.which(args.fork)
     if stock is None or fork is None:
         print(f"no such program: {args.stock if stock is None else args.fork}", file=sys.stderr)
         return 1
     work = args.work.absolute()
-    pictures = [render(program, args, work / name)
-                for program, name in ((stock, "stock"), (fork, "fork"))]
+    pictures = [render(program, args, work / name) for program, name in ((stock, "stock"), (fork, "fork"))]
     of_stock, of_fork = (pixels(args.compare, picture) for picture in pictures)
     if of_stock == of_fork:
         print(f"{args.scene}: the same pixels, SHA-256 {of_fork[1]}")
         return 0
     print(f"{args.scene}: the pixels differ: stock {of_stock}, fork {of_fork}", file=sys.stderr)
-    figures = subprocess.run([args.compare, "exact", str(pictures[1]), str(pictures[0])],
-                             capture_output=True, text=True, check=False)
+    figures = subprocess.run([args.compare, "exact", str(pictures[1]), str(pictures[0])], capture_output=True, text=True, check=False)
     print(figures.stdout, file=sys.stderr)
     return 1
 

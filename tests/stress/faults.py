@@ -19,8 +19,11 @@ SIZE = {"width": 96, "height": 72}
 LIMITS = "blur_samples 64, 300 variance 1/10000 "
 # fixed samples per pixel; adaptive samples, with and without neighbours
 SLOW = scenes.camera(samples="blur_samples 300 variance 0 ") + scenes.WORLD
-WAYS = (SLOW, scenes.camera(samples=LIMITS) + scenes.WORLD,
-        scenes.camera("tilt 4 swing 2 shift <2, -1> blades 5, 10 denoise off", samples=LIMITS) + scenes.WORLD)
+WAYS = (
+    SLOW,
+    scenes.camera(samples=LIMITS) + scenes.WORLD,
+    scenes.camera("tilt 4 swing 2 shift <2, -1> blades 5, 10 denoise off", samples=LIMITS) + scenes.WORLD,
+)
 QUICK = scenes.camera() + scenes.WORLD
 OPTIONS = ("+WT2", "+BS8")
 
@@ -83,8 +86,7 @@ def one_kill(folder, scene, whole, stop, moment):
     said = rendering.Job(scene, (*OPTIONS, "+C"), **SIZE).run(folder)
     # a state file of that size holds at least one block
     kept = stored < 5000 or "Pixels:" in said and _pixels(said) < SIZE["width"] * SIZE["height"]
-    return {"same": is_whole(folder / "picture.png", whole), "torn": tear, "kept": kept, "before_first_block": not state,
-            "after_end": late}
+    return {"same": is_whole(folder / "picture.png", whole), "torn": tear, "kept": kept, "before_first_block": not state, "after_end": late}
 
 
 def _pixels(said):
@@ -102,8 +104,13 @@ def last_words(said):
 
 
 def case(name, code, said, whole, folder, words):
-    return {"name": name, "exit": code, "said": last_words(said.replace(str(folder), "FOLDER")),
-            "clear": code not in (0, None) and said_why(said, *words), "torn": torn(folder, whole)}
+    return {
+        "name": name,
+        "exit": code,
+        "said": last_words(said.replace(str(folder), "FOLDER")),
+        "clear": code not in (0, None) and said_why(said, *words),
+        "torn": torn(folder, whole),
+    }
 
 
 def environment(whole):
@@ -119,18 +126,20 @@ def environment(whole):
         rows.append(read_only(folder, whole))
         folder = pathlib.Path(name) / "memory"
         folder.mkdir()
-        code, said = run(folder, QUICK + _many_spheres(200_000), *OPTIONS,
-                         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (260 << 20, 260 << 20)))
-        rows.append(case("260 MiB of address space, 200,000 spheres", code, said, whole, folder,
-                         ("memory", "bad_alloc", "thread")))
+        code, said = run(
+            folder,
+            QUICK + _many_spheres(200_000),
+            *OPTIONS,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (260 << 20, 260 << 20)),
+        )
+        rows.append(case("260 MiB of address space, 200,000 spheres", code, said, whole, folder, ("memory", "bad_alloc", "thread")))
     rows += [listening(whole, kind) for kind in ("closed", "full", "gone")]
     rows.append(two_in_one_folder(whole))
     return rows
 
 
 def _many_spheres(count):
-    return (f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <rand(R), rand(R), rand(R)>*9 - 4, 0.01 "
-            "pigment { rgb 1 } } #end\n")
+    return f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <rand(R), rand(R), rand(R)>*9 - 4, 0.01 " "pigment { rgb 1 } } #end\n"
 
 
 def full_disk(folder):
@@ -138,8 +147,9 @@ def full_disk(folder):
     the picture without rendering the tiles of the state file again."""
     size = {"width": 320, "height": 240}
     whole = rendering.render(QUICK, *OPTIONS, **size)
-    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=512k", "none", str(folder)], capture_output=True,
-                             check=False).returncode == 0
+    mounted = (
+        subprocess.run(["mount", "-t", "tmpfs", "-o", "size=512k", "none", str(folder)], capture_output=True, check=False).returncode == 0
+    )
     extra = {} if mounted else {"preexec_fn": _small_files}
     try:
         code, said = run(folder, QUICK, *OPTIONS, size=size, **extra)
@@ -186,8 +196,14 @@ def listening(whole, kind):
             os.close(how["stdout"])
         picture = folder / "picture.png"
         finished = picture.is_file() and is_whole(picture, rendering.render(QUICK, *OPTIONS, **SIZE))
-        return {"name": f"standard output {kind}", "exit": code, "said": said, "torn": picture.exists() and not finished,
-                "clear": code not in (0, None) or finished, "finished": finished}
+        return {
+            "name": f"standard output {kind}",
+            "exit": code,
+            "said": said,
+            "torn": picture.exists() and not finished,
+            "clear": code not in (0, None) or finished,
+            "finished": finished,
+        }
 
 
 def two_in_one_folder(whole):
@@ -200,15 +216,24 @@ def two_in_one_folder(whole):
             process.communicate()
         codes = [process.returncode for process in both]
         fine = is_whole(folder / "picture.png", whole) if 0 in codes else not torn(folder, whole)
-        return {"name": "two renders into one folder", "exit": max(codes), "said": "", "clear": fine,
-                "torn": torn(folder, whole), "codes": codes}
+        return {
+            "name": "two renders into one folder",
+            "exit": max(codes),
+            "said": "",
+            "clear": fine,
+            "torn": torn(folder, whole),
+            "codes": codes,
+        }
 
 
 def measure(setup, kills=KILLS):
     use(setup)
     wholes = [rendering.render(scene, *OPTIONS, **SIZE) for scene in WAYS]
-    return {"SIGKILL": killed(kills, wholes, signal.SIGKILL), "SIGTERM": killed(max(3, kills // 5), wholes, signal.SIGTERM),
-            "environment": environment(wholes[0])}
+    return {
+        "SIGKILL": killed(kills, wholes, signal.SIGKILL),
+        "SIGTERM": killed(max(3, kills // 5), wholes, signal.SIGTERM),
+        "environment": environment(wholes[0]),
+    }
 
 
 def faults(result):

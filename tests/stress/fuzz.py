@@ -34,18 +34,36 @@ def libfuzzer(name, program, corpus, length, runs, seconds):
     ends = [f"-runs={runs}", "-seed=1"] if runs else [f"-max_total_time={seconds}"]
     dictionary = [f"-dict={words}"] if name == "parser" else []
     settings = {**WITHOUT_LEAKS, **os.environ}
-    done = subprocess.run([str(program), *ends, *dictionary, f"-max_len={length}", "-rss_limit_mb=4000", "-timeout=60",
-                           f"-artifact_prefix={corpus}-finding-", str(corpus)], capture_output=True, text=True, check=False,
-                          env=settings)
+    done = subprocess.run(
+        [
+            str(program),
+            *ends,
+            *dictionary,
+            f"-max_len={length}",
+            "-rss_limit_mb=4000",
+            "-timeout=60",
+            f"-artifact_prefix={corpus}-finding-",
+            str(corpus),
+        ],
+        capture_output=True,
+        text=True,
+        check=False,
+        env=settings,
+    )
     covered = re.findall(r"cov: (\d+)", done.stderr)
     told = re.search(r"Done (\d+) runs in (\d+) second", done.stderr)
     if name == "parser":
         drop_refused(corpus)
     if not runs and done.returncode == 0:
         kept.minimise(name, program, corpus)
-    return {"runs": int(told[1]) if told else 0, "seconds": int(told[2]) if told else 0, "exit": done.returncode,
-            "coverage": int(covered[-1]) if covered else 0, "kept": len(kept.load("corpus", name)),
-            "finding": "" if done.returncode == 0 else done.stderr[-1500:]}
+    return {
+        "runs": int(told[1]) if told else 0,
+        "seconds": int(told[2]) if told else 0,
+        "exit": done.returncode,
+        "coverage": int(covered[-1]) if covered else 0,
+        "kept": len(kept.load("corpus", name)),
+        "finding": "" if done.returncode == 0 else done.stderr[-1500:],
+    }
 
 
 def grammar(setup, work, tree, count):
@@ -57,8 +75,13 @@ def grammar(setup, work, tree, count):
         return {**blocks.tally(outcomes), "pictures": len(accepted), "bad_pictures": frames.render(povray, accepted)}
 
     def once(seed):
-        return results.once(work, f"blocks-{count}-{seed}", [povray, parser, *SCRIPTS], lambda: shard(seed),
-                            lambda tally: tally["bad"] + tally["bad_pictures"])
+        return results.once(
+            work,
+            f"blocks-{count}-{seed}",
+            [povray, parser, *SCRIPTS],
+            lambda: shard(seed),
+            lambda tally: tally["bad"] + tally["bad_pictures"],
+        )
 
     tallies = results.in_parallel(4 * setup.jobs, once, range(1, 1 + max(1, count // SHARD)))
     total = {"blocks": 0, "pictures": 0, "counts": {}, "bad": [], "sanitized": tree != setup.build}
@@ -77,8 +100,10 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
     sanitized = setup.build / "fuzz"
     built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()
     found = {"grammar": grammar(setup, work, sanitized if built else setup.build, count)}
-    targets = [("solver", setup.build / "tests" / "fuzz" / "solver_fuzz", 320, runs),
-               ("parser", sanitized / "tests" / "fuzz" / "parser_fuzz", 2000, runs // 20)]
+    targets = [
+        ("solver", setup.build / "tests" / "fuzz" / "solver_fuzz", 320, runs),
+        ("parser", sanitized / "tests" / "fuzz" / "parser_fuzz", 2000, runs // 20),
+    ]
     targets.append(("prescription", setup.build / "tests" / "fuzz" / "prescription_fuzz", 4096, runs))
     seeds.write(work / "solver")
     seeds.write_lenses(work / "prescription")
@@ -94,6 +119,9 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
 
 def faults(result):
     found = [f"{bad['answer']}\n{bad['text']}" for bad in result["grammar"]["bad"]]
-    found += [f"{name}: {result[name]['finding']}" for name in ("solver", "prescription", "parser")
-              if name in result and result[name]["exit"] != 0]
+    found += [
+        f"{name}: {result[name]['finding']}"
+        for name in ("solver", "prescription", "parser")
+        if name in result and result[name]["exit"] != 0
+    ]
     return found

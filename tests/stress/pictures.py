@@ -18,9 +18,11 @@ from tools import povray_run
 
 FURNACES, WIDTH, HEIGHT = 200, 48, 36
 GLOW = "#default { finish { ambient 1 diffuse 0 } }\n"
-BOX = ("box { <-2, 0, 1>, <-1, 1.6, 2> pigment { gradient y color_map { [0.5 rgb 0.9][0.5 rgb 0.1] } scale 0.4 } }\n"
-       "sphere { <0.5, 0.7, 0.2>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } }\n"
-       "cylinder { <1.4, 0, 2>, <1.2, 1.8, 2.2>, 0.2 pigment { rgb <0.2, 0.9, 0.3> } }\n")
+BOX = (
+    "box { <-2, 0, 1>, <-1, 1.6, 2> pigment { gradient y color_map { [0.5 rgb 0.9][0.5 rgb 0.1] } scale 0.4 } }\n"
+    "sphere { <0.5, 0.7, 0.2>, 0.6 pigment { rgb <0.8, 0.2, 0.1> } }\n"
+    "cylinder { <1.4, 0, 2>, <1.2, 1.8, 2.2>, 0.2 pigment { rgb <0.2, 0.9, 0.3> } }\n"
+)
 FLOOR = "plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"
 SKY = "background { rgb <0.3, 0.5, 0.8> }\n"
 
@@ -46,14 +48,27 @@ def random_lens(r):
         else:
             points = [(x, y, z - n[0] * x - n[1] * y) for x, y in ((0, 0), (z, 0), (0, z))]
             focus = "focal_points " + ", ".join(f"<{x:.6f}, {y:.6f}, {w:.6f}>" for x, y, w in points) + " "
-    shape = r.choice(("", "", f"blades {r.randint(3, 9)}, {r.uniform(-90, 90):.2f} ",
-                      f"blades {r.randint(3, 9)} blade_curvature {r.random():.3f} squeeze {r.uniform(0.2, 5):.2f} "))
-    character = "" if r.random() < 0.7 else (
-        f"edge_light {r.uniform(-0.9, 0.9):.2f} "
-        f"distortion {r.uniform(0, 0.3):.3f} field_curvature {r.uniform(-0.5, 0.5):.3f} lateral_colour {r.uniform(-0.2, 0.2):.3f} axial_colour {r.uniform(-0.2, 0.2):.3f} ")
+    shape = r.choice(
+        (
+            "",
+            "",
+            f"blades {r.randint(3, 9)}, {r.uniform(-90, 90):.2f} ",
+            f"blades {r.randint(3, 9)} blade_curvature {r.random():.3f} squeeze {r.uniform(0.2, 5):.2f} ",
+        )
+    )
+    character = (
+        ""
+        if r.random() < 0.7
+        else (
+            f"edge_light {r.uniform(-0.9, 0.9):.2f} "
+            f"distortion {r.uniform(0, 0.3):.3f} field_curvature {r.uniform(-0.5, 0.5):.3f} lateral_colour {r.uniform(-0.2, 0.2):.3f} axial_colour {r.uniform(-0.2, 0.2):.3f} "
+        )
+    )
     shift = f"shift <{r.uniform(-30, 30):.3f}, {r.uniform(-30, 30):.3f}> " if r.random() < 0.5 else ""
-    return (f"{focus}{shape}{character}{shift}scene_unit {10 ** r.uniform(0, 4):.4f} film_width {r.uniform(5, 200):.3f}",
-            10 ** r.uniform(-4, 1.3))
+    return (
+        f"{focus}{shape}{character}{shift}scene_unit {10 ** r.uniform(0, 4):.4f} film_width {r.uniform(5, 200):.3f}",
+        10 ** r.uniform(-4, 1.3),
+    )
 
 
 def furnaces(setup, count, work):
@@ -62,18 +77,34 @@ def furnaces(setup, count, work):
     cases = []
     for i in range(1, count + 1):
         lens, aperture = random_lens(r)
-        cases.append(f"#case ({i}) camera {{ location 0 direction {r.uniform(0.4, 3):.4f}*z right x up 0.75*y "
-                     f"focal_point <0, 0, {10 ** r.uniform(0, 3):.5f}> aperture {aperture:.6g} "
-                     f"blur_samples 4, 16 tilt_lens {{ {lens} }} }}\n#break\n")
+        cases.append(
+            f"#case ({i}) camera {{ location 0 direction {r.uniform(0.4, 3):.4f}*z right x up 0.75*y "
+            f"focal_point <0, 0, {10 ** r.uniform(0, 3):.5f}> aperture {aperture:.6g} "
+            f"blur_samples 4, 16 tilt_lens {{ {lens} }} }}\n#break\n"
+        )
     surroundings = "#if (Ball) sphere { 0, 1e5 hollow pigment { rgb 0.5 } } #else background { rgb 0.5 } #end\n"
-    scene = (rendering.HEAD + GLOW + "#switch (frame_number)\n" + "".join(cases) + "#end\n" + surroundings)
+    scene = rendering.HEAD + GLOW + "#switch (frame_number)\n" + "".join(cases) + "#end\n" + surroundings
     worst = 0.0
     for ball in (0, 1):
         folder = work / f"furnace{ball}"
         folder.mkdir(exist_ok=True)
         (folder / "scene.pov").write_text(scene)
-        povray_run.run(povray_run.command(setup.povray, "scene.pov", "p.png", (12, 9), "+FN16", "File_Gamma=1.0", "+WT1", "+KFI1",
-                                          f"+KFF{count}", f"Declare=Ball={ball}"), folder, limit=None).succeeded()
+        povray_run.run(
+            povray_run.command(
+                setup.povray,
+                "scene.pov",
+                "p.png",
+                (12, 9),
+                "+FN16",
+                "File_Gamma=1.0",
+                "+WT1",
+                "+KFI1",
+                f"+KFF{count}",
+                f"Declare=Ball={ball}",
+            ),
+            folder,
+            limit=None,
+        ).succeeded()
         pictures = sorted(folder.glob("p*.png"))
         if len(pictures) != count:
             raise RuntimeError(f"furnace: {len(pictures)} pictures, not {count}")
@@ -83,13 +114,14 @@ def furnaces(setup, count, work):
     return {"cameras": count, "pictures": 2 * count, "worst": worst}
 
 
-def camera(lens, batch=0, aperture=0.3, samples="blur_samples 32 variance 0", tail="", location="<0.4, 1.5, -4>",
-           look_at="<0, 0.5, 0.5>"):
+def camera(lens, batch=0, aperture=0.3, samples="blur_samples 32 variance 0", tail="", location="<0.4, 1.5, -4>", look_at="<0, 0.5, 0.5>"):
     """A camera whose frame is `batch` pixels wider on each side."""
     wide, high = (WIDTH + 2 * batch) / WIDTH, (HEIGHT + 2 * batch) / HEIGHT
-    return (f"camera {{ location {location} direction 1.3*z right {WIDTH / HEIGHT * wide!r}*x up {high!r}*y "
-            f"look_at {look_at} aperture {aperture} {samples} "
-            f"tilt_lens {{ film_width {36 * wide!r} {lens} }} {tail} }}\n")
+    return (
+        f"camera {{ location {location} direction 1.3*z right {WIDTH / HEIGHT * wide!r}*x up {high!r}*y "
+        f"look_at {look_at} aperture {aperture} {samples} "
+        f"tilt_lens {{ film_width {36 * wide!r} {lens} }} {tail} }}\n"
+    )
 
 
 def picture(scene, batch=0):
@@ -108,14 +140,14 @@ def block_scores(left, right, flip):
 
     def at(values, x, y):
         start = (y * WIDTH + (WIDTH - 1 - x if flip else x)) * channels
-        return values[start:start + channels]
+        return values[start : start + channels]
 
     def block(values, left_x, top, mirrored):
         total = 0.0
         for y in range(top, min(top + 8, HEIGHT)):
             for x in range(left_x, left_x + 8):
                 start = (y * WIDTH + x) * channels
-                total += sum(at(values, x, y) if mirrored else values[start:start + channels])
+                total += sum(at(values, x, y) if mirrored else values[start : start + channels])
         return total
 
     worst = 0.0
@@ -139,7 +171,7 @@ def mirrors(setup, count, pictures):
         def scene(batch, sign, written=1.0, swing=swing, tilt=tilt, shift=shift, turn=turn):
             lens = f"swing {sign * written * swing} tilt {tilt} shift <{sign * shift}, 3> blades 5, {90 + sign * (turn - 90)}"
             world = f"union {{ {FLOOR}{BOX} scale <{sign}, 1, 1> }}\n"
-            return (GLOW + camera(lens, batch, location=f"<{sign * 0.4}, 1.5, -4>") + world + SKY)
+            return GLOW + camera(lens, batch, location=f"<{sign * 0.4}, 1.5, -4>") + world + SKY
 
         left = independent(lambda batch, scene=scene: scene(batch, 1), pictures, setup.jobs)
         right = independent(lambda batch, scene=scene: scene(batch, -1), pictures, setup.jobs)
@@ -155,8 +187,10 @@ def moved_worlds(setup, count):
     jobs = []
     for _ in range(count):
         lens = f"tilt {r.uniform(-9, 9)} swing {r.uniform(-9, 9)} shift <{r.uniform(-5, 5)}, {r.uniform(-5, 5)}> blades 6, 13"
-        tail = (f"rotate <{r.uniform(0, 360)}, {r.uniform(0, 360)}, {r.uniform(0, 360)}> "
-                f"scale {10 ** r.uniform(-3, 3)} translate <{r.uniform(-9, 9)}, {r.uniform(-9, 9)}, 3> ")
+        tail = (
+            f"rotate <{r.uniform(0, 360)}, {r.uniform(0, 360)}, {r.uniform(0, 360)}> "
+            f"scale {10 ** r.uniform(-3, 3)} translate <{r.uniform(-9, 9)}, {r.uniform(-9, 9)}, 3> "
+        )
         jobs.append((lens, tail))
 
     def rms(job):
@@ -175,8 +209,9 @@ def noise(setup, most, pictures):
     samples = 8
     while samples <= most:
         limits = f"blur_samples {samples} variance 0"
-        values = independent(lambda b, limits=limits: GLOW + camera("tilt 6 swing 3", b, 0.5, limits) + FLOOR + BOX + SKY,
-                             pictures, setup.jobs)
+        values = independent(
+            lambda b, limits=limits: GLOW + camera("tilt 6 swing 3", b, 0.5, limits) + FLOOR + BOX + SKY, pictures, setup.jobs
+        )
         variance = statistics.fmean(statistics.variance(pixel) for pixel in zip(*values))
         rows.append({"samples": samples, "variance": variance})
         samples *= 4

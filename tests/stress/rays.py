@@ -5,10 +5,34 @@
 from tests.stress import results
 
 RANDOM, SHARD, EXTREME = 10_000_000, 100_000, 20_000
-SETS = ("corners", "tilt", "parallel", "through_view", "behind", "far_focus", "far_camera", "farther_camera", "scale",
-        "unit", "aperture", "film", "narrow", "odd_numbers", "several")
-SPREADS = ("ulps", "well_posed", "pixels", "narrow_pixels", "narrow_rounded", "narrow_roundings", "reach_pixels", "origin",
-           "obvious_pixels")
+SETS = (
+    "corners",
+    "tilt",
+    "parallel",
+    "through_view",
+    "behind",
+    "far_focus",
+    "far_camera",
+    "farther_camera",
+    "scale",
+    "unit",
+    "aperture",
+    "film",
+    "narrow",
+    "odd_numbers",
+    "several",
+)
+SPREADS = (
+    "ulps",
+    "well_posed",
+    "pixels",
+    "narrow_pixels",
+    "narrow_rounded",
+    "narrow_roundings",
+    "reach_pixels",
+    "origin",
+    "obvious_pixels",
+)
 COUNTS = ("cameras", "refused", "rays", "broken", "reach_film", "obvious_broken")
 
 
@@ -21,8 +45,7 @@ def merge(tallies):
                 powers[power] = powers.get(power, 0) + count
         # JSON has no infinity: the program writes null
         worst = [t[name]["worst"] for t in tallies]
-        total[name] = {"count": sum(t[name]["count"] for t in tallies), "by_power": powers,
-                       "worst": None if None in worst else max(worst)}
+        total[name] = {"count": sum(t[name]["count"] for t in tallies), "by_power": powers, "worst": None if None in worst else max(worst)}
     total["refusals"] = {}
     for t in tallies:
         for words, count in t["refusals"].items():
@@ -38,8 +61,13 @@ def measure(setup, cameras=RANDOM, extreme=EXTREME, shard=SHARD):
 
     def run(job):
         name, count, seed = job
-        return results.once(work, f"{name}-{count}-{seed}", [tool], lambda: results.output([tool, name, count, seed]),
-                            lambda tally: faults({name: merge([tally])}))
+        return results.once(
+            work,
+            f"{name}-{count}-{seed}",
+            [tool],
+            lambda: results.output([tool, name, count, seed]),
+            lambda tally: faults({name: merge([tally])}),
+        )
 
     tallies = results.in_parallel(setup.jobs, run, jobs)
     result = {"random": merge([t for j, t in zip(jobs, tallies) if j[0] == "random"])}

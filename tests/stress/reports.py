@@ -15,10 +15,13 @@ from tools.repository import ROOT
 SUPPRESSIONS = ROOT / "tests" / "stress" / "suppressions"
 OURS = re.compile(r"povray-src/")
 # beginnings of findings, for each tool, and lines that may belong to them
-BLOCKS = re.compile(r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$"
-                    r"|^==\d+== (?:Invalid|Conditional|Use of|Syscall).*$)"
-                    r"(?:\n(?:\s+#\d+|==\d+==    |\s*$|  |(?:READ|WRITE) of size|freed by|previously allocated by"
-                    r"|0x[0-9a-f]+(?: is located|: note:)| [0-9a-f]{2} |==\d+==(?:The signal|Hint)).*)*", re.MULTILINE)
+BLOCKS = re.compile(
+    r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$"
+    r"|^==\d+== (?:Invalid|Conditional|Use of|Syscall).*$)"
+    r"(?:\n(?:\s+#\d+|==\d+==    |\s*$|  |(?:READ|WRITE) of size|freed by|previously allocated by"
+    r"|0x[0-9a-f]+(?: is located|: note:)| [0-9a-f]{2} |==\d+==(?:The signal|Hint)).*)*",
+    re.MULTILINE,
+)
 # a report of ThreadSanitizer, and foreign lines within it
 THREADS = re.compile(r"^WARNING: ThreadSanitizer.*?^SUMMARY: ThreadSanitizer", re.MULTILINE | re.DOTALL)
 FOREIGN = re.compile(r"^(?!WARNING: ThreadSanitizer|SUMMARY|  |\n).*\n", re.MULTILINE)
@@ -27,7 +30,9 @@ SIDE = re.compile(r"^  (?!Location)\S.* of size \d+ at 0x.*\n((?:    [#\[].*\n?)
 LOST = "failed to restore the stack"
 FRAME = re.compile(r"^    #\d+ (.*?) (\S+?)(?::\d+)*(?: \([^()]*\))?$", re.MULTILINE)
 LIBRARIES = ("<null>", "/usr/", "../../../../src/libsanitizer")  # their callers count instead
-SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\(")  # and of these
+SMALL = re.compile(
+    r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\("
+)  # and of these
 
 
 def innermost(stack):

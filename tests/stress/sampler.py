@@ -14,8 +14,7 @@ def faults(result):
     found = []
     for row in result["projections"]:
         own = row["pair"] in ("lens u, lens v", "pixel x, pixel y")
-        found += [f"{row['pair']}: t = {t} at 2^{m} samples" for m, t in row["t"].items()
-                  if t > (0 if own else 3 if int(m) <= 14 else 5)]
+        found += [f"{row['pair']}: t = {t} at 2^{m} samples" for m, t in row["t"].items() if t > (0 if own else 3 if int(m) <= 14 else 5)]
     if any(result["repeated"]) or result["overflow_faults"]:
         found.append(f"repeated {result['repeated']}, at the ends of the index {result['overflow_faults']}")
     for row in result["discrepancy"]:
@@ -25,6 +24,9 @@ def faults(result):
             found.append(f"the discrepancy of Hammersley's points is wrong: {row}")
     # 27 correlations: one past 4.5 standard errors has a chance of 2e-4
     for row in result["correlation"]:
-        found += [f"neighbours {where}: {row[where]:.1f} standard errors at {row['samples']} samples"
-                  for where in ("right", "below", "diagonal") if row[where] > 4.5]
+        found += [
+            f"neighbours {where}: {row[where]:.1f} standard errors at {row['samples']} samples"
+            for where in ("right", "below", "diagonal")
+            if row[where] > 4.5
+        ]
     return found

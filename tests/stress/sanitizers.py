@@ -24,12 +24,14 @@ LIT = {name: test_light.Renders.WORLDS[name] for name in ("radiosity", "photons"
 def environment(tool_suppressions=True):
     """Settings that continue after a finding; optionally without the suppressions of upstream's findings."""
     named = f":suppressions={reports.SUPPRESSIONS}/ubsan.txt" if tool_suppressions else ""
-    return {**os.environ,
-            # upstream keeps parsed objects until the end; tests/stress/soak.py covers leaks
-            "ASAN_OPTIONS": "detect_leaks=0:halt_on_error=0",
-            "UBSAN_OPTIONS": f"print_stacktrace=1{named}",
-            # long stacks, and a long memory for the other side of a race
-            "TSAN_OPTIONS": "halt_on_error=0:second_deadlock_stack=1:exitcode=0:history_size=7"}
+    return {
+        **os.environ,
+        # upstream keeps parsed objects until the end; tests/stress/soak.py covers leaks
+        "ASAN_OPTIONS": "detect_leaks=0:halt_on_error=0",
+        "UBSAN_OPTIONS": f"print_stacktrace=1{named}",
+        # long stacks, and a long memory for the other side of a race
+        "TSAN_OPTIONS": "halt_on_error=0:second_deadlock_stack=1:exitcode=0:history_size=7",
+    }
 
 
 def listener(program, folder, options=""):
@@ -42,28 +44,42 @@ def listener(program, folder, options=""):
 
 
 def build(setup, preset):
-    for command in (["cmake", "--preset", preset], ["cmake", "--build", "--preset", preset, "-j", str(setup.jobs),
-                                                    "--target", "povray", "parse_blocks", "compare"]):
+    for command in (
+        ["cmake", "--preset", preset],
+        ["cmake", "--build", "--preset", preset, "-j", str(setup.jobs), "--target", "povray", "parse_blocks", "compare"],
+    ):
         subprocess.run(command, cwd=ROOT, check=True)
     return ROOT / "build" / preset
 
 
 def watched(what, tool, commands, folder, work, suppressions=True):
     """Runs commands, which mostly wait, with the logs in a folder; returns a row."""
+
     def run(command):
         done = povray_run.run(command, work, environment(suppressions), limit=None)
         return "" if done.code == 0 else done.told()
 
     failed = [words for words in results.in_parallel(4, run, commands) if words]
     ours, others, met = reports.findings(folder, suppressions)
-    return {"what": what, "tool": tool, "runs": len(commands), "failed": len(failed), "ours": len(ours), "others": len(others),
-            "known": met, "first": (ours + others)[:3], "said": failed[:3]}
+    return {
+        "what": what,
+        "tool": tool,
+        "runs": len(commands),
+        "failed": len(failed),
+        "ours": len(ours),
+        "others": len(others),
+        "known": met,
+        "first": (ours + others)[:3],
+        "said": failed[:3],
+    }
 
 
 def tutorial(povray, threads):
     """Each tutorial scene, small."""
-    return [povray_run.command(povray, scene, f"{scene.stem}.png", (48, 36), f"+WT{threads}", "+BS8", library=[povray_run.INCLUDE])
-            for scene in TUTORIAL]
+    return [
+        povray_run.command(povray, scene, f"{scene.stem}.png", (48, 36), f"+WT{threads}", "+BS8", library=[povray_run.INCLUDE])
+        for scene in TUTORIAL
+    ]
 
 
 def lit(povray, threads, work):
@@ -71,8 +87,12 @@ def lit(povray, threads, work):
     commands = []
     for name, world in LIT.items():
         scene = work / f"{name}.pov"
-        scene.write_text("#version 3.7; global_settings { assumed_gamma 1 }\n" +
-                         scenes.camera("tilt 4 swing 2", samples="blur_samples 16, 64 ") + world + scenes.WORLD)
+        scene.write_text(
+            "#version 3.7; global_settings { assumed_gamma 1 }\n"
+            + scenes.camera("tilt 4 swing 2", samples="blur_samples 16, 64 ")
+            + world
+            + scenes.WORLD
+        )
         commands.append(povray_run.command(povray, scene, f"{name}.png", (64, 48), f"+WT{threads}", "+BS8"))
     return commands
 
@@ -89,34 +109,47 @@ def parser(povray):
 
 def valgrind(setup, folder, work):
     log = folder / "log.valgrind"
-    command = ["valgrind", f"--log-file={log}", f"--suppressions={reports.SUPPRESSIONS}/valgrind.txt", "--error-exitcode=0",
-               *tutorial(setup.povray, 1)[0]]
+    command = [
+        "valgrind",
+        f"--log-file={log}",
+        f"--suppressions={reports.SUPPRESSIONS}/valgrind.txt",
+        "--error-exitcode=0",
+        *tutorial(setup.povray, 1)[0],
+    ]
     return watched(TUTORIAL[0].name, "valgrind", [command], folder, work)
 
 
 def groups(tree, tool, threads, work):
     """(words, commands for a program, overriding options). The first, without suppressions, shows that findings are
     detected at all."""
-    return [("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
-            ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
-            ("parser battery", parser, f"+WT{threads}"),
-            (", ".join(LIT), lambda povray: lit(povray, threads, work), ""),
-            *((f"tests/render/test_{module}.py", lambda povray, module=module: battery(povray, tree, module), "")
-              for module in MODULES)]
+    return [
+        ("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
+        ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
+        ("parser battery", parser, f"+WT{threads}"),
+        (", ".join(LIT), lambda povray: lit(povray, threads, work), ""),
+        *((f"tests/render/test_{module}.py", lambda povray, module=module: battery(povray, tree, module), "") for module in MODULES),
+    ]
 
 
 def program_rows(setup, tree, tool, threads):
     rows, program = [], tree / "bin" / "povray"
     for number, (what, commands, options) in enumerate(groups(tree, tool, threads, setup.work("sanitizers"))):
+
         def run(what=what, commands=commands, options=options, number=number):
             with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
                 folder = pathlib.Path(name)
                 povray = listener(program, folder, options)
                 return watched(what, tool, commands(povray), folder, folder, suppressions=number > 0)
 
-        rows.append(results.once(setup.work("sanitizers"), f"{tree.name}{number}",
-                                [program, __file__, reports.__file__, *sorted(reports.SUPPRESSIONS.iterdir())], run,
-                                lambda row: faults({"rows": [row]})))
+        rows.append(
+            results.once(
+                setup.work("sanitizers"),
+                f"{tree.name}{number}",
+                [program, __file__, reports.__file__, *sorted(reports.SUPPRESSIONS.iterdir())],
+                run,
+                lambda row: faults({"rows": [row]}),
+            )
+        )
     return rows
 
 

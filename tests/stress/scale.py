@@ -20,8 +20,9 @@ def render(setup, scene, size, *options):
     """Processor seconds, tests of rays against shapes and boxes, and peak memory of a render."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(HEAD + scene)
-        done = povray_run.run(povray_run.command(setup.povray, "scene.pov", "picture.png", size, "+WT2", *options), name,
-                              limit=None).succeeded()
+        done = povray_run.run(
+            povray_run.command(setup.povray, "scene.pov", "picture.png", size, "+WT2", *options), name, limit=None
+        ).succeeded()
     tests = re.findall(r"^[A-Z][\w ]+?  +(\d+) +\d+ +[\d.]+$", done.said, re.MULTILINE)
     if not tests:
         raise RuntimeError(f"no statistics\n{done.told()}")
@@ -29,8 +30,10 @@ def render(setup, scene, size, *options):
 
 
 def spheres(count):
-    return (f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <8*rand(R)-4, rand(R), 9*rand(R)-2>, 0.02 pigment "
-            "{ rgb <rand(R), rand(R), rand(R)> } } #end\n" + scenes.WORLD)
+    return (
+        f"#declare R = seed(1); #for (I, 1, {count}) sphere {{ <8*rand(R)-4, rand(R), 9*rand(R)-2>, 0.02 pigment "
+        "{ rgb <rand(R), rand(R), rand(R)> } } #end\n" + scenes.WORLD
+    )
 
 
 def slope(rows, key, of):
@@ -47,8 +50,7 @@ def measure(setup, size="full"):
     found = {"width": width, "rows": [], "samples": [], "objects": []}
     for rows in sizes["rows"]:
         middle = width // 2
-        found["rows"].append({"rows": rows, **render(setup, few + scenes.WORLD, (width, width),
-                                                     f"+SR{middle}", f"+ER{middle + rows - 1}")})
+        found["rows"].append({"rows": rows, **render(setup, few + scenes.WORLD, (width, width), f"+SR{middle}", f"+ER{middle + rows - 1}")})
     for samples in sizes["samples"]:
         camera = scenes.camera(samples=f"blur_samples {samples} variance 0 ")
         found["samples"].append({"samples": samples, **render(setup, camera + scenes.WORLD, (64, 48))})

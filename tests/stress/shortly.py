@@ -11,8 +11,7 @@ LIMIT = 300  # seconds
 
 def measure(setup):
     cores = len(os.sched_getaffinity(0))
-    done = subprocess.run(["ctest", "-L", "stress|fuzz", "-j", str(cores)], cwd=setup.build, capture_output=True, text=True,
-                          check=False)
+    done = subprocess.run(["ctest", "-L", "stress|fuzz", "-j", str(cores)], cwd=setup.build, capture_output=True, text=True, check=False)
     counts = re.search(r"(\d+) tests failed out of (\d+)", done.stdout)
     seconds = re.search(r"Total Test time \(real\) = +([\d.]+)", done.stdout)
     if not counts or not seconds:

@@ -26,8 +26,9 @@ def main():
         done = povray_run.run(povray_run.command(sys.argv[1], "scene.pov", "p.png", (32, 24), "+WT2", "+BS4", "+V"), folder)
         made = (folder / "p.png").is_file()
     copied = re.findall(r"Bounding has copied (\d+) light sources", done.said)
-    rendered = [(int(pixels), int(percent)) for pixels, percent in
-                re.findall(r"Rendered (\d+) of 768 pixels \((\d+)% of the work\)", done.said)]
+    rendered = [
+        (int(pixels), int(percent)) for pixels, percent in re.findall(r"Rendered (\d+) of 768 pixels \((\d+)% of the work\)", done.said)
+    ]
     if len(rendered) < 24 or rendered != sorted(rendered) or rendered[-1] != (768, 100):
         sys.exit(f"(pixels, per cent) as told: {rendered}")
     if done.code != 0 or not made or copied != ["0"]:

@@ -22,10 +22,15 @@ PIXEL = 20  # bytes of a stored pixel: five floats
 # would count as allocated.
 COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-MOVING = (HEAD + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4", samples="blur_samples 8, 32 ",
-                               tail="bokeh { pigment { gradient x } }") + scenes.WORLD)
+MOVING = (
+    HEAD
+    + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4", samples="blur_samples 8, 32 ", tail="bokeh { pigment { gradient x } }")
+    + scenes.WORLD
+)
 # without sky: all tiles take the same work
-LARGE = HEAD + """camera { right x*image_width/image_height location <0.4, 3, -3.5> look_at <0, 0, 0.2> angle 45 aperture 0.3
+LARGE = (
+    HEAD
+    + """camera { right x*image_width/image_height location <0.4, 3, -3.5> look_at <0, 0, 0.2> angle 45 aperture 0.3
   blur_samples 4, 16 confidence 0.9 variance 1/1500 tilt_lens { tilt 4 swing 2 blades 7 } }
 plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> scale 0.5 } normal { bumps 0.1 scale 0.05 }
   finish { ambient 0.1 diffuse 0.8 reflection 0.05 } }
@@ -37,6 +42,7 @@ light_source { <4, 8, -6>, rgb 0.7 area_light x, z, 3, 3 jitter adaptive 1 }
 light_source { <-4, 6, -3>, rgb 0.3 }
 background { rgb <0.3, 0.5, 0.8> }
 """
+)
 
 
 def counts(said):
@@ -69,12 +75,19 @@ def measure(setup, frames=FRAMES, rows=ROWS):
     work = setup.work("soak")
 
     def made(name, number, scene, size, *options):
-        result = results.once(work, f"{name}-{number}", [setup.povray, __file__, scenes.__file__], lambda: render(setup, scene, size, *options),
-                              lambda result: [])
+        result = results.once(
+            work,
+            f"{name}-{number}",
+            [setup.povray, __file__, scenes.__file__],
+            lambda: render(setup, scene, size, *options),
+            lambda result: [],
+        )
         return {name: number, **result}
 
-    return {"frames": [made("frames", n, MOVING, (16, 12), "+WT2", f"+KFF{n}", "+KF6.28") for n in frames],
-            "rows": [made("rows", n, LARGE, (WIDTH, n), "+WT1", f"+BS{TILE}") for n in rows]}
+    return {
+        "frames": [made("frames", n, MOVING, (16, 12), "+WT2", f"+KFF{n}", "+KF6.28") for n in frames],
+        "rows": [made("rows", n, LARGE, (WIDTH, n), "+WT1", f"+BS{TILE}") for n in rows],
+    }
 
 
 def faults(result):

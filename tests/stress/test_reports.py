@@ -111,8 +111,7 @@ class Known(unittest.TestCase):
     NAMES = ("race:pov::f", "race:pov::g")
 
     def known(self, inner, outer, other="pov::g()"):
-        return reports.known(RACE.format(inner=inner, outer=outer, other=other),
-                             [name.split(":", 1)[1] for name in self.NAMES])
+        return reports.known(RACE.format(inner=inner, outer=outer, other=other), [name.split(":", 1)[1] for name in self.NAMES])
 
     def test_both_sides(self):
         self.assertEqual(self.known("pov::f(int)", "main"), ("pov::f", "pov::g"))
@@ -130,8 +129,12 @@ class Known(unittest.TestCase):
         text = RACE.format(inner="pov::f()", outer="main", other="pov::g()")
         made = "  Mutex M1 (0x7b68) created at:\n    #0 made() /build/upstream/z.cpp:1 (povray+0x3)\n\n"
         for title in ("Mutex M1 (0x7b68) created", "As if synchronized via sleep", "sages of size"):
-            self.assertEqual(reports.known(text.replace("  Location", made.replace("Mutex M1 (0x7b68) created", title) + "  Location"),
-                                           ["pov::f", "pov::g"]), ("pov::f", "pov::g"))
+            self.assertEqual(
+                reports.known(
+                    text.replace("  Location", made.replace("Mutex M1 (0x7b68) created", title) + "  Location"), ["pov::f", "pov::g"]
+                ),
+                ("pov::f", "pov::g"),
+            )
 
     def test_a_lost_stack(self):
         """The other side decides; a race with two lost stacks is not known."""
@@ -139,7 +142,7 @@ class Known(unittest.TestCase):
         for side, names in ("pov::f()", ("pov::f", "a lost stack")), ("pov::h()", ()):
             text = RACE.format(inner=side, outer="main", other="pov::g()")
             begin = text.index("    #0 pov::g()")
-            text = text[:begin] + lost + text[text.index("\n", begin) + 1:]
+            text = text[:begin] + lost + text[text.index("\n", begin) + 1 :]
             self.assertEqual(reports.known(text, ["pov::f", "pov::g"]), names)
         self.assertEqual(reports.known("WARNING: ThreadSanitizer: data race\n  Write of size 8 at 0x7:\n" + lost, ["pov::f"]), ())
 
@@ -165,8 +168,13 @@ class Rays(unittest.TestCase):
 
     def test_faults(self):
         self.assertEqual(rays.faults(self.tally(well_posed=4.0, pixels=1e-6, narrow_pixels=1.0, narrow_roundings=4.0)), [])
-        for name, worst in (("well_posed", 4.1), ("pixels", 1.1e-6), ("pixels", None), ("narrow_roundings", 4.1),
-                            ("narrow_roundings", None)):
+        for name, worst in (
+            ("well_posed", 4.1),
+            ("pixels", 1.1e-6),
+            ("pixels", None),
+            ("narrow_roundings", 4.1),
+            ("narrow_roundings", None),
+        ):
             with self.subTest(name=name, worst=worst):
                 self.assertEqual(len(rays.faults(self.tally(**{name: worst}))), 1)
 

@@ -21,10 +21,10 @@ def arguments():
     parser.add_argument("--compare", required=True, help="the comparison program")
     parser.add_argument("--work", required=True, type=pathlib.Path, help="folder for the results")
     parser.add_argument("--references", type=pathlib.Path, default=manifest.FOLDER)
-    parser.add_argument("--declare", action="append", default=[], metavar="NAME=VALUE",
-                        help="changes the scene, to show that the comparison notices")
-    parser.add_argument("--expect", choices=pictures.OUTCOMES, default="same",
-                        help="the expected outcome; any other one fails")
+    parser.add_argument(
+        "--declare", action="append", default=[], metavar="NAME=VALUE", help="changes the scene, to show that the comparison notices"
+    )
+    parser.add_argument("--expect", choices=pictures.OUTCOMES, default="same", help="the expected outcome; any other one fails")
     return parser.parse_args()
 
 
@@ -37,10 +37,8 @@ def check(entry, args, folder):
     if not reference.is_file():
         raise pictures.Trouble("missing reference", f"there is no {reference}")
     if record["sources_sha256"] != entry.sources_sha256():
-        changed = [path for path, value in entry.sources_sha256().items()
-                   if record["sources_sha256"].get(path) != value]
-        raise pictures.Trouble("stale reference", "changed since the reference was made: "
-                               + (", ".join(changed) or "a file fewer"))
+        changed = [path for path, value in entry.sources_sha256().items() if record["sources_sha256"].get(path) != value]
+        raise pictures.Trouble("stale reference", "changed since the reference was made: " + (", ".join(changed) or "a file fewer"))
     pictures.render(entry.job(args.povray, args.declare), folder, entry.output)
     return pictures.compare(args.compare, folder / entry.output, reference, record["comparison"])
 
@@ -49,14 +47,14 @@ def report(entry, args, folder, trouble):
     folder.mkdir(parents=True, exist_ok=True)
     job = entry.job(args.povray, args.declare)
     rerun = f"cd {shlex.quote(str(folder))} && {shlex.join(pictures.command_of(job, entry.output))}"
-    accept = module_command("tests.tools.update_references", entry.name, "--povray", args.povray, "--compare", args.compare,
-                            "--reason", "WHY")
+    accept = module_command(
+        "tests.tools.update_references", entry.name, "--povray", args.povray, "--compare", args.compare, "--reason", "WHY"
+    )
     if entry.case:
         accept += ["--oracle", str(pathlib.Path(args.compare).with_name("oracle"))]
     commands = {"Render it again": rerun, "Accept the change": accept}
     reference = args.references / (entry.name + ".exr")
-    page = failure_page.write(folder, entry.name, trouble, commands, folder / entry.output,
-                              reference, args.compare)
+    page = failure_page.write(folder, entry.name, trouble, commands, folder / entry.output, reference, args.compare)
     print(f"{entry.name}: {trouble.outcome}: {trouble}\nsee {page}", file=sys.stderr)
 
 
@@ -70,8 +68,10 @@ def main():
     try:
         figures = check(entry, args, folder.absolute())
         outcome = "same"
-        print(f"{entry.name}: RMSE {figures['rmse']:.5f}, signed mean {figures['mean']:+.6f}, "
-              f"largest local mean {figures['largest_local_mean']:.5f}")
+        print(
+            f"{entry.name}: RMSE {figures['rmse']:.5f}, signed mean {figures['mean']:+.6f}, "
+            f"largest local mean {figures['largest_local_mean']:.5f}"
+        )
     except pictures.Trouble as trouble:
         outcome = trouble.outcome
         if outcome != args.expect:
@@ -81,8 +81,7 @@ def main():
     if outcome == args.expect:
         return 0
     if outcome == "same":
-        print(f"{entry.name}: the comparison passed, but {args.expect!r} was expected",
-              file=sys.stderr)
+        print(f"{entry.name}: the comparison passed, but {args.expect!r} was expected", file=sys.stderr)
         return pictures.OUTCOMES["failure"]
     return pictures.OUTCOMES[outcome]
 

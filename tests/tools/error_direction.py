@@ -12,11 +12,11 @@ import numpy
 
 from tests.render import rendering
 
-SIDE = 64                       # of the windows whose spectra are averaged, in pixels
+SIDE = 64  # of the windows whose spectra are averaged, in pixels
 STEP = SIDE // 2
-PERIOD = 16                     # side of a block
-LEAST = 1 / 16                  # cycles per pixel: the eye takes slower changes for shades
-HALF_SECTOR = 15                # degrees
+PERIOD = 16  # side of a block
+LEAST = 1 / 16  # cycles per pixel: the eye takes slower changes for shades
+HALF_SECTOR = 15  # degrees
 FREQUENCY = numpy.fft.fftfreq(SIDE)
 
 
@@ -33,8 +33,11 @@ def spectrum(difference):
     height, width = difference.shape[:2]
     if min(height, width) < SIDE:
         raise ValueError(f"a picture of {width} by {height} pixels: at least {SIDE} by {SIDE} are needed")
-    return sum((abs(numpy.fft.fft2(window * difference[y:y + SIDE, x:x + SIDE], axes=(0, 1))) ** 2).sum(axis=2)
-               for y in range(0, height - SIDE + 1, STEP) for x in range(0, width - SIDE + 1, STEP))
+    return sum(
+        (abs(numpy.fft.fft2(window * difference[y : y + SIDE, x : x + SIDE], axes=(0, 1))) ** 2).sum(axis=2)
+        for y in range(0, height - SIDE + 1, STEP)
+        for x in range(0, width - SIDE + 1, STEP)
+    )
 
 
 def axes_over_diagonals(power):

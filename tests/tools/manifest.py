@@ -24,19 +24,32 @@ SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 BATCHES = 16
 # Limits against the oracle, both linear and over all channels.
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
-FIELDS = ["file", "pixels_sha256", "scene", "sources_sha256", "command", "binary", "upstream",
-          "series_sha256", "compiler", "samples", "standard_error", "reason", "comparison"]
+FIELDS = [
+    "file",
+    "pixels_sha256",
+    "scene",
+    "sources_sha256",
+    "command",
+    "binary",
+    "upstream",
+    "series_sha256",
+    "compiler",
+    "samples",
+    "standard_error",
+    "reason",
+    "comparison",
+]
 
 
 @dataclasses.dataclass
 class Entry:
-    name: str                 # "oracle/tilt" or "renders/table"
-    scene: pathlib.Path       # the fork's scene
-    case: pathlib.Path        # the oracle's description; None for a picture of the fork's own
+    name: str  # "oracle/tilt" or "renders/table"
+    scene: pathlib.Path  # the fork's scene
+    case: pathlib.Path  # the oracle's description; None for a picture of the fork's own
     width: int
     height: int
-    options: list             # of the fork
-    batches: int              # independent pictures behind a reference of the fork's own
+    options: list  # of the fork
+    batches: int  # independent pictures behind a reference of the fork's own
     comparison: dict
 
     @property
@@ -52,14 +65,14 @@ class Entry:
     def job(self, povray, declare=()):
         """The fork's render of it. `declare`: Name=Value."""
         form = ["+FN16", "File_Gamma=1.0"] if self.case else ["+FE"]
-        return pictures.Render(str(povray), self.scene, self.width, self.height,
-                               form + self.options + ["Declare=" + item for item in declare])
+        return pictures.Render(
+            str(povray), self.scene, self.width, self.height, form + self.options + ["Declare=" + item for item in declare]
+        )
 
     def sources_sha256(self):
         """Hashes of the files that the reference depends on, by path: for the oracle its case and the objects, but
         not the fork's scene, which is under test."""
-        files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] \
-            if self.case else sources(self.scene)
+        files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] if self.case else sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
 
 
@@ -68,13 +81,21 @@ def entries():
     found = []
     for case in sorted(ORACLE_CASES.glob("*.json")):
         width, height = json.loads(case.read_text())["picture"]
-        found.append(Entry("oracle/" + case.stem, case.with_suffix(".pov"), case, width, height, [],
-                           0, ORACLE_COMPARISON))
+        found.append(Entry("oracle/" + case.stem, case.with_suffix(".pov"), case, width, height, [], 0, ORACLE_COMPARISON))
     for name, item in json.loads(SCENE_LIST.read_text()).items():
         width, height = item["picture"]
-        found.append(Entry("renders/" + name, SCENES / (name + ".pov"), None, width, height,
-                           item.get("options", []), item.get("batches", BATCHES),
-                           item["comparison"]))
+        found.append(
+            Entry(
+                "renders/" + name,
+                SCENES / (name + ".pov"),
+                None,
+                width,
+                height,
+                item.get("options", []),
+                item.get("batches", BATCHES),
+                item["comparison"],
+            )
+        )
     return {entry.name: entry for entry in found}
 
 

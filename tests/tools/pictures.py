@@ -25,8 +25,7 @@ OUTCOMES = {
     "timeout": 10,
 }
 # meanings of the exit codes of `compare` (compare.cpp)
-COMPARE_OUTCOMES = ["same", "failure", "different", "missing reference", "no output", "wrong size",
-                    "unreadable", "not finite"]
+COMPARE_OUTCOMES = ["same", "failure", "different", "missing reference", "no output", "wrong size", "unreadable", "not finite"]
 
 
 class Trouble(Exception):

@@ -25,33 +25,27 @@ def arguments():
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--reason", required=True, help="why they change; kept in the manifest")
     parser.add_argument("--povray", type=os.path.abspath, help="the fork, for renders/")
-    parser.add_argument("--stock", type=os.path.abspath, default="/usr/bin/povray",
-                        help="the unpatched program, for oracle/")
+    parser.add_argument("--stock", type=os.path.abspath, default="/usr/bin/povray", help="the unpatched program, for oracle/")
     parser.add_argument("--oracle", type=os.path.abspath, help="the oracle program, for oracle/")
     parser.add_argument("--compare", type=os.path.abspath, required=True, help="the comparison program")
-    parser.add_argument("--prune", action="store_true",
-                        help="remove what nothing stands for any more")
+    parser.add_argument("--prune", action="store_true", help="remove what nothing stands for any more")
     return parser.parse_args()
 
 
 def version_and_compiler(povray):
     """The program's version line, and the compiler's mark in its file, if any."""
-    done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True,
-                          text=True, check=True)
+    done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=True)
     text = done.stdout + done.stderr
     version = re.findall(r"^(?:POV-Ray \d| povray-tilt-lens ).*$", text, re.MULTILINE)
     told = re.findall(r"^ *Compiler (?:version|flags): *(.*)$", text, re.MULTILINE)
-    mark = re.search(rb"GCC: \([^)\0]*\) [\d.]+|clang version [^\0]+",
-                     pathlib.Path(povray).read_bytes())
+    mark = re.search(rb"GCC: \([^)\0]*\) [\d.]+|clang version [^\0]+", pathlib.Path(povray).read_bytes())
     compiler = ([mark.group(0).decode()] if mark else []) + told
-    return (", ".join(line.strip() for line in version) or "not told by the program",
-            " ".join(compiler) or "not told by the program")
+    return (", ".join(line.strip() for line in version) or "not told by the program", " ".join(compiler) or "not told by the program")
 
 
 def series_sha256():
     folder = manifest.ROOT / "patches"
-    names = [line.strip() for line in (folder / "series").read_text().splitlines()
-             if line.strip() and not line.startswith("#")]
+    names = [line.strip() for line in (folder / "series").read_text().splitlines() if line.strip() and not line.startswith("#")]
     lines = [f"{pictures.file_hash(folder / name)}  {name}\n" for name in names]
     return pictures.hashlib.sha256("".join(lines).encode()).hexdigest()
 
@@ -68,9 +62,22 @@ def make_oracle(entry, args, work):
     if not args.oracle:
         raise SystemExit(f"{entry.name}: give --oracle")
     output = work / "oracle.exr"
-    command = [args.oracle, "render", str(entry.case), str(output), "--povray", args.stock,
-               "--batches", str(ORACLE_BATCHES), "--samples", str(ORACLE_SAMPLES),
-               "--processes", str(ORACLE_PROCESSES), "--work", str(work / "frames")]
+    command = [
+        args.oracle,
+        "render",
+        str(entry.case),
+        str(output),
+        "--povray",
+        args.stock,
+        "--batches",
+        str(ORACLE_BATCHES),
+        "--samples",
+        str(ORACLE_SAMPLES),
+        "--processes",
+        str(ORACLE_PROCESSES),
+        "--work",
+        str(work / "frames"),
+    ]
     subprocess.run(command, check=True)
     told = ["oracle", "render", str(entry.case.relative_to(manifest.ROOT)), *command[3:-2]]
     told[3] = str(entry.file.relative_to(manifest.ROOT))
@@ -95,8 +102,7 @@ def make_render(entry, args, work):
 
 
 def standard_error(compare, picture):
-    done = subprocess.run([compare, "error", str(picture)], capture_output=True, text=True,
-                          check=True)
+    done = subprocess.run([compare, "error", str(picture)], capture_output=True, text=True, check=True)
     return json.loads(done.stdout)["standard_error"]
 
 

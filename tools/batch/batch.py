@@ -40,53 +40,26 @@ def seconds(text):
 
 def common_options(kind):
     kind.add_argument("scene", help="the scene file")
-    kind.add_argument(
-        "--bands",
-        type=positive,
-        metavar="N",
-        help="cut each picture into N bands of rows (default: from an estimate)",
-    )
-    kind.add_argument(
-        "--on", choices=sorted(ENGINES), default="local", help="where to render (default: local)"
-    )
-    kind.add_argument(
-        "--workers",
-        type=positive,
-        metavar="N",
-        help="POV-Rays at once (default: one a core; Slurm: no limit)",
-    )
+    kind.add_argument("--bands", type=positive, metavar="N", help="cut each picture into N bands of rows (default: from an estimate)")
+    kind.add_argument("--on", choices=sorted(ENGINES), default="local", help="where to render (default: local)")
+    kind.add_argument("--workers", type=positive, metavar="N", help="POV-Rays at once (default: one a core; Slurm: no limit)")
     kind.add_argument("--output", metavar="NAME", help="the picture; of a film or a sweep, the folder")
-    kind.add_argument(
-        "--work",
-        metavar="FOLDER",
-        help="folder for parts and logs (default: the output's name with .batch)",
-    )
-    kind.add_argument(
-        "--povray",
-        default=os.environ.get("BATCH_POVRAY"),
-        metavar="PROGRAM",
-        help="this project's povray, built elsewhere",
-    )
+    kind.add_argument("--work", metavar="FOLDER", help="folder for parts and logs (default: the output's name with .batch)")
+    kind.add_argument("--povray", default=os.environ.get("BATCH_POVRAY"), metavar="PROGRAM", help="this project's povray, built elsewhere")
     course_options(kind)
     site_options(kind)
 
 
 def course_options(kind):
-    kind.add_argument(
-        "--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)"
-    )
+    kind.add_argument("--retries", type=whole, default=3, metavar="N", help="further tries of what fails (default: 3)")
     kind.add_argument(
         "--limit",
         type=seconds,
         metavar="TIME",
         help="end what takes longer for one picture or band: seconds, or 30m, 2h (default: no limit)",
     )
-    kind.add_argument(
-        "--anew", action="store_true", help="throw away what an earlier call has left, and begin again"
-    )
-    kind.add_argument(
-        "--then", metavar="COMMAND", help="run this in a shell when all pictures are in their places"
-    )
+    kind.add_argument("--anew", action="store_true", help="throw away what an earlier call has left, and begin again")
+    kind.add_argument("--then", metavar="COMMAND", help="run this in a shell when all pictures are in their places")
     kind.add_argument("--quiet", action="store_true", help="no progress, only the summary")
 
 
@@ -94,20 +67,12 @@ def site_options(kind):
     site = kind.add_argument_group("Slurm")
     for name in ("partition", "time", "account"):
         site.add_argument(f"--{name}", metavar=name.upper(), help=f"as for sbatch --{name}")
-    site.add_argument(
-        "--sbatch",
-        action="append",
-        default=[],
-        metavar="OPTION",
-        help="further option for sbatch, as in --sbatch=--mem=4G",
-    )
+    site.add_argument("--sbatch", action="append", default=[], metavar="OPTION", help="further option for sbatch, as in --sbatch=--mem=4G")
     site.add_argument("--detach", action="store_true", help="submit, and do not wait")
 
 
 def parser():
-    top = argparse.ArgumentParser(
-        prog="batch", allow_abbrev=False, epilog=HELP, description=__doc__.split("\n", maxsplit=1)[0]
-    )
+    top = argparse.ArgumentParser(prog="batch", allow_abbrev=False, epilog=HELP, description=__doc__.split("\n", maxsplit=1)[0])
     kinds = top.add_subparsers(dest="kind", required=True, metavar="still|film|sweep|status")
     for name, text in (
         ("still", "one picture, its rows in bands"),
@@ -117,25 +82,15 @@ def parser():
         kind = kinds.add_parser(name, help=text, description=text, allow_abbrev=False, epilog=HELP)
         common_options(kind)
         if name == "film":
-            kind.add_argument(
-                "--frames",
-                type=positive,
-                required=True,
-                metavar="N",
-                help="how many frames; clock goes from 0 to 1",
-            )
-            kind.add_argument(
-                "--only",
-                metavar="FRAMES",
-                help="only these frames of the film, as in 5-8,12; with --anew again",
-            )
+            kind.add_argument("--frames", type=positive, required=True, metavar="N", help="how many frames; clock goes from 0 to 1")
+            kind.add_argument("--only", metavar="FRAMES", help="only these frames of the film, as in 5-8,12; with --anew again")
         if name == "sweep":
             kind.add_argument(
                 "--set",
                 action="append",
                 required=True,
                 metavar="NAME=VALUES",
-                help="declare NAME with each value: -8:8:2 (from, to, step), 0.1,0.2 or '\"a\",\"b\"'; repeat for more names",
+                help='declare NAME with each value: -8:8:2 (from, to, step), 0.1,0.2 or \'"a","b"\'; repeat for more names',
             )
     kind = kinds.add_parser("status", help="where a batch stands, as JSON", allow_abbrev=False)
     kind.add_argument("folder", help="the work folder, or the picture or folder that it belongs to")
@@ -171,12 +126,7 @@ def make_sheet(work, description):
         with locked(work.folder / "sheet.lock"):
             told = read_json(record)
             target = os.path.join(description["output"], description["sheet"])
-            if (
-                told
-                and told["file"] == target
-                and os.path.exists(target)
-                and os.stat(target).st_mtime_ns == told["time"]
-            ):
+            if told and told["file"] == target and os.path.exists(target) and os.stat(target).st_mtime_ns == told["time"]:
                 return []
             target = sheet.make(work, description)
             write_json(record, {"file": str(target), "time": target.stat().st_mtime_ns})
@@ -230,9 +180,7 @@ def report(work, description, complaints, elapsed):
         lines += little_room(work.folder)
         lines.append(f"NOT complete. The same command again goes on; logs: {str(work.logs)!r}")
     elif state.pictures == 1:
-        lines.append(
-            "Picture: " + os.path.join(description["output"], description["key"]["pictures"][0]["name"])
-        )
+        lines.append("Picture: " + os.path.join(description["output"], description["key"]["pictures"][0]["name"]))
     elif description["key"]["kind"] == "sweep":
         lines.append("Contact sheet: " + os.path.join(description["output"], description["sheet"]))
     print("\n".join(lines), file=sys.stderr)
@@ -267,9 +215,7 @@ def batch(settings, words):
             raise BatchError(f"another call of batch is at work in {str(work.folder)!r}.")
         jobs = slurm.active_jobs(work)
         if jobs and settings.on != "slurm":
-            raise BatchError(
-                f"the jobs {' '.join(jobs)} of an earlier call are at work on this: wait, or scancel them."
-            )
+            raise BatchError(f"the jobs {' '.join(jobs)} of an earlier call are at work on this: wait, or scancel them.")
         if jobs:
             watch(work, jobs, settings)
         try:

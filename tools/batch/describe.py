@@ -42,7 +42,7 @@ class Request:
         self.program = program
 
     def picture_kind(self):
-        """"png" or "exr", from +F and the output's name, which must agree."""
+        """ "png" or "exr", from +F and the output's name, which must agree."""
         asked = self.inputs.options.kind
         named = None
         if self.kind == "still" and self.settings.output:
@@ -50,16 +50,12 @@ class Request:
             if named not in ("png", "exr"):
                 raise BatchError(f"--output {self.settings.output!r}: a still is a .png or an .exr file.")
         if asked and named and asked != named:
-            raise BatchError(
-                f"--output {self.settings.output!r} is not of the kind that the option +F asks for ({asked})."
-            )
+            raise BatchError(f"--output {self.settings.output!r} is not of the kind that the option +F asks for ({asked}).")
         return asked or named or "png"
 
     def place(self, folder, stem):
         """Output folder, stem of the pictures' names, work folder."""
-        default = {"still": f"{stem}.{self.extension}", "film": f"{stem}_film", "sweep": f"{stem}_sweep"}[
-            self.kind
-        ]
+        default = {"still": f"{stem}.{self.extension}", "film": f"{stem}_film", "sweep": f"{stem}_sweep"}[self.kind]
         output = os.path.abspath(os.path.join(folder, self.settings.output or default))
         self.stem = stem
         if self.kind == "still":
@@ -131,11 +127,7 @@ def take_up(work, request, stored):
     old, new = stored["key"], request.key()
     if stored["hash"] != keys.key_hash(old):
         raise BatchError(f"{str(work.description)!r} is damaged. Start over with --anew.")
-    new["bands"] = (
-        old["bands"]
-        if not request.settings.bands
-        else plan.cut_bands(old["size"][1], request.settings.bands)
-    )
+    new["bands"] = old["bands"] if not request.settings.bands else plan.cut_bands(old["size"][1], request.settings.bands)
     changes = [
         *longer.lengthen(work, request, stored, new),
         *keys.changed_settings(old, new),
@@ -145,13 +137,7 @@ def take_up(work, request, stored):
     if changes:
         more = [f"... and {len(changes) - MESSAGE_LINES} more"] if len(changes) > MESSAGE_LINES else []
         raise BatchError(
-            "\n  ".join(
-                [
-                    f"the work folder {str(work.folder)!r} belongs to a batch that was another:",
-                    *changes[:MESSAGE_LINES],
-                    *more,
-                ]
-            )
+            "\n  ".join([f"the work folder {str(work.folder)!r} belongs to a batch that was another:", *changes[:MESSAGE_LINES], *more])
             + "\nUndo the change, give another --output or --work, or start over with --anew."
         )
     stored.update(request.changeable())
@@ -245,19 +231,13 @@ def choose_bands(request, probe, size, engine):
     worth = max(plan.SECONDS_A_TASK, 10 * estimate["start"])
     parallel = engine.workers(request.settings, request.threads)
     tall = max(math.ceil(parallel / count), size[1] // plan.TALL)
-    bands = asked or max(
-        1, min(math.ceil(4 * parallel / count), tall, int(estimate["picture"] / worth), blocks)
-    )
+    bands = asked or max(1, min(math.ceil(4 * parallel / count), tall, int(estimate["picture"] / worth), blocks))
     say(
         f"about {progress.span(estimate['picture'] * count * request.threads)} of one core in all, and "
         f"{estimate['start']:.1f} s for each start of POV-Ray; {bands} band{'s' if bands > 1 else ''} a picture"
     )
     if bands > 1 and (probe.radiosity() or probe.seam(size, bands <= blocks)):
-        why = (
-            "radiosity"
-            if probe.radiosity()
-            else "the rows that are rendered with them (jitter of an area light, for example)"
-        )
+        why = "radiosity" if probe.radiosity() else "the rows that are rendered with them (jitter of an area light, for example)"
         if asked:
             raise BatchError(
                 f"the pixels of this scene depend on {why}, so bands would not fit together. Use --bands 1; "
@@ -274,8 +254,7 @@ def refuse_foreign(work):
         foreign = sorted(set(os.listdir(work.folder)) - work.names_in_it())
         if foreign:
             raise BatchError(
-                f"{str(work.folder)!r} is not the work folder of a batch (it holds {foreign[0]!r}); give another "
-                "with --work."
+                f"{str(work.folder)!r} is not the work folder of a batch (it holds {foreign[0]!r}); give another " "with --work."
             )
 
 
@@ -326,7 +305,5 @@ def unit_is_there(work, name):
     record = read_json(work.record("done", name))
     if record is None:
         return False
-    paths = [
-        (pathlib.Path(work.unit(name)) / told["file"], told["bytes"]) for told in record["files"].values()
-    ]
+    paths = [(pathlib.Path(work.unit(name)) / told["file"], told["bytes"]) for told in record["files"].values()]
     return all(path.is_file() and path.stat().st_size == size for path, size in paths)

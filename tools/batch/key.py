@@ -47,8 +47,7 @@ def listed_files(path, links):
         entries = path.read_bytes().split(b"\0")
     except FileNotFoundError:
         raise BatchError(
-            "the program does not list the files that it reads (TILT_LENS_FILE_LIST): it is not this "
-            "project's povray."
+            "the program does not list the files that it reads (TILT_LENS_FILE_LIST): it is not this " "project's povray."
         ) from None
     read, missing = set(), set()
     for entry in entries:

@@ -56,12 +56,7 @@ def run(work, description, tasks, settings, progress):
     command, env = invocation(work, description, settings)
     with open(work.logs / "parallel.log", "ab") as log:
         process = subprocess.Popen(
-            povray.ending_with_parent(command),
-            stdin=subprocess.PIPE,
-            stdout=log,
-            stderr=log,
-            env=env,
-            start_new_session=True,
+            povray.ending_with_parent(command), stdin=subprocess.PIPE, stdout=log, stderr=log, env=env, start_new_session=True
         )
         try:
             process.stdin.write("".join(f"{task}\n" for task in tasks).encode())

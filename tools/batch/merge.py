@@ -18,16 +18,10 @@ from tools.batch.store import BatchError, little_room, read_json, sha256, sync_f
 def oiiotool(folder, arguments):
     """Runs oiiotool; raises its complaints."""
     done = subprocess.run(
-        povray.ending_with_parent(["oiiotool", *arguments]),
-        cwd=folder,
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        check=False,
+        povray.ending_with_parent(["oiiotool", *arguments]), cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False
     )
     if done.returncode != 0:
-        said = (done.stderr + done.stdout).decode(errors="replace").strip().splitlines() or [
-            f"nothing, exit code {done.returncode}"
-        ]
+        said = (done.stderr + done.stdout).decode(errors="replace").strip().splitlines() or [f"nothing, exit code {done.returncode}"]
         room = "".join(f"\n{line}" for line in little_room(folder))
         raise BatchError(f"oiiotool failed in {str(folder)!r}. It said:\n  " + "\n  ".join(said[:6]) + room)
 
@@ -64,13 +58,9 @@ def paste(work, key, records, rest, target):
     join(work.units, list(zip(paths, key["bands"])), width, target)
     found = povray.image_info(target)
     wanted = records[0][1]["files"][rest]
-    if found["size"] != [width, height] or (found["channels"], found["form"]) != (
-        wanted["channels"],
-        wanted["form"],
-    ):
+    if found["size"] != [width, height] or (found["channels"], found["form"]) != (wanted["channels"], wanted["form"]):
         raise BatchError(
-            f"the merged {target.name} is {found}, expected {width} x {height}, {wanted['channels']} channels, "
-            f"{wanted['form']}."
+            f"the merged {target.name} is {found}, expected {width} x {height}, {wanted['channels']} channels, " f"{wanted['form']}."
         )
     return found["pixels"]
 
@@ -98,9 +88,7 @@ def merged_files(work, key, picture):
     rests = set(records[0][1]["files"])
     for name, record in records:
         if set(record["files"]) != rests:
-            raise BatchError(
-                f"unit {name} has the files {sorted(record['files'])}, the first band {sorted(rests)}."
-            )
+            raise BatchError(f"unit {name} has the files {sorted(record['files'])}, the first band {sorted(rests)}.")
     found = {}
     for rest in sorted(rests):
         if len(records) == 1:
@@ -123,21 +111,14 @@ def merge_picture(work, description, picture):
     for rest, (path, pixels) in merged_files(work, key, picture).items():
         target = stem.with_name(stem.name[: -len(key["extension"]) - 1] + rest)
         deliver(path, target)
-        told[rest] = {
-            "file": str(target),
-            "bytes": target.stat().st_size,
-            "sha256": sha256(target),
-            "pixels": pixels,
-        }
+        told[rest] = {"file": str(target), "bytes": target.stat().st_size, "sha256": sha256(target), "pixels": pixels}
     write_json(work.record("merged", f"{picture:05d}"), told)
     free_space(work, key, picture)
 
 
 def free_space(work, key, picture):
     for band in range(len(key["bands"])):
-        shutil.rmtree(
-            work.unit(unit_name(picture * len(key["bands"]) + band, len(key["bands"]))), ignore_errors=True
-        )
+        shutil.rmtree(work.unit(unit_name(picture * len(key["bands"]) + band, len(key["bands"]))), ignore_errors=True)
     for path in work.units.glob(f"{picture:05d}.*"):
         if path.is_file() and path.suffix != ".lock":
             path.unlink()

@@ -19,12 +19,7 @@ TALL = 256  # rows of a band, if there is a choice: each edge costs 15 to 20 row
 POVINC = "povinc"  # link to the folder in the variable POVINC; POV-Ray searches it before those of +L
 MOST_VALUES = 100000  # of a range in --set
 SECONDS_A_TASK = 5.0  # least worth of a task, ten times the cost of starting POV-Ray
-DEFAULT_INI = (
-    "./povray.ini",
-    "~/.povray/3.7/povray.ini",
-    "{prefix}/etc/povray/3.7/povray.ini",
-    "~/.povrayrc",
-)
+DEFAULT_INI = ("./povray.ini", "~/.povray/3.7/povray.ini", "{prefix}/etc/povray/3.7/povray.ini", "~/.povrayrc")
 
 
 def safe_name(path, fallback):
@@ -61,22 +56,17 @@ def values(text):
             numbers = [decimal.Decimal(piece) for piece in part.split(":")]
         except decimal.InvalidOperation:
             raise BatchError(
-                f"--set: {part!r} is not a number; expected VALUE, FROM:TO:STEP, \"TEXT\", or several with commas "
-                "between."
+                f'--set: {part!r} is not a number; expected VALUE, FROM:TO:STEP, "TEXT", or several with commas ' "between."
             ) from None
         if len(numbers) == 1 and numbers[0].is_finite():
             found.append(numbers[0])
             continue
         if len(numbers) != 3 or not all(n.is_finite() for n in numbers) or numbers[2] == 0:
-            raise BatchError(
-                f"--set: {part!r}: expected VALUE or FROM:TO:STEP with a step that is not zero."
-            )
+            raise BatchError(f"--set: {part!r}: expected VALUE or FROM:TO:STEP with a step that is not zero.")
         first, last, step = numbers
         count = int((last - first) / step) + 1 if (last - first) / step >= 0 else 0
         if count == 0:
-            raise BatchError(
-                f"--set: {part!r} has 0 values; with this step, TO must lie on the other side of FROM."
-            )
+            raise BatchError(f"--set: {part!r} has 0 values; with this step, TO must lie on the other side of FROM.")
         if count > MOST_VALUES:
             raise BatchError(f"--set: {part!r} has {count} values; {MOST_VALUES} at most. Take a larger step.")
         found += [first + step * i for i in range(count)]
@@ -91,13 +81,9 @@ def parse_sets(words):
     for word in words:
         match = re.fullmatch(r"([A-Za-z_][A-Za-z0-9_]*)=(.+)", word)
         if not match:
-            raise BatchError(
-                f"--set {word!r}: expected NAME=VALUES, for example Tilt=-8:8:2 or Aperture=0.1,0.2."
-            )
+            raise BatchError(f"--set {word!r}: expected NAME=VALUES, for example Tilt=-8:8:2 or Aperture=0.1,0.2.")
         if match.group(1) in (name for name, _ in sets):
-            raise BatchError(
-                f"--set: {match.group(1)} is given twice; put all of its values behind one, with commas."
-            )
+            raise BatchError(f"--set: {match.group(1)} is given twice; put all of its values behind one, with commas.")
         sets.append((match.group(1), values(match.group(2))))
     return sets
 
@@ -106,8 +92,7 @@ def pictures(kind, stem, extension, frames=1, sets=()):
     if kind == "film":
         digits = max(4, len(str(frames)))
         return [
-            {"name": f"{stem}{n:0{digits}d}.{extension}", "options": [], "frame": n, "label": f"frame {n}"}
-            for n in range(1, frames + 1)
+            {"name": f"{stem}{n:0{digits}d}.{extension}", "options": [], "frame": n, "label": f"frame {n}"} for n in range(1, frames + 1)
         ]
     if kind == "sweep":
         made = []
@@ -147,13 +132,10 @@ def read_ini(path):
     """Text of an ini file. Refuses commands in it, which would run once per band."""
     with open(path, encoding="utf-8", errors="surrogateescape") as stream:
         text = stream.read()
-    command = re.search(
-        r"^\s*(\w+_(?:Scene|Frame)_Command|\w+_Command)\s*=", text, re.IGNORECASE | re.MULTILINE
-    )
+    command = re.search(r"^\s*(\w+_(?:Scene|Frame)_Command|\w+_Command)\s*=", text, re.IGNORECASE | re.MULTILINE)
     if command:
         raise BatchError(
-            f"{path!r} sets {command.group(1)}: it would run once for each band. Take it out, and run the "
-            "command after the batch."
+            f"{path!r} sets {command.group(1)}: it would run once for each band. Take it out, and run the " "command after the batch."
         )
     return text
 
@@ -182,12 +164,7 @@ class Inputs:
         self.folder, self.options = folder, PovOptions(words)
         self.file = safe_name(self.scene, "scene.pov")
         include = os.path.join(repository, "scenes", "include")
-        targets = {
-            "here": folder,
-            "include": include,
-            "scene": os.path.dirname(self.scene),
-            self.file: self.scene,
-        }
+        targets = {"here": folder, "include": include, "scene": os.path.dirname(self.scene), self.file: self.scene}
         self.searched = ["include", "scene"]
         named = list(self.options.named_files(folder))
         self.libraries = named[: len(self.options.libraries)]
@@ -217,10 +194,7 @@ class Inputs:
         text = f'Library_Path="{Links.UP}here"\n'
         if self.ini:
             text += re.sub(
-                r'^(\s*Library_Path\s*=\s*"?)(?!["/])',
-                rf"\g<1>{Links.UP}here/",
-                read_ini(self.ini),
-                flags=re.IGNORECASE | re.MULTILINE,
+                r'^(\s*Library_Path\s*=\s*"?)(?!["/])', rf"\g<1>{Links.UP}here/", read_ini(self.ini), flags=re.IGNORECASE | re.MULTILINE
             )
         path = work.inputs / "povray.ini"
         path.write_text(text, encoding="utf-8", errors="surrogateescape")

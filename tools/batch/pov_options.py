@@ -89,9 +89,7 @@ class PovOptions:
         upper = body.upper()
         for switch, instead in REFUSED_SWITCHES.items():
             exact = switch in ("C", "UF") and upper == switch
-            with_value = switch not in ("C", "UF") and re.fullmatch(
-                re.escape(switch) + r".*", upper, re.DOTALL
-            )
+            with_value = switch not in ("C", "UF") and re.fullmatch(re.escape(switch) + r".*", upper, re.DOTALL)
             if exact or (with_value and not (word[0] == "-" and switch == "TH")):
                 raise BatchError(f"a batch sets {word!r} itself: {instead}.")
         if upper.startswith("F"):
@@ -104,14 +102,10 @@ class PovOptions:
             self.words.append(word)
 
     def add_named(self, word, name, value):
-        if name in REFUSED_NAMES and not (
-            name == "dither" and value.lower() in ("off", "false", "no", "0")
-        ):
+        if name in REFUSED_NAMES and not (name == "dither" and value.lower() in ("off", "false", "no", "0")):
             raise BatchError(f"a batch sets {word!r} itself: {REFUSED_SWITCHES[REFUSED_NAMES[name]]}.")
         if name.endswith("_command"):
-            raise BatchError(
-                f"{word!r} would run once for each band; run the command after the batch instead."
-            )
+            raise BatchError(f"{word!r} would run once for each band; run the command after the batch instead.")
         if name == "output_file_type":
             self.set_kind(word, value)
         elif name == "work_threads":
@@ -125,8 +119,7 @@ class PovOptions:
         """Chooses PNG or OpenEXR; bits remain POV-Ray's option."""
         if value[:1].upper() not in FORMATS:
             raise BatchError(
-                f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put "
-                "together without a change."
+                f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put " "together without a change."
             )
         self.kind = FORMATS[value[:1].upper()]
         self.words.append(f"+F{value.upper()}")

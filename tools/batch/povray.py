@@ -26,12 +26,7 @@ def ending_with_parent(command):
 def version(program):
     try:
         done = subprocess.run(
-            [program, "--version"],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            check=True,
-            timeout=60,
+            [program, "--version"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True, timeout=60
         )
     except (OSError, subprocess.SubprocessError) as error:
         raise BatchError(f"cannot run {program!r}: {error}") from None
@@ -80,11 +75,7 @@ def whole_length(data, trusted):
     disk read as zeros; the first such page ends the result."""
     end = len(data)
     if not trusted:
-        pages = (
-            at
-            for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE)
-            if not any(data[max(at, STATE_HEADER) : at + PAGE])
-        )
+        pages = (at for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE) if not any(data[max(at, STATE_HEADER) : at + PAGE]))
         end = next(pages, end)
     return max(povray_run.whole_messages(data, end), default=0)
 

@@ -69,9 +69,7 @@ class Probe:
             if limit is not None and spent >= limit:
                 process.kill()
                 process.wait()
-                raise BatchError(
-                    f"the first look at the scene was ended after {limit} s, as --limit says; log: {log}"
-                )
+                raise BatchError(f"the first look at the scene was ended after {limit} s, as --limit says; log: {log}")
             hint = "" if spent < 100 or limit else " If it hangs: Ctrl-C, and again with --limit TIME."
             print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
@@ -95,10 +93,7 @@ class Probe:
         _, text, seconds = self.small
         wall, processor = trace_seconds(text)
         pixels = size[0] * size[1] / (small[0] * small[1])
-        return {
-            "picture": processor * pixels / self.description["threads"],
-            "start": max(0.1, seconds - wall),
-        }
+        return {"picture": processor * pixels / self.description["threads"], "start": max(0.1, seconds - wall)}
 
     def seam(self, size, aligned):
         """True if the small picture changes when it is cut in two, as it would be in bands."""
@@ -113,9 +108,7 @@ class Probe:
         ]
         joined = self.work.probe / f"joined.{self.description['key']['extension']}"
         merge.join(self.work.probe, list(zip(paths, halves)), small[0], joined)
-        return (
-            povray.image_info(joined)["pixels"] != povray.image_info(self.output(self.small[0]))["pixels"]
-        )
+        return povray.image_info(joined)["pixels"] != povray.image_info(self.output(self.small[0]))["pixels"]
 
     def radiosity(self):
         """True if the scene uses radiosity, by POV-Ray's statistics."""
@@ -123,7 +116,7 @@ class Probe:
 
 
 def trace_seconds(text):
-    """"Trace Time" of the statistics: elapsed, and processor time, which other programs do not disturb."""
+    """ "Trace Time" of the statistics: elapsed, and processor time, which other programs do not disturb."""
     found = re.findall(r"Trace Time:.*?\(([0-9.]+) seconds\)\s+using.*?with ([0-9.]+) CPU-seconds", text)
     return (float(found[-1][0]), float(found[-1][1])) if found else (0.0, 0.0)
 

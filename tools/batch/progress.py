@@ -154,11 +154,7 @@ def unfinished(work, description):
     """Ends of the logs of the workers' starters, for workers that never reported."""
     state = State(work, description)
     if state.missing():
-        logs = sorted(
-            path
-            for path in work.logs.iterdir()
-            if not path.name.startswith("task-") and path.stat().st_size
-        )
+        logs = sorted(path for path in work.logs.iterdir() if not path.name.startswith("task-") and path.stat().st_size)
         for path in logs[-2:]:
             yield f"log {path}:"
             yield from ("  | " + line for line in log_end(path))

@@ -29,14 +29,7 @@ def thumb(link, target, size, label):
     if link.endswith(".exr"):
         words += ["--colorconvert", "linear", "sRGB", "--clamp:min=0:max=1"]
     words += ["--resize", f"{width}x{height}"]
-    words += [
-        "--pattern",
-        "constant:color=0.12,0.12,0.12",
-        f"{width}x{height + STRIP}",
-        "3",
-        "--paste",
-        "+0+0",
-    ]
+    words += ["--pattern", "constant:color=0.12,0.12,0.12", f"{width}x{height + STRIP}", "3", "--paste", "+0+0"]
     words += [f"--text:x=8:y={height + 18}:size=15:font=../inputs/font.ttf:color=0.9,0.9,0.9", label]
     return [*words, "-d", "uint8", "-o", target, "--pop"]
 

@@ -33,9 +33,7 @@ def check():
 def command(*words):
     """Runs one of Slurm's commands; returns its output."""
     try:
-        done = subprocess.run(
-            words, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False
-        )
+        done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False)
     except subprocess.TimeoutExpired:
         raise BatchError(f"{words[0]} gave no answer for 120 s.") from None
     if done.returncode != 0:
@@ -53,20 +51,14 @@ def workers(settings, threads):
     """Number of simultaneous POV-Rays by sinfo, an estimate: the site's queue decides."""
     if settings.workers:
         return settings.workers
-    words = ["sinfo", "-h", "-o", "%C"] + (
-        [f"--partition={settings.partition}"] if settings.partition else []
-    )
+    words = ["sinfo", "-h", "-o", "%C"] + ([f"--partition={settings.partition}"] if settings.partition else [])
     totals = [int(line.split("/")[3]) for line in command(*words).splitlines() if line.count("/") == 3]
     return max(1, sum(totals) // threads)
 
 
 def site_options(settings):
     """The user's options for sbatch."""
-    words = [
-        f"--{name}={getattr(settings, name)}"
-        for name in ("partition", "time", "account")
-        if getattr(settings, name)
-    ]
+    words = [f"--{name}={getattr(settings, name)}" for name in ("partition", "time", "account") if getattr(settings, name)]
     return words + settings.sbatch
 
 
@@ -75,11 +67,7 @@ def write_script(work, verb, argument):
     path = work.folder / f"{verb}.sh"
     write_text(
         path,
-        SCRIPT.format(
-            program=shlex.join(module_command("tools.batch.batch", verb)),
-            work=shlex.quote(str(work.folder)),
-            argument=argument,
-        ),
+        SCRIPT.format(program=shlex.join(module_command("tools.batch.batch", verb)), work=shlex.quote(str(work.folder)), argument=argument),
     )
     return path
 
@@ -106,13 +94,7 @@ def log_name(work, name):
 
 def submit(work, description, tasks, settings):
     """Submits array and last step; returns the job numbers."""
-    common = [
-        "sbatch",
-        "--parsable",
-        "--open-mode=append",
-        f"--chdir={work.folder}",
-        *site_options(settings),
-    ]
+    common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
     limit = f"%{settings.workers}" if settings.workers else ""
     array = command(
         *common,
@@ -209,9 +191,6 @@ def run(work, description, tasks, settings, progress):
     with interrupted_alone(jobs):
         print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)
         if settings.detach:
-            print(
-                "Not waiting for them. Call again with the same arguments to watch, or to go on with what is missing.",
-                file=sys.stderr,
-            )
+            print("Not waiting for them. Call again with the same arguments to watch, or to go on with what is missing.", file=sys.stderr)
             return
         wait(jobs, progress)

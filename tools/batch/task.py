@@ -128,10 +128,7 @@ class Unit:
         goes_on = povray.prepare_state(self.folder)
         words = povray.arguments(self.description, self.picture, self.rows) + ["+C" if goes_on else "-C"]
         state = f"continued from {goes_on} bytes" if goes_on else "from the start"
-        self.say(
-            f"{self.picture['label']}, rows {self.rows[0]} to {self.rows[1]}, try {attempt}, {state}, on "
-            f"{os.uname().nodename}"
-        )
+        self.say(f"{self.picture['label']}, rows {self.rows[0]} to {self.rows[1]}, try {attempt}, {state}, on " f"{os.uname().nodename}")
         started = time.time()
         self.process = povray.start(self.description, self.folder, words, self.log, lock)
         limit = self.description["limit"]

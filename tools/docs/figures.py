@@ -107,15 +107,16 @@ def make_pictures(povray, names):
             if picture.startswith("layers_"):
                 shown = folder / f"{picture.removeprefix('layers_')}.png"
                 subprocess.run(layer_commands()[shown.stem], cwd=folder, check=True)
-            subprocess.run(["oiiotool", str(shown), "--nosoftwareattrib", "--compression", "jpeg:88", "-o",
-                            str(PICTURES / f"{picture}.jpg")], check=True)
+            subprocess.run(
+                ["oiiotool", str(shown), "--nosoftwareattrib", "--compression", "jpeg:88", "-o", str(PICTURES / f"{picture}.jpg")],
+                check=True,
+            )
             print(picture, flush=True)
 
 
 def quality_table(povray):
     """Samples, noise that the program reports, CPU time of one thread."""
-    rows = ["| `Declare=Step=` | samples per pixel: mean, 99%, most | `Standard error` | CPU time, relative |",
-            "| --- | --- | --- | --- |"]
+    rows = ["| `Declare=Step=` | samples per pixel: mean, 99%, most | `Standard error` | CPU time, relative |", "| --- | --- | --- | --- |"]
     first = 0.0
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         scenes(pathlib.Path(name))

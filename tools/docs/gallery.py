@@ -51,7 +51,7 @@ def read_scene(path):
     command = re.search(rf"^//\s+\./render scenes/gallery/{path.stem}\.pov((?: \S+)*)$", path.read_text(), re.MULTILINE)
     options = command.group(1).split() if command else []
     if not any(option.startswith("+W") for option in options):
-        sys.exit(f"{path}: its opening comment has no line \"//   ./render scenes/gallery/{path.name} +W... +H...\"")
+        sys.exit(f'{path}: its opening comment has no line "//   ./render scenes/gallery/{path.name} +W... +H..."')
     return Scene(path.stem, options)
 
 
@@ -76,12 +76,25 @@ def number(pattern, text, what):
 def render(scene, arguments):
     """Renders the picture; returns its file and its line of the table."""
     picture = arguments.output / f"{scene.name}{'_small' if arguments.small else ''}.png"
-    command = povray_run.command(arguments.povray, scene.path, picture, scene.size, "+FN8", *scene.options, *(small(scene) if arguments.small else []),
-                                 *arguments.option, library=[povray_run.INCLUDE])
+    command = povray_run.command(
+        arguments.povray,
+        scene.path,
+        picture,
+        scene.size,
+        "+FN8",
+        *scene.options,
+        *(small(scene) if arguments.small else []),
+        *arguments.option,
+        library=[povray_run.INCLUDE],
+    )
     done = povray_run.run(command, limit=None).succeeded()
-    row = [scene.name, *number(r"Image Resolution\D*(\d+) x (\d+)", done.said, "the picture's size"), f"{done.cpu:.0f}",
-           *number(r"Samples per pixel\.+mean ([\d.]+)", done.said, "the samples"),
-           *number(r"Standard error\.+([\d.e-]+)", done.said, "the standard error")]
+    row = [
+        scene.name,
+        *number(r"Image Resolution\D*(\d+) x (\d+)", done.said, "the picture's size"),
+        f"{done.cpu:.0f}",
+        *number(r"Samples per pixel\.+mean ([\d.]+)", done.said, "the samples"),
+        *number(r"Standard error\.+([\d.e-]+)", done.said, "the standard error"),
+    ]
     return picture, dict(zip(COLUMNS, row))
 
 
@@ -89,8 +102,22 @@ def make_thumbnail(picture, scene):
     """A JPEG of WIDTH pixels, in the best quality that keeps it small."""
     thumbnail = THUMBNAILS / f"{scene.name}.jpg"
     for quality in range(92, 40, -4):
-        subprocess.run(["oiiotool", str(picture), "--ch", "R,G,B", "--resize:filter=lanczos3", f"{WIDTH}x0",
-                        "--nosoftwareattrib", "--compression", f"jpeg:{quality}", "-o", str(thumbnail)], check=True)
+        subprocess.run(
+            [
+                "oiiotool",
+                str(picture),
+                "--ch",
+                "R,G,B",
+                "--resize:filter=lanczos3",
+                f"{WIDTH}x0",
+                "--nosoftwareattrib",
+                "--compression",
+                f"jpeg:{quality}",
+                "-o",
+                str(thumbnail),
+            ],
+            check=True,
+        )
         if thumbnail.stat().st_size < LARGEST:
             return thumbnail
     sys.exit(f"{thumbnail} is larger than {LARGEST} bytes at the lowest quality")
@@ -109,9 +136,11 @@ def write_table(rows):
         writer.writeheader()
         writer.writerows(rows[name] for name in sorted(rows))
     lines = ["| picture | size | CPU s | samples per pixel | standard error |", "| --- | --- | --- | --- | --- |"]
-    lines += [f"| [{row['scene']}](../scenes/gallery/{row['scene']}.pov) | {row['width']} x {row['height']} | "
-              f"{row['cpu_seconds']} | {row['samples_per_pixel']} | {row['standard_error']} |"
-              for _, row in sorted(rows.items())]
+    lines += [
+        f"| [{row['scene']}](../scenes/gallery/{row['scene']}.pov) | {row['width']} x {row['height']} | "
+        f"{row['cpu_seconds']} | {row['samples_per_pixel']} | {row['standard_error']} |"
+        for _, row in sorted(rows.items())
+    ]
     page = PAGE.read_text()
     head, mark_begin, rest = page.partition("<!-- table -->\n")
     _, mark_end, tail = rest.partition("<!-- end of table -->\n")
@@ -125,8 +154,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scene", nargs="*", help="names of scenes; all without")
     parser.add_argument("--povray", default=str(BUILD / "bin/povray"))
-    parser.add_argument("--output", type=pathlib.Path, default=BUILD / "gallery",
-                        help="folder of the full pictures (default: build/gallery)")
+    parser.add_argument(
+        "--output", type=pathlib.Path, default=BUILD / "gallery", help="folder of the full pictures (default: build/gallery)"
+    )
     parser.add_argument("--small", action="store_true", help="thumbnails only, rendered in their own size")
     parser.add_argument("--option", action="append", default=[], help="one more option for povray, such as --option=+WT1")
     arguments = parser.parse_args()

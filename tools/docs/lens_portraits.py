@@ -41,8 +41,18 @@ def make(povray, names):
         for number, lens in enumerate(lenses()):
             for shape, word in enumerate(SHAPES if lens in names else ()):
                 render(povray, folder, SCENE, [f"Declare=Lens={number}", f"Declare=Shape={shape}"], SIZE, "portrait.png")
-                subprocess.run(["oiiotool", folder / "portrait.png", "--nosoftwareattrib", "--compression", "jpeg:88", "-o",
-                                PICTURES / f"{lens}_{word}.jpg"], check=True)
+                subprocess.run(
+                    [
+                        "oiiotool",
+                        folder / "portrait.png",
+                        "--nosoftwareattrib",
+                        "--compression",
+                        "jpeg:88",
+                        "-o",
+                        PICTURES / f"{lens}_{word}.jpg",
+                    ],
+                    check=True,
+                )
             if lens in names:
                 print(lens, flush=True)
 

@@ -67,7 +67,7 @@ def blocks_of(page, text):
             number += 1
         if number == len(lines):
             raise BadPage(f"{page}:{start + 1}: the fence is not closed")
-        body = "\n".join(line[len(fence[1]):] for line in lines[start + 1:number]) + "\n"
+        body = "\n".join(line[len(fence[1]) :] for line in lines[start + 1 : number]) + "\n"
         above = MARKER.match(lines[start - 1]) if start > 0 else None
         blocks.append(Block(page, start + 1, fence[3], body, above.groups() if above else None))
         number += 1
@@ -82,8 +82,10 @@ def example_of(block):
         parts = [part for part in rest.split(";") if part.strip()]
         return Example(block, kind, named[1] if named else "", expectations(block, parts))
     if block.marker is None or block.marker[0] != "example":
-        raise BadPage(f"{block.place()}: code without #version and without a comment <!-- example: ... --> right above "
-                      f"its fence. One of {', '.join(KINDS)} is allowed; see tools/docs/pages.py.")
+        raise BadPage(
+            f"{block.place()}: code without #version and without a comment <!-- example: ... --> right above "
+            f"its fence. One of {', '.join(KINDS)} is allowed; see tools/docs/pages.py."
+        )
     kind, *parts = block.marker[1].split(";")
     kind = kind.strip()
     reason = ""
@@ -102,8 +104,10 @@ def expectations(block, parts):
     for part in parts:
         verb, colon, text = part.strip().partition(":")
         if verb not in expected or not colon or not text.strip():
-            raise BadPage(f"{block.place()}: '{part.strip()}' in the comment above the code. 'says: TEXT', 'warns: TEXT' and "
-                          "'fails: TEXT' are allowed.")
+            raise BadPage(
+                f"{block.place()}: '{part.strip()}' in the comment above the code. 'says: TEXT', 'warns: TEXT' and "
+                "'fails: TEXT' are allowed."
+            )
         expected[verb].append(text.strip())
     return expected
 
