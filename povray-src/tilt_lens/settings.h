@@ -3,7 +3,7 @@
 
 /// @file settings.h
 /// All constants of the sampler, the emitter sampling and the reconstruction, with units. Sections are those of docs/sampling.md; its
-/// section 11 lists the evidence: the error without each constant, or the reason for its value.
+/// section 8 lists the evidence: the error without each constant, or the reason for its value.
 
 #ifndef TILT_LENS_SETTINGS_H
 #define TILT_LENS_SETTINGS_H
@@ -21,22 +21,22 @@ struct Settings
     /// @{
     /// Side of a block: the pixels that are sampled and reconstructed together, on a grid fixed to the whole picture.
     static constexpr std::uint32_t blockSide = 16;
-    /// Distance, in blocks, of the farthest block that a pixel depends on (section 10): filters need converged neighbours, and the stop
+    /// Distance, in blocks, of the farthest block that a pixel depends on (section 7): filters need converged neighbours, and the stop
     /// rule of these needs the first rounds of their neighbours.
     static constexpr std::int64_t dependencyRadius = 2;
     /// Rows of blocks, counted from the first unfinished one, in which an idle thread may work ahead: two rows of tiles of the usual size
     /// and the blocks that they depend on. Affects no picture.
     static constexpr std::int64_t windowRows = 6;
-    /// Radius of the 3 by 3 window whose sample variances are averaged (sections 3 and 4).
+    /// Radius of the 3 by 3 window whose sample variances are averaged (section 3).
     static constexpr int neighbourRadius = 1;
     static constexpr int neighbourhoodPixels = (2 * neighbourRadius + 1) * (2 * neighbourRadius + 1);
     /// Radius of the 5 by 5 window over which local variance ratios are pooled (section 3).
     static constexpr int ratioRadius = 2;
-    /// Radius of the longest filters (section 8).
+    /// Radius of the longest filters (section 5).
     static constexpr int filterRadius = 4;
-    /// Radius of the 7 by 7 window over which risks are averaged, and of the 3 by 3 window in which they count in full (section 8).
+    /// Radius of the 7 by 7 window over which risks are averaged, and of the 3 by 3 window in which they count in full (section 5).
     static constexpr int riskRadius = 3, nearRiskRadius = 1;
-    /// Distance of the farthest pixel that a sample is spread to, along rows and columns (section 8).
+    /// Distance of the farthest pixel that a sample is spread to, along rows and columns (section 5).
     static constexpr int spreadReach = 7;
     /// Greatest number of a pixel's samples that are spread to other pixels: its first. More would cost more time than the rays they save.
     std::uint32_t mostSentSamples = 32;
@@ -59,7 +59,7 @@ struct Settings
     /// @{
     /// Iterations that solve for the variance ratio of the mean (section 3).
     static constexpr int ratioIterations = 4;
-    /// Upper bound of risks; NaN is replaced with it, too (section 8). The sum of 49 such risks is a finite float.
+    /// Upper bound of risks; NaN is replaced with it, too (section 5). The sum of 49 such risks is a finite float.
     static constexpr float greatestFiniteRisk = 1e12f;
     /// Camera rays computed together in vector registers: 4, 8 or 16. Affects no picture.
     static constexpr std::uint32_t cameraRaysOfBatch = 8;
@@ -79,14 +79,14 @@ struct Settings
     double outlyingRatio = 4.0;
     /// @}
 
-    /// @name Undetected error (section 4)
+    /// @name Deciding together (section 3)
     /// @{
     /// Number of samples received from other pixels at which a pixel's own excess and the mean excess of its 3 by 3 window count alike in
     /// the decision whether it has converged.
     double samplesToDecideTogether = 8.0;
     /// @}
 
-    /// @name Variance target (section 6)
+    /// @name Variance target (section 3)
     /// @{
     /// Variance of one sample for which a pixel's target is `variance`: between those of texture and of blurred edges.
     double typicalSampleVariance = 0.003;
@@ -94,7 +94,7 @@ struct Settings
     double leastTarget = 0.5, greatestTarget = 1.75;
     /// @}
 
-    /// @name Emitter sampling (section 7)
+    /// @name Emitter sampling (section 4)
     /// @{
     /// Radiance (1 is white) that lit surfaces seldom exceed, however bright the lights. An emitter is an object that is brighter by its
     /// own finish.
@@ -118,7 +118,7 @@ struct Settings
     std::uint32_t hiddenEmitterSamples = 16;
     /// @}
 
-    /// @name Reconstruction (section 8)
+    /// @name Reconstruction (section 5)
     /// @{
     /// A filter with a risk above this multiple of the unfiltered pixels' risk has no weight; risks below the inverse are chance.
     float greatestRisk = 20.0f;
@@ -134,7 +134,7 @@ struct Settings
     double leastRowVariance = 1.0 / 32.0;
     /// @}
 
-    /// @name Forecast of the reconstruction in the stop rule (section 9)
+    /// @name Forecast of the reconstruction in the stop rule (section 6)
     /// @{
     /// Rays per pixel of a block that a forecast must save: about the cost of computing it.
     double forecastCost = 2.0;

@@ -414,7 +414,7 @@ TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
     EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);  // no reconstruction
 }
 
-// the figures of docs/sampling.md, section 10
+// the figures of docs/sampling.md, section 7
 TEST(BlockCache, MemoryOfABlock)
 {
     const double pixels = settings.blockSide * settings.blockSide;

@@ -30,7 +30,7 @@ class BlockStatistics
     enum Plane
     {
         kMean = 0,                  ///< five channels
-        kNoise = 5,    ///< estimated variance of the mean plus undetected error, summed over the channels
+        kNoise = 5,    ///< estimated variance of the mean, summed over the channels
         kMissed = 6,   ///< fraction of the noise shown by other pixels' samples but not by the pixel's own, [0, 1]
         kSamples = 7,
         kPlanes

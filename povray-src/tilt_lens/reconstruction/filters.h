@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file filters.h
-/// Linear filters along rows, columns and diagonals, and the bank of their products: docs/sampling.md, section 8.
+/// Linear filters along rows, columns and diagonals, and the bank of their products: docs/sampling.md, section 5.
 ///
 /// Source: A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",
 /// Anal. Chem. 36(8), 1964, for the parabolas.

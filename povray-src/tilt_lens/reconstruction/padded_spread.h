@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file padded_spread.h
-/// Spread samples received by the pixels of a block and its border: docs/sampling.md, section 8.
+/// Spread samples received by the pixels of a block and its border: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_PADDED_SPREAD_H
 #define TILT_LENS_PADDED_SPREAD_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file reconstruction.h
-/// Reconstructs the picture from its pixels' means: docs/sampling.md, section 8.
+/// Reconstructs the picture from its pixels' means: docs/sampling.md, section 5.
 ///
 /// The folder reconstruction/ answers: which picture do the samples make? It spreads samples over their circles of confusion, filters noise
 /// from the pixels' means, and estimates the remaining noise. The sampler uses it, and uses its estimates in the stop rule.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread.h
-/// Spreads each sample over its circle of confusion: docs/sampling.md, section 8. Every pixel of the circle sees the hit point, so each
+/// Spreads each sample over its circle of confusion: docs/sampling.md, section 5. Every pixel of the circle sees the hit point, so each
 /// receives a share of the sample's radiance. Received radiance over received shares is a pixel's spread estimate S, made of many pixels'
 /// rays.
 ///

@@ -13,7 +13,7 @@
 ///     converge  further rounds, until the stop rule holds for the block's samples and its neighbours' first rounds
 ///     finish    further rounds of pixels that have missed something by the evidence of all samples around, then the reconstruction
 ///
-/// Results depend on positions in the picture alone, never on threads, tiles or sub-images (section 10). Any thread may request any step at
+/// Results depend on positions in the picture alone, never on threads, tiles or sub-images (section 7). Any thread may request any step at
 /// any time: the first one takes it, and none waits here. If the tracer throws during a step, the block stays unchanged.
 
 #ifndef TILT_LENS_BLOCK_H

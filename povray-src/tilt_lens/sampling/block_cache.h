@@ -4,7 +4,7 @@
 /// @file block_cache.h
 /// The blocks of the current picture, common to all render threads. A tile needs its own blocks and depends on neighbouring blocks, which
 /// belong to other tiles: the first thread that needs a block samples it, and it is freed when no remaining tile depends on it
-/// (docs/sampling.md, section 10).
+/// (docs/sampling.md, section 7).
 
 #ifndef TILT_LENS_BLOCK_CACHE_H
 #define TILT_LENS_BLOCK_CACHE_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file convergence.h
-/// The stop rule: docs/sampling.md, sections 1 and 4. Functions of statistics alone; they trace no rays and know no threads.
+/// The stop rule: docs/sampling.md, sections 1 and 3. Functions of statistics alone; they trace no rays and know no threads.
 ///
 /// A pixel has converged once
 ///

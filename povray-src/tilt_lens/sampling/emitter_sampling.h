@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file emitter_sampling.h
-/// Importance sampling of small bright objects: docs/sampling.md, section 7. If one ray in a thousand hits an emitter that is twenty times
+/// Importance sampling of small bright objects: docs/sampling.md, section 4. If one ray in a thousand hits an emitter that is twenty times
 /// as bright as white, the first samples of a pixel and of its neighbours miss it, and no stop rule can notice; where they hit it, nearly
 /// all rays of its circle of confusion are wasted. Pixels that such an object may reach therefore aim half of their samples at it:
 ///

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forecast.h
-/// Statistics for the reconstruction of a block, and the forecast of the noise that it will remove: docs/sampling.md, section 9.
+/// Statistics for the reconstruction of a block, and the forecast of the noise that it will remove: docs/sampling.md, section 6.
 
 #ifndef TILT_LENS_FORECAST_H
 #define TILT_LENS_FORECAST_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sent_samples.h
-/// The samples of a block that are spread to other pixels, kept until all of its pixels have converged: docs/sampling.md, section 8.
+/// The samples of a block that are spread to other pixels, kept until all of its pixels have converged: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_SENT_SAMPLES_H
 #define TILT_LENS_SENT_SAMPLES_H
