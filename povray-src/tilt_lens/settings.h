@@ -70,7 +70,7 @@ struct Settings
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
     /// Number of samples at which a pixel's sample variance has the same weight as the mean of its 3 by 3 window.
-    double shrinkageSamples = 8.0;
+    double shrinkageSamples = 4.0;
     /// Weight of the prior of a variance ratio, in equally noisy pixels. Prior of a quadrant: its ratio of the previous round. Prior of a 5
     /// by 5 window: the ratio of the quadrant.
     double varianceRatioPrior = 2.0;
