@@ -7,7 +7,7 @@
 #                                            source is taken from FOLDER or, without one, from the mirrors of apt's settings
 #
 # All it prints goes to standard error, so that a picture may go to standard output. With nothing to do it
-# asks dpkg and ninja, needs no network and stays well under a second.
+# asks dpkg, CMake and ninja, needs no network, waits for no other command that finds nothing to do, and stays well under a second.
 
 repository=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
 build=$repository/build
@@ -124,13 +124,18 @@ check_system()
         || die_elsewhere "this system has no apt-get and dpkg, by which POV-Ray's source would be downloaded."
 }
 
-# A build folder remembers where it lies. After a move all of it but the downloads is made anew.
-forget_moved_build()
+# A build folder remembers where it lies.
+is_moved()
 {
     local cache=$build/CMakeCache.txt
-    [ -f "$cache" ] || return 0
-    grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repository" "$cache" \
-        && grep -qxF "CMAKE_CACHEFILE_DIR:INTERNAL=$build" "$cache" && return 0
+    [ -f "$cache" ] || return 1
+    ! { grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repository" "$cache" && grep -qxF "CMAKE_CACHEFILE_DIR:INTERNAL=$build" "$cache"; }
+}
+
+# After a move all of the build folder but the downloads is made anew.
+forget_moved_build()
+{
+    is_moved || return 0
     say "The repository has moved: building anew."
     find "$build" -mindepth 1 -maxdepth 1 ! -name downloads ! -name setup.lock -exec rm -rf {} +
 }
@@ -138,19 +143,27 @@ forget_moved_build()
 # in_cache ENTRY: whether CMake's cache of the build holds this line.
 in_cache() { grep -qxF -- "$1" "$build/CMakeCache.txt" 2>/dev/null; }
 
+# new_options render|batch|focus|check [FOLDER]: those of CMake that the configuration lacks, one a line.
+new_options()
+{
+    if [ "$1" = check ] && ! in_cache TILT_LENS_TESTS:BOOL=ON; then
+        printf '%s\n' -DTILT_LENS_TESTS=ON
+    fi
+    if [ -n "${2:-}" ] && ! in_cache "POVRAY_TARBALL:PATH=$2"; then
+        printf '%s\n' "-DPOVRAY_TARBALL=$2"
+    fi
+}
+
+is_configured() { [ -f "$build/build.ninja" ] && [ -z "$(new_options "$@")" ]; }
+
 # configure render|batch|focus|check [FOLDER]: where there is no finished configuration, the tests are not yet part of it, or
 # the source shall come from another folder. Once on, the tests stay on: the commands must not turn each other's
 # configuration back.
 configure()
 {
-    local -a options=()
-    if [ "$1" = check ] && ! in_cache TILT_LENS_TESTS:BOOL=ON; then
-        options+=(-DTILT_LENS_TESTS=ON)
-    fi
-    if [ -n "${2:-}" ] && ! in_cache "POVRAY_TARBALL:PATH=$2"; then
-        options+=("-DPOVRAY_TARBALL=$2")
-    fi
-    [ ${#options[@]} -gt 0 ] || [ ! -f "$build/build.ninja" ] || return 0
+    local -a options
+    ! is_configured "$@" || return 0
+    mapfile -t options < <(new_options "$@")
     check_system "${2:-}"
     say "Configuring (the first time this fetches POV-Ray's source)"
     ( cd "$repository" && cmake --preset release "${options[@]}" ) >&2 \
@@ -179,6 +192,22 @@ show_progress()
     [ "$columns" -eq 0 ] || printf '\r\033[K' >&2
 }
 
+# is_built TARGET render|batch|focus|check [FOLDER]: whether nothing is left to do. A dry run on build.ninja itself would end
+# at the check whether CMake must run, which is therefore made here.
+is_built()
+{
+    local target=$1 input
+    is_configured "${@:2}" && ! is_moved || return 1
+    if [ -f "$build/CMakeFiles/VerifyGlobs.cmake" ]; then
+        cmake -P "$build/CMakeFiles/VerifyGlobs.cmake" >/dev/null 2>&1 || return 1
+    fi
+    while read -r input; do
+        [[ $input == /* ]] || input=$build/$input
+        [ -e "$input" ] && [ ! "$input" -nt "$build/build.ninja" ] || return 1
+    done < <(ninja -C "$build" -n -t query build.ninja 2>/dev/null | sed -n '/^  input:/,/^  outputs:/s/^    |* *//p')
+    [[ $(ninja -C "$build" -n -f <(echo include build.ninja) "$target" 2>&1) == *"ninja: no work to do." ]]
+}
+
 setup()
 {
     local target=povray folder=${2:-}
@@ -190,12 +219,15 @@ setup()
     ! has_apt || install_packages "$1"
     mkdir -p "$build" || die "cannot create $build."
     [ -w "$build" ] || die "cannot write into $build (it belongs to $(stat -c %U -- "$build"))."
-    # One set-up at a time: two builds in one folder would spoil each other.
-    exec {setup_lock}> "$build/setup.lock" || die "cannot write into $build."
-    flock -n "$setup_lock" || { say "Waiting for another set-up in $build"; flock "$setup_lock"; }
-    forget_moved_build
-    configure "$1" "$folder"
-    ninja -C "$build" -j "$(nproc)" "$target" 2>&1 {setup_lock}>&- | show_progress
-    [ "${PIPESTATUS[0]}" -eq 0 ] || die "the build failed (see above)."
+    exec {setup_lock}>> "$build/setup.lock" || die "cannot write into $build."
+    # Finding nothing to do needs no more than that nobody builds; and building, that nobody else builds: two builds in one folder
+    # would spoil each other.
+    if ! { flock -n -s "$setup_lock" && is_built "$target" "$1" "$folder"; }; then
+        flock -n "$setup_lock" || { say "Waiting for another set-up in $build"; flock "$setup_lock"; }
+        forget_moved_build
+        configure "$1" "$folder"
+        ninja -C "$build" -j "$(nproc)" "$target" 2>&1 {setup_lock}>&- | show_progress
+        [ "${PIPESTATUS[0]}" -eq 0 ] || die "the build failed (see above)."
+    fi
     exec {setup_lock}>&-
 }

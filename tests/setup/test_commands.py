@@ -5,6 +5,7 @@
 The commands run in a copy of the repository's scripts whose program is a stand-in that prints its arguments.
 """
 
+import fcntl
 import os
 import re
 import select
@@ -65,7 +66,9 @@ class CommandTest(SetupTest):
         return self.run_command(name, *arguments, cwd=cwd, env={**self.environment(), **env})
 
 
-class RenderCommand(CommandTest):
+class BuiltProgram(CommandTest):
+    """With a finished build, whose program is the stand-in."""
+
     def setUp(self):
         super().setUp()
         program = self.built("povray") / "bin" / "povray"
@@ -78,6 +81,8 @@ class RenderCommand(CommandTest):
     def render(self, *arguments, **kwargs):
         return self.command(self.copy / "render", *arguments, **kwargs)
 
+
+class RenderCommand(BuiltProgram):
     @staticmethod
     def arguments(process):
         quoted = re.findall(r"^argument \[(.*)\]$", process.stderr, re.MULTILINE)
@@ -263,6 +268,98 @@ class CheckCommand(CommandTest):
         self.assertTrue(process.stdout.startswith("usage: ./check"))
 
 
+class SetupsAtOnce(BuiltProgram):
+    """Several commands in one folder; the lock is held by the test."""
+
+    WAITING = "Waiting for another set-up"
+
+    def setUp(self):
+        super().setUp()
+        self.have_all_packages()
+        self.build = self.copy / "build"
+        lock = open(self.build / "setup.lock", "w", encoding="utf-8")
+        self.addCleanup(lock.close)
+        self.lock = lock
+
+    def with_work(self):
+        """Makes the program out of date; each build of it adds a line to the file `builds`."""
+        (self.build / "build.ninja").write_text(
+            "rule make\n  command = echo built >> builds && touch done\nbuild done: make source\nbuild povray: phony done\n",
+            encoding="utf-8",
+        )
+        (self.build / "source").touch()
+
+    def start(self):
+        process = subprocess.Popen(
+            [self.copy / "render", self.scene],
+            cwd=self.folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+            env={**os.environ, **self.environment()},
+        )
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def first_line(self, process):
+        ready, _, _ = select.select([process.stderr], [], [], PATIENCE)
+        return process.stderr.readline() if ready else "nothing"
+
+    def test_who_finds_nothing_to_do_waits_for_no_other_such(self):
+        fcntl.flock(self.lock, fcntl.LOCK_SH)
+        self.assertRegex(self.first_line(self.start()), r"^argument ")
+
+    def test_waits_for_a_build(self):
+        fcntl.flock(self.lock, fcntl.LOCK_EX)
+        process = self.start()
+        self.assertIn(self.WAITING, self.first_line(process))
+        fcntl.flock(self.lock, fcntl.LOCK_UN)
+        self.assertNotIn(self.WAITING, process.communicate(timeout=PATIENCE)[1])
+        self.assertEqual(process.returncode, 0)
+
+    def test_builds_only_when_no_other_checks(self):
+        self.with_work()
+        fcntl.flock(self.lock, fcntl.LOCK_SH)
+        process = self.start()
+        self.assertIn(self.WAITING, self.first_line(process))
+        self.assertFalse((self.build / "builds").exists())
+        fcntl.flock(self.lock, fcntl.LOCK_UN)
+        process.communicate(timeout=PATIENCE)
+        self.assertEqual((self.build / "builds").read_text(encoding="utf-8"), "built\n")
+
+    def test_of_several_with_work_one_builds(self):
+        self.with_work()
+        processes = [self.start() for _ in range(4)]
+        for process in processes:
+            process.communicate(timeout=PATIENCE)
+            self.assertEqual(process.returncode, 0)
+        self.assertEqual((self.build / "builds").read_text(encoding="utf-8"), "built\n")
+
+    def with_cmake_file(self, time):
+        """A configuration of the time 1000, made from a file of this time; no work otherwise."""
+        (self.build / "build.ninja").write_text(
+            "rule configure\n  command = echo configured >> builds && touch build.ninja\n  generator = 1\n"
+            "build build.ninja: configure listfile\nbuild povray: phony\n",
+            encoding="utf-8",
+        )
+        (self.build / "listfile").touch()
+        os.utime(self.build / "listfile", (time, time))
+        os.utime(self.build / "build.ninja", (1000, 1000))
+
+    def test_changed_cmake_file_is_work(self):
+        self.with_cmake_file(1001)
+        self.assert_succeeds(self.render(self.scene))
+        self.assertEqual((self.build / "builds").read_text(encoding="utf-8"), "configured\n")
+
+    def test_unchanged_cmake_file_is_none(self):
+        self.with_cmake_file(999)
+        fcntl.flock(self.lock, fcntl.LOCK_SH)
+        self.assertRegex(self.first_line(self.start()), r"^argument ")
+
+
 class FastBuild(CommandTest):
     """The order of its steps; a real build takes minutes."""
 
@@ -283,7 +380,9 @@ class FastBuild(CommandTest):
         program.chmod(0o755)
 
     def steps(self):
-        return [line.split(" -j")[0] for line in self.log.read_text(encoding="utf-8").splitlines()]
+        """The steps but dry runs."""
+        lines = self.log.read_text(encoding="utf-8").splitlines()
+        return [line.split(" -j")[0] for line in lines if " -n " not in line]
 
     def test_profile_training_use(self):
         (self.fast / "old.gcda").write_text("an old profile", encoding="utf-8")
