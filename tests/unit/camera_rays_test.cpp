@@ -53,11 +53,15 @@ std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
             rays.origin[2][i], rays.direction[0][i], rays.direction[1][i], rays.direction[2][i], rays.length[i], rays.w[i]};
 }
 
-void ExpectRaysOneByOne(const Lens& lens, const EmitterSampler& emitters)
+void ExpectRaysOneByOne(const Lens& lens, const Aperture& aperture = Aperture::Disc(), const Character& character = {},
+                        const std::vector<Emitter>& all = {})
 {
+    const auto camera = std::make_shared<const LensCamera>(Shared(lens), aperture, character);
+    const EmitterSampler emitters(camera, Limits(8, 64, 1e-3), kWidth, kHeight, all);
+    ASSERT_EQ(emitters.TargetsOf(27, 24).targets.empty(), all.empty());
     for (const std::uint32_t x : {0u, 27u, 63u})
     {
-        CameraRayBatch batch(lens, emitters, nullptr, 5);
+        CameraRayBatch batch(*camera, emitters, 5);
         const EmitterSampler::Targets targets = emitters.TargetsOf(x, 24);
         const PixelSampler sampler(x, 24, 5);
         for (const SampleRun& run : Runs(x, 24))
@@ -84,21 +88,13 @@ TEST(CameraRays, EqualRaysComputedOneByOne)
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3), Aperture::Polygon(7, 0.3, 0.5), bright,
                                      Aperture::Squeezed(Aperture::Disc(), 2.0), Aperture::Graded(Aperture::Polygon(6, 0.0), 0.5)})
         for (const Character& character : {Character(), distorts, curves})
-        {
-            const Lens lens = SomeLens(character);
-            ExpectRaysOneByOne(lens, EmitterSampler(lens, aperture, Limits(8, 64, 1e-3), kWidth, kHeight, {}));
-        }
-    const Lens lens = SomeLens(rims);
-    const Vignetting vignetting(lens, Aperture::Disc(), rims);
-    ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}, vignetting));
+            ExpectRaysOneByOne(SomeLens(character), aperture);
+    ExpectRaysOneByOne(SomeLens(rims), Aperture::Disc(), rims);
 }
 
 TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
 {
-    const Lens lens = SomeLens();
-    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
-    ASSERT_FALSE(emitters.TargetsOf(27, 24).targets.empty());
-    ExpectRaysOneByOne(lens, emitters);
+    ExpectRaysOneByOne(SomeLens(), Aperture::Disc(), {}, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
 }
 
 /// A double Gauss, wide open, at the picture's edge: its rims block some samples, and some pixels see nothing.
@@ -111,13 +107,15 @@ TEST(CameraRays, OfAGlassLensEqualRaysComputedOneByOne)
     statement.sceneUnit = 1.0;
     statement.focalPoint = {0.0, 0.0, 3000.0};
     statement.shiftUp = 9.0;
-    const Lens lens = Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
-    const GlassCamera glass(lens, Aperture::Disc(), 1.0);
-    const EmitterSampler emitters(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {});
+    const SolvedLens lens = Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
+    Character natural;
+    natural.naturalVignetting = 1.0;
+    const auto camera = std::make_shared<const LensCamera>(Shared(lens), Aperture::Disc(), natural);
+    const EmitterSampler emitters(camera, Limits(8, 64, 1e-3), kWidth, kHeight, {});
     std::uint32_t refusedInAll = 0;
     for (const std::uint32_t y : {0u, 24u, 47u})
     {
-        CameraRayBatch batch(lens, emitters, &glass, 5);
+        CameraRayBatch batch(*camera, emitters, 5);
         const PixelSampler sampler(27, y, 5);
         for (const SampleRun& run : Runs(27, y))
         {
@@ -127,7 +125,7 @@ TEST(CameraRays, OfAGlassLensEqualRaysComputedOneByOne)
             {
                 const SequencePoint point = sampler(run[i].index);
                 CameraRay one;
-                one.Draw(glass, run[i], point, FilmPointAt(27 + point.pixelX, y + point.pixelY, kWidth, kHeight));
+                one.Draw(*camera, run[i], point, FilmPointAt(27 + point.pixelX, y + point.pixelY, kWidth, kHeight));
                 CameraRays expected{};
                 expected.Put(0, one);
                 refused += one.refused;
@@ -151,7 +149,7 @@ TEST(CameraRays, MayHaveAnyLength)
         Lens lens = SomeLens({}, scale);
         lens.lensX = scale * lens.lensX;
         lens.focusMiddle = lens.focusRight = lens.focusUp = 0.0;
-        ExpectRaysOneByOne(lens, EmitterSampler(lens, Aperture::Disc(), Limits(8, 64, 1e-3), kWidth, kHeight, {}));
+        ExpectRaysOneByOne(lens);
     }
 }
 

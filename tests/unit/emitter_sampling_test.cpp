@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "random_cameras.h"
 #include "tile_results.h"
-#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {
@@ -140,6 +140,11 @@ std::vector<Case> Cases()
             {"real picture", 0.0, Window(), {far, near, sharp}, Real()}};
 }
 
+std::shared_ptr<const LensCamera> CameraOf(const Lens& lens, const Aperture& aperture = Aperture::Disc(), const Character& character = {})
+{
+    return std::make_shared<const LensCamera>(Shared(lens), aperture, character);
+}
+
 struct Prepared
 {
     Lens lens;
@@ -150,9 +155,8 @@ struct Prepared
 Prepared Ready(const Case& one)
 {
     const Lens lens = LensOf(one.turn, one.character);
-    const Vignetting vignetting(lens, one.aperture, one.character);
-    return {lens, {one.lamps}, EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, one.lamps, vignetting),
-            EmitterSampler(lens, one.aperture, Limits(), kWidth, kHeight, {}, vignetting)};
+    const auto camera = CameraOf(lens, one.aperture, one.character);
+    return {lens, {one.lamps}, EmitterSampler(camera, Limits(), kWidth, kHeight, one.lamps), EmitterSampler(camera, Limits(), kWidth, kHeight, {})};
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> PixelsAround(const Lens& lens, const Case& one)
@@ -211,7 +215,7 @@ TEST(EmitterSampler, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const EmitterSampler emitterSampled(lens, Aperture::Disc(), Limits(), kWidth, kHeight, {lamp});
+    const EmitterSampler emitterSampled(CameraOf(lens), Limits(), kWidth, kHeight, {lamp});
     int reached = 0;
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
@@ -242,7 +246,7 @@ TEST(EmitterSampler, KeepsOnlySmallBrightEmittersInFront)
 {
     const Lens lens = LensOf(0.0);
     const auto empty = [&](const Emitter& emitter, const SamplingLimits& limits = Limits())
-    { return EmitterSampler(lens, Aperture::Disc(), limits, kWidth, kHeight, {emitter}).Empty(); };
+    { return EmitterSampler(CameraOf(lens), limits, kWidth, kHeight, {emitter}).Empty(); };
     EXPECT_FALSE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}));
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 3.0, 40.0})) << "large: found by chance";
     EXPECT_TRUE(empty({{0.0, 0.0, 40.0}, 0.03, 1.0})) << "dim";
@@ -258,7 +262,7 @@ TEST(EmitterSampler, EveryBlockOfFourHasTheSameShare)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const EmitterSampler emitterSampled(lens, Aperture::Disc(), Limits(8, 39), kWidth, kHeight, {lamp});
+    const EmitterSampler emitterSampled(CameraOf(lens), Limits(8, 39), kWidth, kHeight, {lamp});
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)
         {

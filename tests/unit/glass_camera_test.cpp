@@ -4,7 +4,7 @@
 // Camera with a lens of glass: agreement with the ideal lens in the limit of ideal glass; sampled directions cover all that pass;
 // brightness against a count of all directions.
 
-#include "tilt_lens/glass/glass_camera.h"
+#include "tilt_lens/lens_camera/glass_camera.h"
 
 #include <cmath>
 #include <map>
@@ -58,8 +58,11 @@ struct Camera
         return *this;
     }
 
-    Lens Solved() const { return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given); }
-    GlassCamera Made(const Aperture& aperture = Aperture::Disc(), double natural = 0.0) const { return {Solved(), aperture, natural}; }
+    SolvedLens Solved() const { return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given); }
+    GlassCamera Made(const Aperture& aperture = Aperture::Disc(), double natural = 0.0) const
+    {
+        return {std::make_shared<const SolvedLens>(Solved()), aperture, natural};
+    }
 };
 
 struct Named
@@ -75,6 +78,13 @@ std::vector<Named> Cameras()
             {"f/64, tilted", Camera(kDoubleGauss).FStop(64.0).Tilt(6.0)},
             {"wide open, tilted", Camera(kDoubleGauss).Tilt(8.0, -3.0)},
             {"f/2.8, tilted and shifted", Camera(kDoubleGauss).FStop(2.8).Tilt(5.0).Shift(4.0, -3.0)}};
+}
+
+Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray)
+{
+    StopPoint stop;
+    const Passage passage = lens.Trace(ray, stop);
+    return passage == Passage::Passed && !(aperture.Density({stop.a, stop.b}) > 0.0) ? Passage::Stopped : passage;
 }
 
 /// Counts all directions of a film point, far beyond those sampled.
@@ -115,14 +125,14 @@ TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
 {
     // near the axis of a thin lens, with tilt, swing and shift: each ray meets the plane of sharp focus at the ideal ray's point
     const Camera setting = Camera(kThin).FStop(50.0).Tilt(2.0, 1.0).Shift(0.5, -0.3);
-    const Lens lens = setting.Solved();
+    const SolvedLens lens = setting.Solved();
     const GlassCamera camera = setting.Made();
     std::mt19937 random(3);
     std::uniform_real_distribution<double> part(0.0, 1.0);
     for (int i = 0; i < 300; i++)
     {
         const FilmPoint film{0.06 * part(random) - 0.03, 0.06 * part(random) - 0.03};
-        const GlassSample sample = camera.Draw(film, part(random), part(random), i);
+        const LensSample sample = camera.Draw(film, part(random), part(random), i);
         ASSERT_NEAR(sample.weight, 1.0, 1e-12);
         const Vec3 chief = ChiefRay(lens, film), focused = chief / Dot(lens.focus, chief);
         const LensRay& ray = sample.ray;
@@ -140,7 +150,7 @@ TEST(GlassCamera, SamplesAllDirectionsThatPass)
 {
     for (const Named& named : Cameras())
     {
-        const Lens lens = named.camera.Solved();
+        const SolvedLens lens = named.camera.Solved();
         const GlassCamera camera = named.camera.Made();
         int outside = 0, passed = 0;
         for (double x = -0.49; x < 0.5; x += 0.11)
@@ -162,7 +172,7 @@ TEST(GlassCamera, BrightnessMatchesACountOfDirections)
         for (const bool blades : {false, true})
         {
             const Aperture aperture = blades ? Aperture::Polygon(5, 0.3) : Aperture::Disc();
-            const Lens lens = named.camera.Solved();
+            const SolvedLens lens = named.camera.Solved();
             const GlassCamera camera = named.camera.Made(aperture), natural = named.camera.Made(aperture, 1.0);
             const double middle = Count(camera, *lens.glass, aperture, {0.0, 0.0}, 160).area;
             const auto falloff = [&](const FilmPoint& film)  // of the tilted film, for a ray into the middle
@@ -183,7 +193,7 @@ TEST(GlassCamera, DrawsDirectionsUniformly)
 {
     for (const Named& named : Cameras())
     {
-        const Lens lens = named.camera.Solved();
+        const SolvedLens lens = named.camera.Solved();
         const GlassCamera camera = named.camera.Made();
         const FilmPoint film{0.37, -0.28};
         const Counted counted = Count(camera, *lens.glass, Aperture::Disc(), film, 160);
@@ -194,7 +204,7 @@ TEST(GlassCamera, DrawsDirectionsUniformly)
         for (int i = 0; i < samples; i++)
         {
             const SequencePoint point = sequence(i);
-            const GlassSample sample = camera.Draw(film, point.lensU, point.lensV, sequence.Hash(i));
+            const LensSample sample = camera.Draw(film, point.lensU, point.lensV, sequence.Hash(i));
             ASSERT_GT(sample.weight, 0.0);
             const Vec3 axes[3] = {Normalized(lens.lensX), Normalized(lens.lensY), lens.normal};
             const auto inLens = [&](const Vec3& v) { return Vec3{Dot(v, axes[0]), Dot(v, axes[1]), Dot(v, axes[2])}; };
@@ -241,7 +251,7 @@ TEST(GlassCamera, DrawsFourAsOneByOne)
                         EXPECT_EQ(samples.refused[i], 0u);
                         continue;
                     }
-                    const GlassSample one = camera.Draw({points.x[i], points.y[i]}, points.u[i], points.v[i], points.seed[i]);
+                    const LensSample one = camera.Draw({points.x[i], points.y[i]}, points.u[i], points.v[i], points.seed[i]);
                     ASSERT_EQ(samples.weight[i], one.weight) << named.name;
                     EXPECT_EQ(samples.refused[i], one.refused);
                     refused += one.refused;
@@ -267,7 +277,7 @@ TEST(GlassCamera, DrawsThePointOfTheEllipse)
     std::uniform_real_distribution<double> part(0.0, 1.0);
     for (const Named& named : Cameras())
     {
-        const Lens lens = named.camera.Solved();
+        const SolvedLens lens = named.camera.Solved();
         const GlassCamera camera = named.camera.Made();
         const Vec3 axisX = Normalized(lens.lensX), axisY = Normalized(lens.lensY);
         int compared = 0;
@@ -275,7 +285,7 @@ TEST(GlassCamera, DrawsThePointOfTheEllipse)
         {
             const FilmPoint film{part(random) - 0.5, part(random) - 0.5};
             const double u = part(random), v = part(random);
-            const GlassSample sample = camera.Draw(film, u, v, i);
+            const LensSample sample = camera.Draw(film, u, v, i);
             if (sample.weight == 0.0 || sample.refused != 0)
                 continue;
             compared++;
@@ -307,7 +317,7 @@ TEST(GlassCamera, BlocksFewRays)
             {
                 const PixelSampler sequence(x, y, 0);
                 const SequencePoint point = sequence(0);
-                const GlassSample sample = camera.Draw(FilmPointAt(x + point.pixelX, y + point.pixelY, 60, 40), point.lensU, point.lensV, sequence.Hash(0));
+                const LensSample sample = camera.Draw(FilmPointAt(x + point.pixelX, y + point.pixelY, 60, 40), point.lensU, point.lensV, sequence.Hash(0));
                 refused += sample.weight > 0.0 ? sample.refused : 0;
                 lit += sample.weight > 0.0;
             }
@@ -348,7 +358,7 @@ TEST(GlassCamera, HasNoRings)
 TEST(GlassCamera, IsTheSameEveryTime)
 {
     const GlassCamera first = Camera(kDoubleGauss).Tilt(3.0).Made(), second = Camera(kDoubleGauss).Tilt(3.0).Made();
-    const GlassSample a = first.Draw({0.4, 0.3}, 0.95, 0.02, 7), b = second.Draw({0.4, 0.3}, 0.95, 0.02, 7);
+    const LensSample a = first.Draw({0.4, 0.3}, 0.95, 0.02, 7), b = second.Draw({0.4, 0.3}, 0.95, 0.02, 7);
     EXPECT_EQ(a.ray.origin.x, b.ray.origin.x);
     EXPECT_EQ(a.ray.direction.y, b.ray.direction.y);
     EXPECT_EQ(a.refused, b.refused);
@@ -359,7 +369,7 @@ TEST(GlassCamera, ScalesWithTheScene)
     Camera small(kDoubleGauss), large(kDoubleGauss);
     large.given.sceneUnit = 0.001;
     large.given.focalPoint = 1000.0 * small.given.focalPoint;
-    const GlassSample a = small.Made().Draw({0.2, 0.1}, 0.4, 0.6, 1), b = large.Made().Draw({0.2, 0.1}, 0.4, 0.6, 1);
+    const LensSample a = small.Made().Draw({0.2, 0.1}, 0.4, 0.6, 1), b = large.Made().Draw({0.2, 0.1}, 0.4, 0.6, 1);
     EXPECT_NEAR(Length(b.ray.origin - 1000.0 * a.ray.origin), 0.0, 1e-7);
     EXPECT_NEAR(Length(Normalized(b.ray.direction) - Normalized(a.ray.direction)), 0.0, 1e-12);
 }

@@ -23,8 +23,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
+#include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/film_point.h"
 #include "tilt_lens/camera/optics.h"
 
@@ -86,6 +88,15 @@ TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number&
     return {point, {none ? chief.x : direction.x, none ? chief.y : direction.y, none ? chief.z : direction.z}, w};
 }
 
+/// A sample that a lens has drawn.
+struct LensSample
+{
+    LensRay ray;
+    AperturePoint point;        ///< of a thin lens
+    double weight;              ///< of the ray's radiance; 0: nothing to trace
+    std::uint32_t refused = 0;  ///< rays drawn before it that a lens of glass blocked
+};
+
 /// @param x, y  see FilmPoint
 /// @param a, b  see AperturePoint
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
@@ -115,9 +126,6 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
     const FilmPoint ideal = IdealFilmPoint(lens, {x, y}, 1.0 + hue * lens.lateralColour);
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b, -hue * lens.axialColour);
 }
-
-/// True if rays of several colours must be traced.
-inline bool HasColours(const Lens& lens) { return lens.lateralColour != 0.0 || lens.axialColour != 0.0 || lens.glassOfColours; }
 
 /// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is no such ray, or if it reaches P
 /// from beyond the focus of its film point. On the ray, P = l + s (D - w l), so that Y = s D solves Y = P - l + w(Y) l with w(Y) = k.Y + c

@@ -45,13 +45,13 @@ void CameraRayBatch::Make(const SampleRun& run)
         sampler = PixelSampler(pixel.x, pixel.y, seed);
         targets = emitters.TargetsOf(pixel.x, pixel.y);
         if (glass != nullptr)
-            glassSeeds = GlassSeeds(pixel.x, pixel.y);
+            glassSeeds = PixelSampler(pixel.x, pixel.y, camera.SeedSalt());
     }
     sampler.FindGroup(run.first.index, points);
     if (glass != nullptr)
         return MakeOfGlass(run);
     emitters.Generate(targets, run, points, rays.samples);
-    FindRays(lens, run, rays);
+    FindRays(camera.Solved(), run, rays);
 }
 
 void CameraRayBatch::MakeOfGlass(const SampleRun& run)
@@ -62,7 +62,7 @@ void CameraRayBatch::MakeOfGlass(const SampleRun& run)
     if (glass->HasColours())
         for (std::uint32_t i = run.Place(); i < end; i++)
         {
-            ofGlass[i].Draw(*glass, run[i - run.Place()], points[i], {rays.samples.x[i], rays.samples.y[i]});
+            ofGlass[i].Draw(camera, run[i - run.Place()], points[i], {rays.samples.x[i], rays.samples.y[i]});
             rays.samples.weight[i] = ofGlass[i].sample.weight;
         }
     else

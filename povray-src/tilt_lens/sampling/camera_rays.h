@@ -11,15 +11,12 @@
 #include <array>
 
 #include "tilt_lens/camera/ray.h"
-#include "tilt_lens/glass/glass_camera.h"
+#include "tilt_lens/lens_camera/lens_camera.h"
 #include "tilt_lens/sampling/emitter_sampling.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
 {
-
-/// Seeds (by Hash()) of the random numbers with which samples of a glass lens are redrawn; independent of those used in tracing.
-inline PixelSampler GlassSeeds(std::uint32_t x, std::uint32_t y) { return PixelSampler(x, y, 0x476c61); }
 
 struct CameraRay
 {
@@ -30,35 +27,37 @@ struct CameraRay
     CameraRay() = default;
     CameraRay(const Lens& lens, const CameraSample& start) : sample(start), ray(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) {}
 
-    /// Draws a sample of a glass lens and its ray; with dispersion only the sample: DrawColour() then computes its rays.
-    void Draw(const GlassCamera& glass, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
+    /// Draws a plain sample and its ray; of glass with dispersion only the sample: FindColour() then computes its rays.
+    void Draw(const LensCamera& camera, const SampleId& id, const SequencePoint& point, const FilmPoint& film)
     {
         lensU = point.lensU;
         lensV = point.lensV;
-        glassSeed = GlassSeeds(id.x, id.y).Hash(id.index);
-        if (glass.HasColours())
-            sample = {film.x, film.y, {0.0, 0.0}, glass.Brightness(film), 0.0};
+        seed = PixelHash(id.x, id.y, camera.SeedSalt(), id.index);
+        const GlassCamera* const glass = camera.Glass();
+        if (glass != nullptr && glass->HasColours())
+            sample = {film.x, film.y, {0.0, 0.0}, glass->Brightness(film), 0.0};
         else
-            Take(glass.Draw(film, lensU, lensV, glassSeed), film);
+            Take(camera.Draw(film, lensU, lensV, seed), film);
     }
 
-    /// Computes the ray of a sample drawn by Draw() for light of one colour.
-    void DrawColour(const GlassCamera& glass, double hue)
+    /// Computes the ray for light of one colour.
+    /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end)
+    void FindColour(const LensCamera& camera, double hue)
     {
         const FilmPoint film{sample.x, sample.y};
-        Take(glass.DrawColour(film, lensU, lensV, glassSeed, hue), film);
+        if (const GlassCamera* const glass = camera.Glass())
+            Take(glass->DrawColour(film, lensU, lensV, seed, hue), film);
+        else
+            ray = MakeColourRay(camera.Solved(), film.x, film.y, sample.point.a, sample.point.b, hue);
     }
 
-    /// Computes the ray for light of one colour; see MakeColourRay().
-    void FindRay(const Lens& lens, double hue) { ray = MakeColourRay(lens, sample.x, sample.y, sample.point.a, sample.point.b, hue); }
-
   private:
-    double lensU = 0.0, lensV = 0.0;  ///< lens coordinates of a glass lens's sample
-    std::uint32_t glassSeed = 0;
+    double lensU = 0.0, lensV = 0.0;  ///< lens coordinates of a sample from Draw()
+    std::uint32_t seed = 0;
 
-    void Take(const GlassSample& drawn, const FilmPoint& film)
+    void Take(const LensSample& drawn, const FilmPoint& film)
     {
-        sample = {film.x, film.y, {0.0, 0.0}, drawn.weight, 0.0};
+        sample = {film.x, film.y, drawn.point, drawn.weight, 0.0};
         refused = drawn.refused;
         if (drawn.weight != 0.0)
             ray = drawn.ray;
@@ -96,10 +95,9 @@ void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays);
 class CameraRayBatch
 {
   public:
-    /// @param glass  null for an ideal lens
-    /// @param seed   of the sampling pattern (Statement::sampleSeed)
-    CameraRayBatch(const Lens& lens, const EmitterSampler& emitters, const GlassCamera* glass, std::uint32_t seed) :
-        lens(lens), emitters(emitters), glass(glass), seed(seed)
+    /// @param seed  of the sampling pattern (Statement::sampleSeed)
+    CameraRayBatch(const LensCamera& camera, const EmitterSampler& emitters, std::uint32_t seed) :
+        camera(camera), emitters(emitters), glass(camera.Glass()), seed(seed)
     {
     }
 
@@ -115,9 +113,9 @@ class CameraRayBatch
     /// @}
 
   private:
-    const Lens& lens;
+    const LensCamera& camera;
     const EmitterSampler& emitters;
-    const GlassCamera* const glass;
+    const GlassCamera* const glass;  ///< null for a thin lens
     const std::uint32_t seed;
     bool empty = true;  ///< no run yet
     SampleId pixel{};   ///< of the last run

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tilt_lens/camera/ray.h"
 #include "tilt_lens/math/simd.h"
 #include "tilt_lens/settings.h"
 
@@ -48,10 +47,10 @@ const auto beginPlain = HasAvx2() ? BeginByAvx2 : BeginPlainly;
 
 } // namespace
 
-EmitterSampler::EmitterSampler(const Lens& itsLens, const Aperture& itsAperture, const SamplingLimits& limits,
-                               std::uint32_t itsWidth, std::uint32_t itsHeight, const std::vector<Emitter>& all,
-                               const Vignetting& itsVignetting) :
-    lens(itsLens), aperture(itsAperture), vignetting(itsVignetting), width(itsWidth), height(itsHeight),
+EmitterSampler::EmitterSampler(std::shared_ptr<const LensCamera> itsCamera, const SamplingLimits& limits, std::uint32_t itsWidth,
+                               std::uint32_t itsHeight, const std::vector<Emitter>& all) :
+    camera(std::move(itsCamera)), lens(camera->Solved()), aperture(camera->Opening()), vignetting(camera->ThinVignetting()),
+    width(itsWidth), height(itsHeight),
     usable(limits.max / settings.emitterStratum * settings.emitterStratum)
 {
     if (limits.FirstRound() < settings.emitterStratum)

@@ -24,10 +24,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tilt_lens/camera/aperture.h"
-#include "tilt_lens/camera/optics.h"
-#include "tilt_lens/camera/ray.h"
-#include "tilt_lens/camera/vignetting.h"
+#include "tilt_lens/lens_camera/lens_camera.h"
 #include "tilt_lens/sampling/sample.h"
 #include "tilt_lens/sampling/sampling_limits.h"
 #include "tilt_lens/sampling/sequence.h"
@@ -72,8 +69,8 @@ class EmitterSampler
   public:
     /// Keeps the emitters of `all` that are too small on the film and too bright to be found by chance.
     /// @param width, height  of the whole picture in pixels
-    EmitterSampler(const Lens& lens, const Aperture& aperture, const SamplingLimits& limits, std::uint32_t width,
-                   std::uint32_t height, const std::vector<Emitter>& all, const Vignetting& vignetting = {});
+    EmitterSampler(std::shared_ptr<const LensCamera> camera, const SamplingLimits& limits, std::uint32_t width, std::uint32_t height,
+                   const std::vector<Emitter>& all);
 
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
@@ -137,9 +134,10 @@ class EmitterSampler
         double radius;
     };
 
-    const Lens lens;
-    const Aperture aperture;
-    const Vignetting vignetting;
+    const std::shared_ptr<const LensCamera> camera;
+    const Lens& lens;              ///< the camera's, as are the next two
+    const Aperture& aperture;
+    const Vignetting& vignetting;
     const double width, height;
     std::uint32_t usable;  ///< samples from this number on are plain: their block of four is incomplete
     std::vector<Kept> kept;
@@ -147,7 +145,7 @@ class EmitterSampler
     std::vector<std::vector<std::uint32_t>> bins;  ///< emitters visible from each bin, brightest first
 
     /// Seed of the random numbers that redraw a vignetted lens point; independent of those that the sample's ray draws.
-    static std::uint32_t SeedOf(const SampleId& id) { return PixelHash(id.x, id.y, 0x52696d, id.index); }
+    std::uint32_t SeedOf(const SampleId& id) const { return PixelHash(id.x, id.y, camera->SeedSalt(), id.index); }
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;
     bool Keep(const Emitter& emitter, double leastVariance);

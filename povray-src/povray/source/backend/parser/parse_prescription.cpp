@@ -14,7 +14,7 @@
 #include "backend/frame.h"
 #include "backend/parser/parse.h"
 #include "backend/support/fileutil.h"
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/prescription.h"

@@ -13,7 +13,7 @@
 #include "backend/parser/parse.h"
 #include "backend/parser/tilt_lens_words.h"
 #include "backend/scene/objects.h"
-#include "tilt_lens/camera/sharp_points.h"
+#include "tilt_lens/lens_camera/sharp_points.h"
 
 #include "base/povdebug.h"
 

@@ -19,7 +19,6 @@
 #include "backend/render/tracetask.h"
 #include "backend/scene/layer_attributes.h"
 #include "backend/scene/view.h"
-#include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
 
@@ -60,13 +59,6 @@ class LayerBlock
     std::vector<std::string> names;
     std::vector<POVMSFloat> values;
 };
-
-/// Signed blur at a depth in a pixel; infinite depth for no hit.
-double BlurAt(const tilt_lens::Lens& lens, unsigned int x, unsigned int y, DBL width, DBL height, double depth)
-{
-    const Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
-    return BlurDiameter(lens, chief, depth / Dot(lens.direction, lens.axis), width);
-}
 
 } // namespace
 
@@ -117,7 +109,8 @@ void TraceTask::SendLayers(const POVRect& rect)
             block.At(positions[1], pixel) = point.y;
             block.At(positions[2], pixel) = point.z;
             if (tracer != NULL)
-                block.At(blur, pixel) = BlurAt(view.GetTiltLens()->lens, x, y, width, height, found ? depth : double(infinity));
+                block.At(blur, pixel) = view.GetTiltLens()->camera->Blur(tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height),
+                                                                         found ? depth : double(infinity), width);
             if (sampled)
             {
                 block.At(samples, pixel) = tracer->Effort()[pixel].samples;

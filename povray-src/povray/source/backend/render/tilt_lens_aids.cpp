@@ -14,7 +14,6 @@
 #include "backend/render/tilt_lens_tracer.h"
 #include "backend/render/tracepixel.h"
 #include "backend/texture/normal.h"
-#include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
 
@@ -32,36 +31,23 @@ DBL TiltLensTracer::FirstHit(TracePixel& trace, const Ray& ray)
     return trace.FindIntersection(first, ray, visible, any) ? first.Depth : HUGE_VAL;
 }
 
-/// The central ray of a pixel's centre through a lens of glass.
-bool TiltLensTracer::MiddleRayOfGlass(Ray& ray, const tilt_lens::FilmPoint& film) const
-{
-    const std::optional<tilt_lens::LensRay> middle = view->glass->MiddleRay(film);
-    if (!middle)
-        return false;
-    const VECTOR& location = trace.camera.Location;
-    const tilt_lens::Vec3 direction = Normalized(middle->direction);
-    Make_Vector(ray.Origin, location[X] + middle->origin.x, location[Y] + middle->origin.y, location[Z] + middle->origin.z);
-    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
-    return true;
-}
-
 /// Chief ray of a pixel's centre: POV-Ray's own, except for a lens with distortion or of glass.
 /// @return  false if the camera has none there
 bool TiltLensTracer::ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height)
 {
     if (!trace.CreateCameraRay(ray, x, y, width, height, 0))
         return false;
-    const TiltLensCamera& camera = trace.camera.TiltLens;
-    if (!camera.given || !(camera.lens->distorts || camera.lens->glass))
+    const TiltLensTracer* const tracer = Of(trace);
+    if (tracer == NULL || !tracer->view->camera->BendsChiefRays())
         return true;
     const tilt_lens::FilmPoint film = tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height);
-    if (!camera.lens->glass)
-    {
-        const tilt_lens::Vec3 chief = Normalized(ChiefRay(*camera.lens, film));
-        Make_Vector(ray.Direction, chief.x, chief.y, chief.z);
-    }
-    else if (const TiltLensTracer* const tracer = Of(trace); tracer == NULL || !tracer->MiddleRayOfGlass(ray, film))
+    const std::optional<tilt_lens::LensRay> middle = tracer->view->camera->MiddleRay(film);
+    if (!middle)
         return false;
+    const VECTOR& location = trace.camera.Location;
+    const tilt_lens::Vec3 direction = Normalized(middle->direction);
+    Make_Vector(ray.Origin, location[X] + middle->origin.x, location[Y] + middle->origin.y, location[Z] + middle->origin.z);
+    Make_Vector(ray.Direction, direction.x, direction.y, direction.z);
     if (trace.camera.Tnormal != NULL)
     {
         VECTOR point = {film.x, film.y, 0.0};
@@ -93,14 +79,11 @@ void TiltLensTracer::TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colou
         distance = FirstHit(trace, ray);
 
     // a camera normal may have deflected the ray: blur depends on the depth along the axis
-    const tilt_lens::Lens& lens = view->lens;
-    const tilt_lens::Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
-    const tilt_lens::Vec3 way{ray.Direction[X], ray.Direction[Y], ray.Direction[Z]};
-    const double before = lens.glass ? Dot(FromPov(ray.Origin) - FromPov(trace.camera.Location), lens.axis) : 0.0;
-    const double depth = before + distance * Dot(way, lens.axis);
-    const double T = distance < HUGE_VAL && depth > 0.0 ? depth / Dot(lens.direction, lens.axis)
-                                                        : std::numeric_limits<double>::infinity();
-    colour = view->aids->Drawn(int(x), int(y), chief, T, colour);
+    const tilt_lens::Vec3& axis = view->camera->Solved().axis;
+    const double before = Dot(FromPov(ray.Origin) - FromPov(trace.camera.Location), axis);  // 0 but for a lens of glass
+    const double depth = before + distance * Dot(FromPov(ray.Direction), axis);
+    colour = view->aids->Drawn(int(x), int(y), tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height),
+                               distance < HUGE_VAL && depth > 0.0 ? depth : std::numeric_limits<double>::infinity(), colour);
 }
 
 void TiltLensTracer::TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height,

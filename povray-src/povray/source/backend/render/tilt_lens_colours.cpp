@@ -26,10 +26,7 @@ void TiltLensTracer::TraceColours(const tilt_lens::CameraRay& camera, tilt_lens:
     {
         tilt_lens::CameraRay ray = camera;
         const double hue = 1.0 - 2.0 / 3.0 * (colour + within);
-        if (view->glass)
-            ray.DrawColour(*view->glass, hue);
-        else
-            ray.FindRay(view->lens, hue);
+        ray.FindColour(*view->camera, hue);
         refusedRays += ray.refused;
         TraceCameraRay(ray, result);
         mixed[colour] = result.radiance[colour];

@@ -77,7 +77,7 @@ void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::
     refusedRays += rays.Refused();
     pixel = &rays.Sampler();
     const unsigned int place = run.Place();
-    if (HasColours(view->lens))
+    if (view->camera->HasColours())
         for (unsigned int i = 0; i < run.count; i++)
         {
             index = run.first.index + i;
@@ -89,7 +89,7 @@ void TiltLensTracer::TraceRun(tilt_lens::CameraRayBatch& rays, const tilt_lens::
 
 void TiltLensTracer::TraceSample(const tilt_lens::CameraRay& camera, tilt_lens::SampleResult& result)
 {
-    if (HasColours(view->lens) && camera.sample.weight != 0.0)
+    if (view->camera->HasColours() && camera.sample.weight != 0.0)
         TraceColours(camera, result);
     else
         TraceCameraRay(camera, result);
@@ -280,13 +280,8 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     {
         tilt_lens::SampleResult result;
         tilt_lens::CameraRay camera;
-        if (view->glass)
-        {
-            const tilt_lens::SequencePoint point = sequence(id.index);
-            camera.Draw(*view->glass, id, point, tilt_lens::FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height));
-        }
-        else
-            camera = tilt_lens::CameraRay(view->lens, view->emitters.Generate({}, id, sequence(id.index)));
+        const tilt_lens::SequencePoint point = sequence(id.index);
+        camera.Draw(*view->camera, id, point, tilt_lens::FilmPointAt(id.x + point.pixelX, id.y + point.pixelY, width, height));
         pixel = &sequence;
         index = id.index;
         TraceSample(camera, result);
@@ -306,7 +301,7 @@ void TiltLensTracer::TraceTile(const POVRect& rect, unsigned int width, unsigned
     const tilt_lens::Area tile = AreaOf(rect);
     tilt_lens::BlockCache own(view->limits, width, height, tile);
     tilt_lens::TileSampler sampler(alone ? own : *view->blocks);
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    tilt_lens::CameraRayBatch rays(*view->camera, view->emitters, view->seed);
     Ray ray = CameraRayOfPov();
     areaLightPoints = areaLightPointsSkipped = 0;
     refusedRays = 0;
@@ -335,7 +330,7 @@ void TiltLensTracer::EstimateWork()
     const tilt_lens::SamplingLimits& limits = view->limits;
     const unsigned int samples = std::min(tilt_lens::settings.probeSamples, limits.max);
     const RenderStatistics& stats = trace.threadData->Stats();
-    tilt_lens::CameraRayBatch rays(view->lens, view->emitters, view->glass.get(), view->seed);
+    tilt_lens::CameraRayBatch rays(*view->camera, view->emitters, view->seed);
     Ray ray = CameraRayOfPov();
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = view->progress.NextProbe())

@@ -111,7 +111,6 @@ class TiltLensTracer : public AreaLightSampler, private SampleSeedSource
     void SeedSubsurface(unsigned int seed);
     void TraceAid(DBL x, DBL y, DBL width, DBL height, Colour& colour);
     void TraceAidTile(const POVRect& rect, unsigned int width, unsigned int height, std::vector<Colour>& pixels);
-    bool MiddleRayOfGlass(Ray& ray, const tilt_lens::FilmPoint& film) const;
     static bool ChiefCameraRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
     static DBL FirstHit(TracePixel& trace, const Ray& ray);
 };

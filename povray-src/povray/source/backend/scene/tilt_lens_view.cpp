@@ -56,20 +56,20 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return s.squeeze == 1.0 ? aperture : tilt_lens::Aperture::Squeezed(aperture, s.squeeze);
 }
 
-/// False if a camera normal or a lens of glass deflects rays aimed at emitters.
-bool EmittersAreSampled(const Camera& camera)
+shared_ptr<const tilt_lens::LensCamera> LensCameraOf(const Camera& camera, shared_ptr<SceneData> scene)
 {
-    return camera.Tnormal == NULL && !camera.TiltLens.lens->glass;
+    return std::make_shared<const tilt_lens::LensCamera>(camera.TiltLens.lens, ApertureOf(camera, scene), camera.TiltLens.statement.character,
+                                                         camera.Tnormal != NULL);
 }
 
-tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
+tilt_lens::SamplingLimits LimitsOf(const Camera& camera, const tilt_lens::LensCamera& lens)
 {
     tilt_lens::SamplingLimits limits;
     limits.max = camera.Blur_Samples;
     limits.variance = camera.Variance;
     limits.confidence = camera.Confidence;
     limits.denoise = camera.TiltLens.statement.denoise;
-    const std::uint32_t usual = EmittersAreSampled(camera) && limits.Denoises() ? tilt_lens::settings.firstSamples : limits.min;
+    const std::uint32_t usual = lens.CanAimAtEmitters() && limits.Denoises() ? tilt_lens::settings.firstSamples : limits.min;
     limits.min = camera.Blur_Samples_Min > 0 ? camera.Blur_Samples_Min : std::min(limits.max, usual);
     return limits;
 }
@@ -80,42 +80,23 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
                          [](ObjectPtr object) { return object->interior != NULL; });
 }
 
-std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const SceneData& scene)
+std::vector<tilt_lens::Emitter> EmittersToSample(const Camera& camera, const tilt_lens::LensCamera& lens, const SceneData& scene)
 {
-    return EmittersAreSampled(camera) ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
-}
-
-std::unique_ptr<const tilt_lens::GlassCamera> GlassOf(const Camera& camera, const tilt_lens::Aperture& aperture)
-{
-    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
-    if (!lens.glass)
-        return nullptr;
-    return std::make_unique<const tilt_lens::GlassCamera>(lens, aperture, camera.TiltLens.statement.character.naturalVignetting);
-}
-
-/// Of a thin lens; a lens of glass has its own.
-tilt_lens::Vignetting VignettingOf(const Camera& camera, const tilt_lens::Aperture& aperture)
-{
-    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
-    return lens.glass ? tilt_lens::Vignetting() : tilt_lens::Vignetting(lens, aperture, camera.TiltLens.statement.character);
+    return lens.CanAimAtEmitters() ? EmittersOf(scene, camera) : std::vector<tilt_lens::Emitter>();
 }
 
 } // namespace
 
-TiltLensView::TiltLensView(const Camera& camera, ViewData& view) :
-    lens(*camera.TiltLens.lens),
-    aperture(ApertureOf(camera, view.GetSceneData())),
-    footprint(lens, aperture, view.GetWidth(), view.GetHeight()),
-    glass(GlassOf(camera, aperture)),
-    limits(LimitsOf(camera)),
-    samplesSpread(limits.Denoises() && camera.Tnormal == NULL && !lens.glass && !lens.distorts && lens.fieldCurvature == 0.0 &&
-                  camera.TiltLens.statement.character.opticalVignetting == 0.0),
-    seed(camera.TiltLens.statement.sampleSeed),
+TiltLensView::TiltLensView(const Camera& itsCamera, ViewData& view) :
+    camera(LensCameraOf(itsCamera, view.GetSceneData())),
+    footprint(camera->Solved(), camera->Opening(), view.GetWidth(), view.GetHeight()),
+    limits(LimitsOf(itsCamera, *camera)),
+    samplesSpread(limits.Denoises() && camera->CanSpread()),
+    seed(itsCamera.TiltLens.statement.sampleSeed),
     blocks(new tilt_lens::BlockCache(limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
-    aroundLens(ObjectsAroundLens(camera, lens, *view.GetSceneData())),
+    aroundLens(ObjectsAroundLens(itsCamera, camera->Solved(), *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
-    emitters(lens, aperture, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(camera, *view.GetSceneData()),
-             VignettingOf(camera, aperture))
+    emitters(camera, limits, view.GetWidth(), view.GetHeight(), EmittersToSample(itsCamera, *camera, *view.GetSceneData()))
 {
 }
 
@@ -123,22 +104,21 @@ void TiltLensView::RequireLight(const Camera& camera, shared_ptr<SceneData> scen
 {
     const tilt_lens::Character& character = camera.TiltLens.statement.character;
     if (character.opticalVignetting != 0.0)
-        tilt_lens::Vignetting(*camera.TiltLens.lens, ApertureOf(camera, scene), character);
+        tilt_lens::Vignetting(camera.TiltLens.lens, ApertureOf(camera, scene), character);
 }
 
 shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
 {
-    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
+    const tilt_lens::SolvedLens& lens = *camera.TiltLens.lens;
     camera.Direction[X] = lens.direction.x;
     camera.Direction[Y] = lens.direction.y;
     camera.Direction[Z] = lens.direction.z;
     camera.Aperture = 0.0;  // disables POV-Ray's own focal blur
-    if (lens.diameter == 0.0 && !lens.distorts && lens.lateralColour == 0.0 &&
-        camera.TiltLens.statement.character.naturalVignetting == 0.0)
+    if (IsPlainPinhole(lens, camera.TiltLens.statement.character))
         return shared_ptr<TiltLensView>();
     shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view));
     if (camera.TiltLens.aids.Any())
-        prepared->aids.reset(new TiltLensAids(camera.TiltLens.aids, lens, view.GetWidth(), view.GetHeight(),
+        prepared->aids.reset(new TiltLensAids(camera.TiltLens.aids, prepared->camera, view.GetWidth(), view.GetHeight(),
                                               view.GetSceneData()->workingGammaToSRGB));
     return prepared;
 }

@@ -21,11 +21,9 @@
 #include "backend/scene/tilt_lens_aids.h"
 #include "base/povmscpp.h"
 #include "base/povmsgid.h"
-#include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/lens_camera/lens_camera.h"
 #include "tilt_lens/sampling/emitter_sampling.h"
 #include "tilt_lens/sampling/tile_sampler.h"
-#include "tilt_lens/camera/optics.h"
-#include "tilt_lens/glass/glass_camera.h"
 #include "tilt_lens/reconstruction/spread.h"
 #include "tilt_lens/sampling/progress_estimator.h"
 
@@ -66,14 +64,11 @@ class TiltLensView
     /// @throws tilt_lens::OpticsError  the rim leaves at most 1 per cent of the light in the middle of the picture
     static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
 
-    const tilt_lens::Lens lens;
-    const tilt_lens::Aperture aperture;
+    const shared_ptr<const tilt_lens::LensCamera> camera;
     const tilt_lens::LensFootprint footprint;
-    const std::unique_ptr<const tilt_lens::GlassCamera> glass;  ///< makes the rays of a lens of glass; else NULL
     const tilt_lens::SamplingLimits limits;
 
-    /// True if samples also serve the pixels of their circles of confusion, in a denoised picture. The footprint describes these circles
-    /// only for a lens that images planes onto planes, to scale, and whose whole aperture is visible from everywhere.
+    /// True if samples also serve the pixels of their circles of confusion, in a denoised picture.
     const bool samplesSpread;
 
     /// Of the sampling pattern.

@@ -20,21 +20,14 @@
 
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/film_point.h"
-#include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/pupil_view.h"
+#include "tilt_lens/lens_camera/solve.h"
 
 namespace tilt_lens
 {
-
-struct GlassSample
-{
-    LensRay ray;
-    double weight;          ///< of the ray's radiance; 0: nothing to trace
-    std::uint32_t refused;  ///< rays drawn before it that the lens blocked
-};
 
 /// Four film points and their random numbers, side by side.
 struct FourGlassPoints
@@ -45,7 +38,7 @@ struct FourGlassPoints
     unsigned int wanted;    ///< one bit for each point that needs a sample, the lowest for the first
 };
 
-/// Fields as in GlassSample and LensRay.
+/// Fields as in LensSample and LensRay.
 struct FourGlassSamples
 {
     double origin[3][4], direction[3][4], w[4], weight[4];
@@ -60,22 +53,22 @@ class GlassCamera
     /// @param aperture  a shape of uniform brightness within the unit disc
     /// @param natural   share of the natural light fall-off, 0 to 1
     /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the middle of the picture
-    GlassCamera(const Lens& lens, const Aperture& aperture, double natural);
+    GlassCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, double natural);
 
     /// At the d line.
-    void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(*glass, points, samples); }
+    void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(glass, points, samples); }
 
-    GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(*glass, film, u, v, seed); }
+    LensSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(glass, film, u, v, seed); }
 
     /// Light of one colour, for a lens with dispersion. The share that the rims block is that of the d line, so that a uniform grey surface
     /// has no colour.
     /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end)
-    GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
+    LensSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
     {
-        return DrawThrough(lens.glassOfColours->Of(hue), film, u, v, seed);
+        return DrawThrough(colours->Of(hue), film, u, v, seed);
     }
 
-    bool HasColours() const { return lens.glassOfColours != nullptr; }
+    bool HasColours() const { return colours.has_value(); }
 
     /// Ray through the centre of the film point's view; none if that is blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
@@ -105,9 +98,10 @@ class GlassCamera
         bool seen = false;
     };
 
-    Lens lens;
-    std::shared_ptr<const GlassLens> glass;
-    Aperture aperture, disc = Aperture::Disc();
+    std::shared_ptr<const SolvedLens> lens;
+    GlassLens glass;                        ///< with the aperture's shape
+    std::optional<GlassOfColours> colours;  ///< none: one wavelength
+    Aperture disc = Aperture::Disc();
     double natural;
     Vec3 axisX, axisY;                      ///< of the lens, world, unit length
     Vec3 filmMiddle, filmRight, filmUp;     ///< lens frame, mm
@@ -144,7 +138,7 @@ class GlassCamera
     void DrawPlainly(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
     void DrawByAvx2(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
     void DrawThrough(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
-    GlassSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
+    LensSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
 };
 
 } // namespace tilt_lens
