@@ -18,7 +18,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/lens_camera/solve.h"
 
 namespace
 {

@@ -10,7 +10,7 @@
 #include <iostream>
 
 #include "random_cameras.h"
-#include "tilt_lens/camera/sharp_points.h"
+#include "tilt_lens/lens_camera/sharp_points.h"
 
 using namespace tilt_lens;
 

@@ -11,8 +11,8 @@
 #include <cstring>
 
 #include "tilt_lens/camera/aperture.h"
-#include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/lens_camera/solve.h"
 #include "tilt_lens/sampling/sequence.h"
 
 namespace

@@ -55,10 +55,8 @@ std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
 
 void ExpectRaysOneByOne(const Lens& lens, const Aperture& aperture, const Character& character = {}, const std::vector<Emitter>& lamps = {})
 {
-    Statement statement;
-    statement.character = character;
-    statement.sampleSeed = 5;
-    const SampledCamera camera(lens, aperture, statement, Limits(8, 64, 1e-3), {kWidth, kHeight, false, lamps});
+    const SampledCamera camera(std::make_shared<const LensCamera>(Shared(lens), aperture, character), Limits(8, 64, 1e-3),
+                               {kWidth, kHeight, lamps}, 5);
     const EmitterSampling& emitters = camera.emitters;
     EXPECT_EQ(emitters.TargetsOf(27, 24).targets.empty(), lamps.empty());
     for (const std::uint32_t x : {0u, 27u, 63u})
@@ -111,10 +109,11 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
     statement.sceneUnit = 1.0;
     statement.focalPoint = {0.0, 0.0, 3000.0};
     statement.shiftUp = 9.0;
-    const Lens lens = Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
-    statement.character.naturalVignetting = 1.0;
-    statement.sampleSeed = 5;
-    const SampledCamera camera(lens, Aperture::Disc(), statement, Limits(8, 64, 1e-3), {kWidth, kHeight});
+    const SolvedLens lens = Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, statement);
+    Character natural;
+    natural.naturalVignetting = 1.0;
+    const SampledCamera camera(std::make_shared<const LensCamera>(Shared(lens), Aperture::Disc(), natural), Limits(8, 64, 1e-3),
+                               {kWidth, kHeight}, 5);
     std::uint32_t refusedInAll = 0;
     for (const std::uint32_t y : {0u, 24u, 47u})
     {
@@ -128,7 +127,8 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
             {
                 const SequencePoint point = sampler(run[i].index);
                 const FilmPoint film = FilmPointAt(27 + point.pixelX, y + point.pixelY, kWidth, kHeight);
-                const GlassSample one = camera.glass->Draw(film, point.lensU, point.lensV, GlassSeeds(27, y).Hash(run[i].index));
+                const GlassSample one = camera.lens->Glass()->Draw(film, point.lensU, point.lensV,
+                                                                   PixelHash(27, y, camera.lens->SeedSalt(), run[i].index));
                 refused += one.refused;
                 ASSERT_EQ(batch.Rays().samples.weight[run.Place() + i], one.weight);
                 if (one.weight == 0.0)

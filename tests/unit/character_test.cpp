@@ -10,6 +10,7 @@
 
 #include "random_cameras.h"
 #include "tilt_lens/camera/ray.h"
+#include "tilt_lens/lens_camera/lens_camera.h"
 
 namespace tilt_lens
 {
@@ -264,7 +265,7 @@ TEST(LateralColour, MovesTheImagesOfTheSpectrumsEndsApart)
     Character character;
     character.lateralColour = 0.36;
     const Lens lens = Made(Block(character));
-    EXPECT_TRUE(HasColours(lens));
+    EXPECT_TRUE(LensCamera(Shared(lens), Aperture::Disc(), character).HasColours());
     // red shows at 18 mm the point that green shows at 18/1.01
     const auto seen = [&](double hue) { return IdealFilmPointOf(lens, MakeColourRay(lens, 0.5, 0.0, 0.0, 0.0, hue).direction)->x; };
     EXPECT_NEAR(seen(1.0), 0.5 / 1.01, 1e-14);

@@ -11,8 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tilt_lens/camera/optics.h"
-#include "tilt_lens/glass/glass_camera.h"
+#include "tilt_lens/lens_camera/lens_camera.h"
 
 namespace tilt_lens
 {
@@ -130,7 +129,7 @@ TEST(Dispersion, LensesCoverTheThirdsOfTheSpectrum)
     EXPECT_EQ(WavelengthOf(1.0 / 3.0), 600.0);
 }
 
-Lens Made(const char* text, bool dispersion)
+std::shared_ptr<const SolvedLens> Made(const char* text, bool dispersion)
 {
     Statement given;
     given.prescription = std::make_shared<const Prescription>(ReadPrescription(text));
@@ -138,16 +137,17 @@ Lens Made(const char* text, bool dispersion)
     given.sceneUnit = 1.0;
     given.focalPoint = {0.0, 0.0, 3000.0};
     given.tilt = 3.0;
-    return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given);
+    return std::make_shared<const SolvedLens>(Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given));
 }
 
 TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
 {
-    const Lens lens = Made(kSinglet, true);
-    const GlassCamera camera(lens, Aperture::Disc(), 0.0);
+    const auto shared = Made(kSinglet, true);
+    const SolvedLens& lens = *shared;
+    const GlassCamera camera(shared, Aperture::Disc(), 0.0);
     ASSERT_TRUE(camera.HasColours());
-    ASSERT_TRUE(HasColours(lens));
-    EXPECT_FALSE(HasColours(Made(kSinglet, false)));
+    ASSERT_TRUE(LensCamera(shared, Aperture::Disc(), {}).HasColours());
+    EXPECT_FALSE(LensCamera(Made(kSinglet, false), Aperture::Disc(), {}).HasColours());
     // near the axis, all rays of a film point meet at the distance of the thin lens equation for their focal length
     const double film = lens.filmDistance * Dot(lens.axis, lens.normal);
     const FilmPoint onAxis{0.0, -Dot(lens.normal, lens.axisUp) / Dot(lens.normal, lens.axis) * lens.filmDistance / 24.0};

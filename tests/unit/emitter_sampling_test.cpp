@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "random_cameras.h"
 #include "tile_results.h"
-#include "tilt_lens/camera/ray.h"
 
 namespace tilt_lens
 {
@@ -138,6 +138,11 @@ std::vector<Case> Cases()
             {"real picture", 0.0, Window(), {far, near, sharp}, Real()}};
 }
 
+std::shared_ptr<const LensCamera> CameraOf(const Lens& lens, const Aperture& aperture = Aperture::Disc(), const Character& character = {})
+{
+    return std::make_shared<const LensCamera>(Shared(lens), aperture, character);
+}
+
 struct Prepared
 {
     Lens lens;
@@ -147,7 +152,7 @@ struct Prepared
 
     explicit Prepared(const Case& one) :
         lens(LensOf(one.turn, one.character)), world{one.lamps},
-        lensSampler(lens, one.aperture, kWidth, kHeight, Vignetting(lens, one.aperture, one.character)),
+        lensSampler(CameraOf(lens, one.aperture, one.character), kWidth, kHeight),
         emitterSampled(lensSampler, Limits(), one.lamps), plain(lensSampler, Limits(), {})
     {
     }
@@ -211,7 +216,7 @@ TEST(EmitterSampling, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const LensSampler plain(lens, Aperture::Disc(), kWidth, kHeight);
+    const LensSampler plain(CameraOf(lens), kWidth, kHeight);
     const EmitterSampling emitterSampled(plain, Limits(), {lamp});
     int reached = 0;
     for (std::uint32_t y = 0; y < kHeight; y++)
@@ -242,7 +247,7 @@ TEST(EmitterSampling, ReachesEveryPixelThatSeesALamp)
 
 TEST(EmitterSampling, KeepsOnlySmallBrightEmittersInFront)
 {
-    const LensSampler plain(LensOf(0.0), Aperture::Disc(), kWidth, kHeight);
+    const LensSampler plain(CameraOf(LensOf(0.0)), kWidth, kHeight);
     const auto empty = [&](const Emitter& emitter, const SamplingLimits& limits = Limits())
     { return EmitterSampling(plain, limits, {emitter}).Empty(); };
     EXPECT_FALSE(empty({{0.0, 0.0, 40.0}, 0.03, 40.0}));
@@ -260,7 +265,7 @@ TEST(EmitterSampling, EveryBlockOfFourHasTheSameShare)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};
     const Lens lens = LensOf(0.0);
-    const LensSampler plain(lens, Aperture::Disc(), kWidth, kHeight);
+    const LensSampler plain(CameraOf(lens), kWidth, kHeight);
     const EmitterSampling emitterSampled(plain, Limits(8, 39), {lamp});
     for (std::uint32_t y = 0; y < kHeight; y++)
         for (std::uint32_t x = 0; x < kWidth; x++)

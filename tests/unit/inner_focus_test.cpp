@@ -12,10 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tilt_lens/camera/optics.h"
-#include "tilt_lens/camera/ray.h"
-#include "tilt_lens/glass/glass_camera.h"
 #include "tilt_lens/glass/paraxial.h"
+#include "tilt_lens/lens_camera/glass_camera.h"
 
 namespace tilt_lens
 {
@@ -64,12 +62,12 @@ Statement Block(const Prescription& prescription)
     return given;
 }
 
-Lens Solved(const Statement& given)
+SolvedLens Solved(const Statement& given)
 {
     return Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given);
 }
 
-Lens FocusedAt(const Prescription& prescription, double distance)
+SolvedLens FocusedAt(const Prescription& prescription, double distance)
 {
     Statement given = Block(prescription);
     given.focalPoint = {0.0, 0.0, distance};
@@ -121,7 +119,7 @@ TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
         for (const double distance : {1.0001 * nearest, 1.3 * nearest, 2.5 * nearest, 20.0 * nearest, 1e7 * nearest})
         {
             SCOPED_TRACE(std::string(named.name) + " " + std::to_string(distance));
-            const Lens lens = FocusedAt(named.prescription, distance);
+            const SolvedLens lens = FocusedAt(named.prescription, distance);
             const CardinalPoints& points = lens.glass->Cardinal();
             const Prescription moved = InState(named.prescription, lens.groups);
             const ParaxialMap map = MapBetween(moved, 0, moved.rows.size());
@@ -140,7 +138,7 @@ TEST(InnerFocus, LeadsRealRaysToTheFocus)
     for (const Named& named : Lenses())
     {
         const double distance = 1.7 * DistanceOf(named.prescription, double(named.prescription.objectDistances.size()));
-        const Lens lens = FocusedAt(named.prescription, distance);
+        const SolvedLens lens = FocusedAt(named.prescription, distance);
         EXPECT_GT(lens.groups, 0.1);
         GlassRay ray{{0.0, 0.0, -lens.filmDistance - lens.glass->Cardinal().separation}, Normalized(Vec3{1e-5, 0.0, 1.0})};
         StopPoint stop;
@@ -161,7 +159,7 @@ TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
         given.points[0] = {0.0, 0.0, distance};
         given.points[1] = {0.3 * distance, 0.1 * distance, 1.1 * distance};
         given.points[2] = {0.0, 0.4 * distance, 1.2 * distance};
-        const Lens lens = Solved(given);
+        const SolvedLens lens = Solved(given);
         for (const Vec3& point : given.points)
             EXPECT_NEAR(Dot(lens.focus, point), 1.0, 1e-12);
         EXPECT_GT(lens.groups, 0.0);
@@ -174,7 +172,7 @@ TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
         EXPECT_NEAR(Solved(turned).groups, lens.groups, 1e-9);
         // f_stop refers to the focal length of this focus
         given.fStop = 3.0 * lens.glass->Cardinal().fNumber;
-        const Lens stopped = Solved(given);
+        const SolvedLens stopped = Solved(given);
         EXPECT_NEAR(stopped.diameter * *given.fStop, stopped.glass->Cardinal().focalLength, 1e-9);
     }
 }
@@ -182,8 +180,9 @@ TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
 TEST(InnerFocus, EqualsALensWithTheseThicknesses)
 {
     const Prescription prescription = ReadPrescription(Whole("nikon_micro_nikkor_200.json"));
-    const Lens moved = FocusedAt(prescription, 700.0), fixed = FocusedAt(InState(prescription, moved.groups), 700.0);
-    EXPECT_NEAR(moved.filmDistance, fixed.filmDistance, 1e-12);
+    const auto focused = [](const Prescription& lens) { return std::make_shared<const SolvedLens>(FocusedAt(lens, 700.0)); };
+    const auto moved = focused(prescription), fixed = focused(InState(prescription, moved->groups));
+    EXPECT_NEAR(moved->filmDistance, fixed->filmDistance, 1e-12);
     const GlassCamera first(moved, Aperture::Disc(), 0.0), second(fixed, Aperture::Disc(), 0.0);
     for (const FilmPoint& film : {FilmPoint{0.0, 0.0}, FilmPoint{0.4, -0.3}, FilmPoint{-0.5, 0.5}})
     {
@@ -197,7 +196,7 @@ TEST(InnerFocus, MovesTheFilmBeyondTheGroupsReach)
 {
     const Prescription prescription = ReadPrescription(kThinGroups);
     const double nearest = DistanceOf(prescription, 1.0), distance = 0.5 * nearest;
-    const Lens lens = FocusedAt(prescription, distance);
+    const SolvedLens lens = FocusedAt(prescription, distance);
     EXPECT_EQ(lens.groups, 1.0);
     EXPECT_NEAR(1.0 / lens.filmDistance + 1.0 / distance, 1.0 / lens.focalLength, 1e-12);
     EXPECT_GT(lens.filmDistance, FilmPlaceOf(prescription, 1.0) + 1.0);
@@ -206,7 +205,7 @@ TEST(InnerFocus, MovesTheFilmBeyondTheGroupsReach)
     given.family = FocusFamily::FocalPlane;
     given.planeNormal = {0.0, -1.0, -0.2};
     given.planeDistance = 300.0;
-    const Lens beyond = Solved(given);
+    const SolvedLens beyond = Solved(given);
     EXPECT_EQ(beyond.groups, 0.0);
     EXPECT_LT(beyond.filmDistance, FilmPlaceOf(prescription, 0.0));
     // film_distance moves the film alone
@@ -241,7 +240,7 @@ TEST(InnerFocus, NeedsObjectDistances)
 {
     const Prescription zeiss = ReadPrescription(Whole("zeiss_planar_50.dat"));
     EXPECT_TRUE(zeiss.objectDistances.empty());
-    const Lens lens = FocusedAt(zeiss, 500.0);
+    const SolvedLens lens = FocusedAt(zeiss, 500.0);
     EXPECT_EQ(lens.groups, 0.0);
     EXPECT_NEAR(1.0 / lens.filmDistance, 1.0 / GlassLens(zeiss).Cardinal().focalLength - 1.0 / 500.0, 1e-12);
 }

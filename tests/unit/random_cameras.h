@@ -18,7 +18,7 @@
 #include <sstream>
 #include <string>
 
-#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/lens_camera/solve.h"
 
 namespace tilt_lens
 {
@@ -104,6 +104,12 @@ inline Request PlainRequest()
 inline Lens Solved(const Request& request)
 {
     return Solve(request.camera, request.given);
+}
+
+/// A lens for the classes that share one.
+inline std::shared_ptr<const SolvedLens> Shared(const SolvedLens& lens)
+{
+    return std::make_shared<const SolvedLens>(lens);
 }
 
 /// Any rotation, either handedness, often sheared.

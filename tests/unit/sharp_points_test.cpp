@@ -12,7 +12,7 @@
 
 #include "random_cameras.h"
 #include "tilt_lens/camera/ray.h"
-#include "tilt_lens/camera/sharp_points.h"
+#include "tilt_lens/lens_camera/sharp_points.h"
 
 namespace tilt_lens
 {

@@ -21,6 +21,15 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
+/// Chooses the function for each alternative of a variant; the generic one serves those without their own.
+template<class... Functions>
+struct Overloaded : Functions...
+{
+    using Functions::operator()...;
+};
+template<class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
 /// @name Sine and cosine for |x| <= pi/4, of a number or a register of them.
 /// Taylor series; the first omitted term is below 3e-14. Faster than the C library's, and equal on every machine.
 /// @{
@@ -73,6 +82,13 @@ TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Numbe
     const Number along = c.radius * SmallCos(angle), across = c.radius * SmallSin(angle);
     a = c.sideways ? along : across;
     b = c.sideways ? across : along;
+}
+
+inline AperturePoint OnDisc(double u, double v)
+{
+    AperturePoint point;
+    OnDisc(u, v, point.a, point.b);
+    return point;
 }
 
 /// Polar position on a polygon.
@@ -211,18 +227,27 @@ struct Aperture::Outline
     }
 };
 
+/// A narrower aperture.
 struct Aperture::Oval
 {
     Aperture shape;
     double width, height;
+
+    AperturePoint Map(double u, double v) const
+    {
+        const AperturePoint point = shape(u, v);
+        return {width * point.a, height * point.b};
+    }
+
+    double Density(const AperturePoint& point) const { return shape.Density({point.a / width, point.b / height}) / (width * height); }
 };
 
-/// An aperture whose brightness varies with the radius; power is n of Aperture::Graded().
+/// An aperture whose brightness varies with the radius.
 struct Aperture::Grade
 {
-    Aperture shape;
-    double power;
-    bool rim;  ///< bright at the rim, not in the middle
+    Aperture shape;  ///< a disc or a polygon
+    double power;    ///< n of Aperture::Graded()
+    bool rim;        ///< bright at the rim, not in the middle
 
     /// Moves a point of the unit square along the line through the centre. The concentric square with a share of the area becomes the one
     /// with the same share of the light.
@@ -239,7 +264,8 @@ struct Aperture::Grade
 
     double Density(const AperturePoint& point) const
     {
-        const double even = shape.Density(point), size = shape.Size(point);
+        const auto* const outline = std::get_if<Shared<Outline>>(&shape.shape);
+        const double even = shape.Density(point), size = outline ? (*outline)->Size(point) : std::hypot(point.a, point.b);
         if (even == 0)
             return 0;
         const double bright = rim ? size * size : std::max(0.0, 1 - size * size);
@@ -249,7 +275,7 @@ struct Aperture::Grade
 
 Aperture Aperture::Disc()
 {
-    return Aperture(Shape::Disc);
+    return Aperture();
 }
 
 Aperture Aperture::Polygon(int blades, double angleRadians, double curvature)
@@ -288,16 +314,12 @@ Aperture Aperture::Polygon(int blades, double angleRadians, double curvature)
     }
     outline->corner.push_back(outline->corner.front());
 
-    Aperture aperture(Shape::Polygon);
-    aperture.outline = std::move(outline);
-    return aperture;
+    return Aperture(Shared<Outline>(std::move(outline)));
 }
 
 Aperture Aperture::Picture(const std::function<double(double u, double v)>& weight)
 {
-    Aperture aperture(Shape::Picture);
-    aperture.picture = std::make_shared<AperturePicture>(weight);
-    return aperture;
+    return Aperture(std::make_shared<const AperturePicture>(weight));
 }
 
 Aperture Aperture::Squeezed(const Aperture& shape, double ratio)
@@ -305,94 +327,49 @@ Aperture Aperture::Squeezed(const Aperture& shape, double ratio)
     if (!(ratio > 0) || !std::isfinite(ratio))
         throw std::invalid_argument("The aperture is squeezed to nothing. Found: " + std::to_string(ratio) +
                                     ". Allowed: any finite ratio above 0. Give another, or 1 for none.");
-    Aperture aperture(Shape::Squeezed);
-    aperture.oval = std::make_shared<Oval>(
-        Oval{shape, ratio > 1 ? 1 / ratio : 1.0, ratio < 1 ? ratio : 1.0});
-    return aperture;
+    return Aperture(std::make_shared<const Oval>(Oval{shape, ratio > 1 ? 1 / ratio : 1.0, ratio < 1 ? ratio : 1.0}));
 }
 
 Aperture Aperture::Graded(const Aperture& shape, double amount)
 {
     const double size = std::fabs(amount);
-    if (!(size < 1) || (shape.shape != Shape::Disc && shape.shape != Shape::Polygon))
+    if (!(size < 1) || !(shape.IsDisc() || std::holds_alternative<Shared<Outline>>(shape.shape)))
         throw std::invalid_argument("The aperture cannot be made brighter at its rim or in its middle. Found: " + std::to_string(amount) +
                                     ". Allowed: more than -1 and less than 1, for a disc or blades. Give another, or 0 for even light.");
-    Aperture aperture(Shape::Graded);
-    aperture.grade = std::make_shared<Grade>(Grade{shape, size / (1 - size), amount > 0});
-    return aperture;
-}
-
-/// Relative radius in a disc or polygon: 0 at the centre, 1 on the edge.
-double Aperture::Size(const AperturePoint& point) const
-{
-    return shape == Shape::Polygon ? outline->Size(point) : std::hypot(point.a, point.b);
+    return Aperture(std::make_shared<const Grade>(Grade{shape, size / (1 - size), amount > 0}));
 }
 
 AperturePoint Aperture::operator()(double u, double v) const
 {
-    switch (shape)
-    {
-    case Shape::Disc:
-        break;
-    case Shape::Polygon:
-        return outline->Map(u, v);
-    case Shape::Picture:
-        return picture->Map(u, v);
-    case Shape::Graded:
-        return grade->Map(u, v);
-    case Shape::Squeezed:
-        const AperturePoint point = oval->shape(u, v);
-        return {oval->width * point.a, oval->height * point.b};
-    }
-    AperturePoint point;
-    OnDisc(u, v, point.a, point.b);
-    return point;
+    const auto map = [&](const auto& table) { return table->Map(u, v); };
+    return std::visit(Overloaded{map, [&](Round) { return OnDisc(u, v); }}, shape);
 }
 
 void Aperture::Map(const double* u, const double* v, double* a, double* b, int count) const
 {
-    if (shape == Shape::Disc)
-        mapToDisc(u, v, a, b, count);
-    else if (shape == Shape::Polygon)
-        outline->Map(u, v, a, b, count);
-    else
-        MapOneByOne(u, v, a, b, count);
-}
-
-void Aperture::MapOneByOne(const double* u, const double* v, double* a, double* b, int count) const
-{
-    for (int i = 0; i < count; ++i)
+    const auto oneByOne = [&](const auto& table)
     {
-        const AperturePoint point = (*this)(u[i], v[i]);
-        a[i] = point.a;
-        b[i] = point.b;
-    }
+        for (int i = 0; i < count; ++i)
+        {
+            const AperturePoint point = table->Map(u[i], v[i]);
+            a[i] = point.a;
+            b[i] = point.b;
+        }
+    };
+    std::visit(Overloaded{oneByOne, [&](Round) { mapToDisc(u, v, a, b, count); },
+                          [&](const Shared<Outline>& outline) { outline->Map(u, v, a, b, count); }}, shape);
 }
 
 double Aperture::Density(const AperturePoint& point) const
 {
-    switch (shape)
-    {
-    case Shape::Disc:
-        break;
-    case Shape::Polygon:
-        return outline->Density(point);
-    case Shape::Picture:
-        return picture->Density(point);
-    case Shape::Graded:
-        return grade->Density(point);
-    case Shape::Squeezed:
-        return oval->shape.Density({point.a / oval->width, point.b / oval->height}) /
-               (oval->width * oval->height);
-    }
-    return point.a * point.a + point.b * point.b <= 1 ? 1 / pi : 0.0;
+    const auto density = [&](const auto& table) { return table->Density(point); };
+    return std::visit(Overloaded{density, [&](Round) { return point.a * point.a + point.b * point.b <= 1 ? 1 / pi : 0.0; }}, shape);
 }
 
 double Aperture::BoundingRadius() const
 {
-    if (shape == Shape::Squeezed)
-        return oval->shape.BoundingRadius();
-    return shape == Shape::Picture ? std::sqrt(2.0) : 1.0;
+    return std::visit(Overloaded{[](const auto&) { return 1.0; }, [](const Shared<AperturePicture>&) { return std::sqrt(2.0); },
+                                 [](const Shared<Oval>& oval) { return oval->shape.BoundingRadius(); }}, shape);
 }
 
 }  // namespace tilt_lens

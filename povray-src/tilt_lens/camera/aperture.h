@@ -12,6 +12,8 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
+#include <variant>
 
 namespace tilt_lens
 {
@@ -85,31 +87,23 @@ class Aperture
 
     /// Radius of a circle around the centre that contains the opening.
     double BoundingRadius() const;
-    bool IsDisc() const { return shape == Shape::Disc; }
+    bool IsDisc() const { return std::holds_alternative<Round>(shape); }
 
   private:
-    enum class Shape
+    struct Round
     {
-        Disc,
-        Polygon,
-        Picture,
-        Squeezed,
-        Graded
     };
     struct Outline;
     struct Oval;
     struct Grade;
+    template<class Table>
+    using Shared = std::shared_ptr<const Table>;
+    using Shape = std::variant<Round, Shared<Outline>, Shared<AperturePicture>, Shared<Oval>, Shared<Grade>>;
 
-    explicit Aperture(Shape itsShape) : shape(itsShape) {}
+    Aperture() = default;  // a disc
+    explicit Aperture(Shape itsShape) : shape(std::move(itsShape)) {}
 
     Shape shape;
-    std::shared_ptr<const Outline> outline;
-    std::shared_ptr<const AperturePicture> picture;
-    std::shared_ptr<const Oval> oval;
-    std::shared_ptr<const Grade> grade;
-
-    double Size(const AperturePoint& point) const;
-    void MapOneByOne(const double* u, const double* v, double* a, double* b, int count) const;
 };
 
 }  // namespace tilt_lens

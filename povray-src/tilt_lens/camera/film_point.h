@@ -36,11 +36,23 @@ struct FilmPoint
     double x, y;  ///< right, up
 };
 
-/// Chief ray of the ideal lens, not normalised: it ends in the plane of the frame given by `direction`, `right` and `up`.
-inline Vec3 IdealChiefRay(const Lens& lens, const FilmPoint& ideal)
+/// A vector in each lane of registers, or once; bit for bit, zeros with their signs included.
+template<class Number>
+TILT_LENS_INLINED VecOf<Number> Broadcast(const Vec3& v)
 {
-    return lens.direction + ideal.x * lens.right + ideal.y * lens.up;
+    const Number zero{};
+    return {v.x - zero, v.y - zero, v.z - zero};
 }
+
+/// Chief ray of the ideal lens, not normalised: it ends in the plane of the frame given by `direction`, `right` and `up`.
+/// @param x, y  see FilmPoint; numbers, or registers of them
+template<class Number>
+TILT_LENS_INLINED VecOf<Number> IdealChiefRay(const Lens& lens, const Number& x, const Number& y)
+{
+    return Broadcast<Number>(lens.direction) + x * Broadcast<Number>(lens.right) + y * Broadcast<Number>(lens.up);
+}
+
+inline Vec3 IdealChiefRay(const Lens& lens, const FilmPoint& ideal) { return IdealChiefRay(lens, ideal.x, ideal.y); }
 
 template <typename Use>
 void ForCorners(const Use& use)

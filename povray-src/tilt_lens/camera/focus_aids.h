@@ -78,6 +78,7 @@ struct Veil
 class FocusPlanes
 {
   public:
+    /// @param lens  must outlive this
     FocusPlanes(const Lens& lens, int width, int height);
 
     /// Surfaces that the chief ray through a pixel's centre passes before the ray parameter T, nearest first.
@@ -87,7 +88,7 @@ class FocusPlanes
     double GridSpacing() const { return spacing; }
 
   private:
-    const Lens lens;
+    const Lens& lens;
     const double width, height;
     Vec3 gridX, gridY;               ///< unit vectors in the plane of sharp focus
     double spacing = 0.0;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
 

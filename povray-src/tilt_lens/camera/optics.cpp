@@ -4,12 +4,9 @@
 #include "tilt_lens/camera/optics.h"
 
 #include "tilt_lens/camera/apply_character.h"
-#include "tilt_lens/camera/numbers.h"
 #include "tilt_lens/camera/real.h"
 #include "tilt_lens/camera/sharp_plane.h"
-#include "tilt_lens/camera/sharp_points.h"
-#include "tilt_lens/glass/apply_prescription.h"
-#include "tilt_lens/glass/inner_focus.h"
+#include "tilt_lens/math/numbers.h"
 
 namespace tilt_lens
 {
@@ -242,9 +239,25 @@ Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, co
     return {t, f, 1.0 / vergence, k};
 }
 
-Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statement& given,
-                     const Real& angleFilmDistance, const Real& millimetre)
+/// Lengths that hold before the lens is solved, scene units.
+struct Scales
 {
+    const Real millimetre, filmWidth;
+    const Real rightLength;        ///< of the camera's `right`
+    const Real angleFilmDistance;  ///< distance of the film by the angle of view
+
+    Scales(const Axes& axes, const CameraFrame& camera, const Statement& given) :
+        millimetre(Real(given.scale) / given.sceneUnit),
+        filmWidth(given.filmWidth * millimetre),
+        rightLength(Length(Exact(camera.right))),
+        angleFilmDistance(filmWidth * Dot(axes.axis, Exact(camera.direction)) / rightLength)
+    {
+    }
+};
+
+Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statement& given, const Scales& scales)
+{
+    const Real &millimetre = scales.millimetre, &angleFilmDistance = scales.angleFilmDistance;
     std::optional<Real> focalLength;
     if (given.focalLength)
         focalLength = *given.focalLength * millimetre;
@@ -256,29 +269,6 @@ Solution SolveCamera(const Axes& axes, const CameraFrame& camera, const Statemen
     if (given.focusScale)
         return SolveFocusScale(t, Real(*given.focusScale) * given.scale, focalLength, angleFilmDistance);
     return SolveLensTurn(t, FocalPointInCamera(axes, camera, given), focalLength, angleFilmDistance);
-}
-
-/// Position of the focusing groups of a prescription, so that the film need not move; 0 for infinity.
-double GroupsOf(const Axes& axes, const CameraFrame& camera, const Statement& statement, const Real& angleFilmDistance,
-                const Real& millimetre)
-{
-    // a film placed by film_distance stays there, and the groups stay at infinity
-    if (!statement.prescription || statement.prescription->objectDistances.empty() || statement.filmDistance)
-        return 0.0;
-    Statement ideal = statement;
-    ideal.prescription.reset();
-    return StateFor(*statement.prescription, [&](double focalLength)
-    {
-        ideal.focalLength = focalLength;
-        try
-        {
-            return double(millimetre / SolveCamera(axes, camera, ideal, angleFilmDistance, millimetre).filmDistance);
-        }
-        catch (const OpticsError&)
-        {
-            return -HUGE_VAL;  // nearer than this focal length can focus; all other errors hold for every focal length and are reported later
-        }
-    });
 }
 
 Real DiameterOf(const Statement& given, const Real& focalLength)
@@ -331,20 +321,31 @@ void RequireUsable(const Lens& lens)
 
 } // namespace
 
-Lens Solve(const CameraFrame& camera, const Statement& written)
+double FilmVergence(const CameraFrame& camera, const Statement& given, double focalLength)
 {
-    const Statement statement = WithWidestStop(camera, written);
     const Axes axes = AxesOf(camera);
-    const Real millimetre = Real(statement.scale) / statement.sceneUnit;
-    const Real filmWidth = statement.filmWidth * millimetre, rightLength = Length(Exact(camera.right));
-    const Real angleFilmDistance = filmWidth * Dot(axes.axis, Exact(camera.direction)) / rightLength;
-    Lens lens;
-    lens.groups = GroupsOf(axes, camera, statement, angleFilmDistance, millimetre);
-    const Statement focused = WithGroups(statement, lens.groups), given = IdealStatement(focused);
-    const Solution solved = SolveCamera(axes, camera, given, angleFilmDistance, millimetre);
+    const Scales scales(axes, camera, given);
+    Statement thin = given;
+    thin.focalLength = focalLength;
+    try
+    {
+        return double(scales.millimetre / SolveCamera(axes, camera, thin, scales).filmDistance);
+    }
+    catch (const OpticsError&)
+    {
+        return -HUGE_VAL;  // nearer than this focal length can focus; all other errors hold for every focal length and are reported later
+    }
+}
+
+Lens SolveThinLens(const CameraFrame& camera, const Statement& given)
+{
+    const Axes axes = AxesOf(camera);
+    const Scales scales(axes, camera, given);
+    const Solution solved = SolveCamera(axes, camera, given, scales);
     const Real diameter = DiameterOf(given, solved.focalLength);
     const RealVec focus = axes.ToWorld(solved.focus);
 
+    Lens lens;
     lens.axisRight = Rounded(axes.right);
     lens.axisUp = Rounded(axes.up);
     lens.axis = Rounded(axes.axis);
@@ -353,12 +354,12 @@ Lens Solve(const CameraFrame& camera, const Statement& written)
     lens.filmDistance = double(solved.filmDistance);
     lens.focus = Rounded(focus);
     lens.diameter = double(diameter);
-    lens.millimetre = double(millimetre);
+    lens.millimetre = double(scales.millimetre);
     lens.right = camera.right;
     lens.up = camera.up;
     // a frame moved by a millimetre moves over the picture by that share of the film's width
-    const Real perMillimetre = rightLength / given.filmWidth;
-    const RealVec direction = FrameDirection(axes, camera, given, solved.filmDistance, filmWidth) +
+    const Real perMillimetre = scales.rightLength / given.filmWidth;
+    const RealVec direction = FrameDirection(axes, camera, given, solved.filmDistance, scales.filmWidth) +
                               (given.shiftRight * perMillimetre) * axes.right +
                               (given.shiftUp * perMillimetre) * axes.up;
     lens.direction = Rounded(direction);
@@ -368,8 +369,6 @@ Lens Solve(const CameraFrame& camera, const Statement& written)
     SpanLens(lens, axes, solved.normal, diameter);
     RequireUsable(lens);
     ApplyCharacter(lens, given);
-    if (focused.prescription)
-        ApplyPrescription(lens, focused);
     return lens;
 }
 

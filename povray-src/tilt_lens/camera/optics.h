@@ -5,7 +5,7 @@
 /// Solves a `tilt_lens` statement for the lens, the film and the plane of sharp focus.
 ///
 /// The folder camera/ answers: where does the ray of a film point and a lens point go? It holds the thin lens with its aberrations and
-/// vignetting, the aperture's shape, the blur, and the focus aids. It knows neither pixels' samples nor POV-Ray.
+/// vignetting, the aperture's shape, the blur, and the focus aids. It knows neither lenses of glass nor pixels' samples nor POV-Ray.
 ///
 /// Model: a thin lens, tilted about its own centre, which is the camera's location. The film is flat and parallel to the camera's `right`
 /// and `up`. Chief rays pass the lens centre unbent, so a tilt moves no image point, and a shift moves the frame over the film.
@@ -37,8 +37,6 @@
 namespace tilt_lens
 {
 
-class GlassLens;
-class GlassOfColours;
 struct Prescription;
 
 /// POV-Ray's perspective camera after all transformations. World frame, scene units.
@@ -80,7 +78,7 @@ struct Statement
     double bladeCurvature = 0.0;               ///< lens radius over the radius of the blades' edges; 0: straight
     double squeeze = 1.0;                      ///< height of the aperture over its width; the larger is the diameter
     Character character;                       ///< aberrations of a real lens
-    std::shared_ptr<const Prescription> prescription;  ///< lens of glass, scaled; null: thin lens
+    std::shared_ptr<const Prescription> prescription;  ///< lens of glass (solve.h), scaled; null: thin lens
     bool dispersion = false;                   ///< the glass has indices per wavelength
     bool denoise = true;                       ///< the picture is reconstructed (reconstruction.h)
     std::uint32_t sampleSeed = 0;              ///< selects the pattern of samples, and so of noise
@@ -94,7 +92,7 @@ struct Statement
     double scale = 1.0;              ///< product of the camera's scalings: cube root of the determinant
 };
 
-/// A solved lens with its film and its plane of sharp focus. World axes relative to the lens centre, scene units, unless noted.
+/// A solved thin lens with its film and its plane of sharp focus. World axes relative to the lens centre, scene units, unless noted.
 struct Lens
 {
     Vec3 axisRight, axisUp, axis;  ///< orthonormal: along `right`, towards `up`, film normal into the scene
@@ -117,9 +115,6 @@ struct Lens
                                    ///< and b along it; 1/(scene units)
     double lateralColour = 0.0;    ///< size of the red end's image over that of mid-spectrum, minus 1
     double axialColour = 0.0;      ///< reduction of the vergence at the red end; 1/(scene units)
-    std::shared_ptr<const GlassLens> glass;  ///< traced in place of the thin lens (glass_camera.h), stopped down
-    double groups = 0.0;           ///< position of the focusing groups (inner_focus.h); 0: infinity
-    std::shared_ptr<const GlassOfColours> glassOfColours;  ///< one lens for each part of the spectrum; null: one wavelength
     /// @}
 };
 
@@ -130,11 +125,17 @@ class OpticsError : public std::runtime_error
     using std::runtime_error::runtime_error;
 };
 
-/// Solves a statement for a camera.
+/// Solves a statement for a camera, with a thin lens of its focal length and f-number; Solve() (solve.h) solves every statement.
+/// @param given  without a limit of blur (`sharpWithin`), which Solve() turns into an f-number
 /// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more, or backward; a plane of focus through the lens centre
 ///     or behind the lens; a focal length that cannot reach the plane, or a focus nearer than it; a focus scale that no film position
-///     fits; non-finite numbers or non-positive lengths; glass that is too narrow or ends behind the film
-Lens Solve(const CameraFrame& camera, const Statement& given);
+///     fits; non-finite numbers or non-positive lengths
+Lens SolveThinLens(const CameraFrame& camera, const Statement& given);
+
+/// Inverse of the distance in mm at which a thin lens of this focal length (mm) needs the film; negative infinity if it cannot focus as
+/// stated.
+/// @throws OpticsError  a degenerate camera
+double FilmVergence(const CameraFrame& camera, const Statement& given, double focalLength);
 
 /// Warns of pictures that are valid but probably not meant: a lens tilt past 15 degrees, a tilt without an aperture, a lens whose rim
 /// passes through the film. One or two sentences each.

@@ -22,8 +22,10 @@
 #define TILT_LENS_RAY_H
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
+#include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/film_point.h"
 #include "tilt_lens/camera/optics.h"
 
@@ -38,10 +40,12 @@ inline Vec3 ChiefRay(const Lens& lens, const FilmPoint& film)
 }
 
 /// Part of w that is due to field curvature.
-inline double FieldVergence(const Lens& lens, const Vec3& chief)
+template<class Number>
+TILT_LENS_INLINED Number FieldVergence(const Lens& lens, const VecOf<Number>& chief)
 {
-    const double along = Dot(chief, lens.normal);
-    const Vec3 across = chief - along * lens.normal;
+    const VecOf<Number> normal = Broadcast<Number>(lens.normal);
+    const Number along = Dot(chief, normal);
+    const VecOf<Number> across = chief - along * normal;
     return lens.fieldCurvature * Dot(across, across) / along;
 }
 
@@ -63,40 +67,55 @@ struct LensRayOf
 
 using LensRay = LensRayOf<double>;
 
-/// @param ideal     film point of the ideal lens
+/// The ray of a film point of the ideal lens, or several side by side.
+/// @param x, y      see FilmPoint
+/// @param a, b      see AperturePoint
 /// @param vergence  added to w per length of the chief ray along the lens's axis
-inline LensRay RayFromIdeal(const Lens& lens, const FilmPoint& ideal, double a, double b, double vergence)
+template<class Number>
+TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number& x, const Number& y, const Number& a, const Number& b,
+                                                 double vergence = 0.0)
 {
-    const Vec3 chief = IdealChiefRay(lens, ideal);
+    const VecOf<Number> chief = IdealChiefRay(lens, x, y);
     // linear over the frame: k.D would cancel where k and D are nearly at right angles
-    double w = lens.focusMiddle + ideal.x * lens.focusRight + ideal.y * lens.focusUp;
+    Number w = lens.focusMiddle + x * lens.focusRight + y * lens.focusUp;
     if (lens.fieldCurvature != 0.0)
         w += FieldVergence(lens, chief);
     if (vergence != 0.0)
-        w += vergence * Dot(chief, lens.normal);
-    const Vec3 point = a * lens.lensX + b * lens.lensY;
-    const Vec3 direction = chief - w * point;
-    const bool none = direction.x == 0.0 && direction.y == 0.0 && direction.z == 0.0;
-    return {point, none ? chief : direction, w};
+        w += vergence * Dot(chief, Broadcast<Number>(lens.normal));
+    const VecOf<Number> point = a * Broadcast<Number>(lens.lensX) + b * Broadcast<Number>(lens.lensY), direction = chief - w * point;
+    const auto none = (direction.x == 0.0) & (direction.y == 0.0) & (direction.z == 0.0);
+    return {point, {none ? chief.x : direction.x, none ? chief.y : direction.y, none ? chief.z : direction.z}, w};
 }
 
 /// @param x, y  see FilmPoint
 /// @param a, b  see AperturePoint
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
-    return RayFromIdeal(lens, lens.distorts ? IdealFilmPoint(lens, {x, y}) : FilmPoint{x, y}, a, b, 0.0);
+    const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, {x, y}) : FilmPoint{x, y};
+    return RayFromIdeal(lens, ideal.x, ideal.y, a, b);
 }
+
+/// Samples and their rays, one array for each number. The arrays hold whole fours.
+struct RayArrays
+{
+    const double *x, *y, *a, *b;  ///< as in MakeRay()
+    double *origin[3];            ///< as in LensRay
+    double *direction[3];         ///< unit vectors
+    double *length;               ///< of the rays' directions before
+    double *w;
+};
+
+/// MakeRay() for the samples from `begin` to before `end`, bit for bit; side by side where the lens does not distort. May also fill the
+/// other places of the fours that it touches.
+void MakeRays(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
 
 /// Ray of one colour.
 /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end); MakeRay() has 0
 inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, double b, double hue)
 {
     const FilmPoint ideal = IdealFilmPoint(lens, {x, y}, 1.0 + hue * lens.lateralColour);
-    return RayFromIdeal(lens, ideal, a, b, -hue * lens.axialColour);
+    return RayFromIdeal(lens, ideal.x, ideal.y, a, b, -hue * lens.axialColour);
 }
-
-/// True if rays of several colours must be traced.
-inline bool HasColours(const Lens& lens) { return lens.lateralColour != 0.0 || lens.axialColour != 0.0 || lens.glassOfColours; }
 
 /// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is no such ray, or if it reaches P
 /// from beyond the focus of its film point. On the ray, P = l + s (D - w l), so that Y = s D solves Y = P - l + w(Y) l with w(Y) = k.Y + c

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/camera/optics.h"
 
 namespace tilt_lens

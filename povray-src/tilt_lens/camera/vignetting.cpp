@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tilt_lens/camera/frame_table.h"
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/camera/partly_covered.h"
 
 namespace tilt_lens
@@ -25,14 +26,14 @@ constexpr int kCountSide = 128;
 
 } // namespace
 
-Vignetting::Vignetting(const Lens& itsLens, const Aperture& aperture, const Character& character) :
-    lens(itsLens), natural(character.naturalVignetting)
+Vignetting::Vignetting(std::shared_ptr<const Lens> itsLens, const Aperture& aperture, const Character& character) :
+    lens(std::move(itsLens)), natural(character.naturalVignetting)
 {
     middle = Falloff({0.0, 0.0});
-    if (character.opticalVignetting == 0.0 || lens.diameter == 0.0)
+    if (character.opticalVignetting == 0.0 || lens->diameter == 0.0)
         return;
-    rimRadius = 0.5 * (character.rimStop ? lens.focalLength / *character.rimStop : lens.diameter);
-    const double corner = 0.5 * std::hypot(Length(lens.right), Length(lens.up)) / Dot(lens.direction, lens.axis);
+    rimRadius = 0.5 * (character.rimStop ? lens->focalLength / *character.rimStop : lens->diameter);
+    const double corner = 0.5 * std::hypot(Length(lens->right), Length(lens->up)) / Dot(lens->direction, lens->axis);
     rimDistance = character.opticalVignetting * 2.0 * rimRadius / corner;
     Tabulate(aperture);
     const double share = OpenShare({0.0, 0.0});
@@ -46,9 +47,9 @@ Vignetting::Vignetting(const Lens& itsLens, const Aperture& aperture, const Char
 /// The fall-off arises behind the lens: the chief ray is that of the film point, without distortion.
 double Vignetting::Falloff(const FilmPoint& film) const
 {
-    const Vec3 chief = IdealChiefRay(lens, film);
+    const Vec3 chief = IdealChiefRay(*lens, film);
     const double square = Dot(chief, chief);
-    return Dot(chief, lens.axis) * Dot(chief, lens.normal) / (square * square);
+    return Dot(chief, lens->axis) * Dot(chief, lens->normal) / (square * square);
 }
 
 double Vignetting::Brightness(const FilmPoint& film) const
@@ -59,10 +60,10 @@ double Vignetting::Brightness(const FilmPoint& film) const
 
 Vignetting::Opening Vignetting::OpeningFor(const FilmPoint& film) const
 {
-    const LensRay ray = MakeRay(lens, film.x, film.y, 0.0, 0.0);
-    const double lensRadius = 0.5 * lens.diameter, part = rimDistance / Dot(ray.direction, lens.normal);
+    const LensRay ray = MakeRay(*lens, film.x, film.y, 0.0, 0.0);
+    const double lensRadius = 0.5 * lens->diameter, part = rimDistance / Dot(ray.direction, lens->normal);
     const double perRadius = part / (lensRadius * lensRadius);
-    return {1.0 - part * ray.w, perRadius * Dot(ray.direction, lens.lensX), perRadius * Dot(ray.direction, lens.lensY),
+    return {1.0 - part * ray.w, perRadius * Dot(ray.direction, lens->lensX), perRadius * Dot(ray.direction, lens->lensY),
             rimRadius / lensRadius};
 }
 

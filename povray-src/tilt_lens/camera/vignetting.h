@@ -23,6 +23,7 @@
 #define TILT_LENS_VIGNETTING_H
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tilt_lens/camera/aperture.h"
@@ -40,7 +41,7 @@ class Vignetting
     Vignetting() = default;
 
     /// @throws OpticsError  the rim leaves at most 1 per cent of the light in the middle of the picture
-    Vignetting(const Lens& lens, const Aperture& aperture, const Character& character);
+    Vignetting(std::shared_ptr<const Lens> lens, const Aperture& aperture, const Character& character);
 
     bool None() const { return natural == 0.0 && rimDistance == 0.0; }
 
@@ -81,7 +82,7 @@ class Vignetting
         }
     };
 
-    Lens lens;
+    std::shared_ptr<const Lens> lens;
     double natural = 0.0;
     double rimDistance = 0.0, rimRadius = 0.0;
     double middle = 1.0;    ///< natural fall-off in the centre of the picture

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 
 namespace tilt_lens
 {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/glass/paraxial.h"
 
 namespace tilt_lens
@@ -124,28 +124,28 @@ inline Passage GlassLens::Cross(const GlassSurface& surface, GlassRay& ray, Stop
     return crossing.refracted ? Passage::Passed : Passage::Reflected;
 }
 
-Passage GlassLens::Trace(GlassRay& ray, StopPoint& stop, bool rims) const
+template<bool towardsScene, class Iterator>
+inline Passage GlassLens::TraceAlong(Iterator surface, Iterator end, GlassRay& ray, StopPoint& stop, bool rims) const
 {
-    GlassRay traced = ray;
-    for (const GlassSurface& surface : surfaces)
+    for (; surface != end; ++surface)
     {
-        const Passage passage = Cross<true>(surface, traced, stop, rims);
+        const Passage passage = Cross<towardsScene>(*surface, ray, stop, rims);
         if (passage != Passage::Passed)
             return passage;
     }
-    ray = traced;
-    return ray.direction.z > 0.0 ? Passage::Passed : Passage::Missed;
+    if (!Opens(stop))
+        return Passage::Stopped;
+    return Signed<towardsScene>(ray.direction.z) > 0.0 ? Passage::Passed : Passage::Missed;
+}
+
+Passage GlassLens::Trace(GlassRay& ray, StopPoint& stop, bool rims) const
+{
+    return TraceAlong<true>(surfaces.begin(), surfaces.end(), ray, stop, rims);
 }
 
 Passage GlassLens::TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims) const
 {
-    for (auto surface = surfaces.rbegin(); surface != surfaces.rend(); ++surface)
-    {
-        const Passage passage = Cross<false>(*surface, ray, stop, rims);
-        if (passage != Passage::Passed)
-            return passage;
-    }
-    return ray.direction.z < 0.0 ? Passage::Passed : Passage::Missed;
+    return TraceAlong<false>(surfaces.rbegin(), surfaces.rend(), ray, stop, rims);
 }
 
 namespace
@@ -219,7 +219,11 @@ const auto traceSideBySide = HasAvx2() ? TraceByAvx2 : TracePlainly;
 
 unsigned int GlassLens::Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims) const
 {
-    return traceSideBySide(surfaces, StopScale(), rims, rays, stop);
+    unsigned int passed = traceSideBySide(surfaces, StopScale(), rims, rays, stop);
+    for (int i = 0; i < 4 && opening; i++)
+        if ((passed >> i & 1u) != 0 && !opening({stop.a[i], stop.b[i]}))
+            passed &= ~(1u << i);
+    return passed;
 }
 
 double GlassLens::RearRadius() const { return std::sqrt(surfaces.front().squaredRim); }

@@ -4,8 +4,8 @@
 /// @file glass_lens.h
 /// A lens of glass: cardinal points by paraxial rays, and real rays through its surfaces by Snell's law.
 ///
-/// The folder glass/ holds real lenses: reading prescriptions, tracing their surfaces, sampling their pupils. Its lenses stand in for the
-/// thin lens of camera/.
+/// The folder glass/ holds lenses of glass by themselves: reading prescriptions, tracing surfaces, measuring pupils. It knows neither
+/// camera nor film.
 ///
 /// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear principal point H' lies at z =
 /// -separation. An ideal lens is this lens without the space between H and H'; so formulas of the ideal lens hold with the film moved by
@@ -18,6 +18,8 @@
 #define TILT_LENS_GLASS_LENS_H
 
 #include <cmath>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "tilt_lens/glass/glass_surface.h"
@@ -87,11 +89,16 @@ class GlassLens
     /// Sets the stop so that fNumber is the focal length over the diameter of the axial beam, but never wider than it was made.
     void StopDown(double fNumber);
 
+    /// Gives the stop a shape within its radius.
+    /// @param opens  false for points at which the stop blocks rays
+    void ShapeStop(std::function<bool(const StopPoint&)> opens) { opening = std::move(opens); }
+
     /// Takes the indices of refraction of another prescription with the same surfaces; frame and cardinal points stay.
     void TakeIndices(const Prescription& prescription);
 
     /// Traces a ray from the film to the scene.
-    /// @param[in,out] ray  starts behind the lens with direction.z > 0; if it passes, becomes the ray that leaves the first surface
+    /// @param[in,out] ray  starts behind the lens with direction.z > 0; if it passes, becomes the ray that leaves the first surface; else
+    ///                     it ends anywhere
     /// @param[out] stop    set if the ray reaches the stop
     /// @param rims         false: only the stop blocks rays
     Passage Trace(GlassRay& ray, StopPoint& stop, bool rims = true) const;
@@ -113,14 +120,18 @@ class GlassLens
 
   private:
     std::vector<GlassSurface> surfaces;  ///< from the film to the scene
+    std::function<bool(const StopPoint&)> opening;  ///< empty: the whole stop
     CardinalPoints cardinal;
     double stopRadius = 0.0, widestStop = 0.0;
 
     double WidestRay() const;
     /// Factor from a height at the stop to a StopPoint.
     double StopScale() const { return std::copysign(1.0 / stopRadius, cardinal.entranceRadius); }
+    bool Opens(const StopPoint& stop) const { return !opening || opening(stop); }
     template<bool towardsScene>
     Passage Cross(const GlassSurface& surface, GlassRay& ray, StopPoint& point, bool rims) const;
+    template<bool towardsScene, class Iterator>
+    Passage TraceAlong(Iterator first, Iterator end, GlassRay& ray, StopPoint& stop, bool rims) const;
 };
 
 } // namespace tilt_lens

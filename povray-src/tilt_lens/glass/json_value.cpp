@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/glass/prescription_rows.h"
 
 namespace tilt_lens

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/glass/inner_focus.h"
 #include "tilt_lens/glass/prescription_rows.h"
 

@@ -41,13 +41,13 @@ struct FourPupilPoints
 struct Seen
 {
     const GlassLens& lens;
-    const Aperture& aperture;
     const Vec3& film;
 
     bool Passes(const PupilPoint& direction) const
     {
         std::optional<GlassRay> ray = RayTowards(film, direction);
-        return ray && TraceThrough(lens, aperture, *ray) == Passage::Passed;
+        StopPoint stop;
+        return ray && lens.Trace(*ray, stop) == Passage::Passed;
     }
 
     /// @param rims  false: only the stop blocks rays
@@ -64,7 +64,8 @@ struct Seen
             rays.direction[0][i] = direction.l, rays.direction[1][i] = direction.m, rays.direction[2][i] = std::sqrt(square);
             passing |= (square > 0.0 ? 1u : 0u) << i;
         }
-        return passing & TraceThrough(lens, aperture, rays, rims);
+        FourStopPoints stop;
+        return passing & lens.Trace(rays, stop, rims);
     }
 
     /// Roughly the radius of the paraxial pupil, in direction cosines.
@@ -283,9 +284,9 @@ PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const
 
 } // namespace
 
-std::optional<PupilView> ViewOf(const GlassLens& lens, const Aperture& aperture, const Vec3& film, const std::optional<PupilPoint>& near)
+std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near)
 {
-    const Seen seen{lens, aperture, film};
+    const Seen seen{lens, film};
     std::optional<PupilPoint> inside = seen.Inside(near);
     if (!inside)
         return {};

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <optional>
 
-#include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/glass/glass_lens.h"
 
 namespace tilt_lens
@@ -79,33 +78,10 @@ inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& di
     return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
 }
 
-/// Traces through lens and aperture.
-/// @param[in,out] ray  if it passes, becomes the ray that leaves the lens
-inline Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& ray, bool rims = true)
-{
-    StopPoint stop;
-    const Passage passage = lens.Trace(ray, stop, rims);
-    if (passage == Passage::Passed && !aperture.IsDisc() && !(aperture.Density({stop.a, stop.b}) > 0.0))
-        return Passage::Stopped;
-    return passage;
-}
-
-/// Traces four rays side by side.
-/// @return  one bit for each that passes, the lowest for the first
-inline unsigned int TraceThrough(const GlassLens& lens, const Aperture& aperture, FourGlassRays& rays, bool rims = true)
-{
-    FourStopPoints stop;
-    unsigned int passed = lens.Trace(rays, stop, rims);
-    for (int i = 0; i < 4 && !aperture.IsDisc(); i++)
-        if ((passed >> i & 1u) != 0 && !(aperture.Density({stop.a[i], stop.b[i]}) > 0.0))
-            passed &= ~(1u << i);
-    return passed;
-}
-
 /// Measures the view from a film point (mm, lens frame), with a few hundred rays.
 /// @param near  a direction that passes for a neighbouring film point, tried first
 /// @return      none if no ray passes
-std::optional<PupilView> ViewOf(const GlassLens& lens, const Aperture& aperture, const Vec3& film, const std::optional<PupilPoint>& near);
+std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near);
 
 } // namespace tilt_lens
 

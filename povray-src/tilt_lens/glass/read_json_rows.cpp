@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/glass/json_value.h"
 #include "tilt_lens/glass/prescription_rows.h"
 

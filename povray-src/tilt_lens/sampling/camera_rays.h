@@ -9,15 +9,11 @@
 #define TILT_LENS_CAMERA_RAYS_H
 
 #include "tilt_lens/camera/ray.h"
-#include "tilt_lens/glass/glass_camera.h"
 #include "tilt_lens/sampling/sampled_camera.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
 {
-
-/// Seeds (by Hash()) of the random numbers with which samples of a glass lens are redrawn; independent of those used in tracing.
-inline PixelSampler GlassSeeds(std::uint32_t x, std::uint32_t y) { return PixelSampler(x, y, 0x476c61); }
 
 /// The rays of a group of samples, one array per number. Relative to the lens centre, world axes, scene units.
 struct CameraRays
@@ -49,7 +45,7 @@ class CameraRayBatch
 {
   public:
     /// @param aims  false: samples are aimed at no emitter
-    explicit CameraRayBatch(const SampledCamera& camera, bool aims = true) : camera(camera), aims(aims) {}
+    explicit CameraRayBatch(const SampledCamera& camera, bool aims = true) : camera(camera), glass(camera.lens->Glass()), aims(aims) {}
 
     void Make(const SampleRun& run);
 
@@ -68,6 +64,7 @@ class CameraRayBatch
 
   private:
     const SampledCamera& camera;
+    const GlassCamera* const glass;  ///< null for a thin lens
     const bool aims;
     bool empty = true;  ///< no run yet
     SampleRun last{};

@@ -9,11 +9,9 @@
 #define TILT_LENS_LENS_SAMPLER_H
 
 #include <cstdint>
+#include <memory>
 
-#include "tilt_lens/camera/aperture.h"
-#include "tilt_lens/camera/optics.h"
-#include "tilt_lens/camera/ray.h"
-#include "tilt_lens/camera/vignetting.h"
+#include "tilt_lens/lens_camera/lens_camera.h"
 #include "tilt_lens/sampling/sample.h"
 #include "tilt_lens/sampling/sequence.h"
 
@@ -47,14 +45,16 @@ class LensSampler
 {
   public:
     /// @param width, height  of the whole picture in pixels
-    LensSampler(const Lens& lens, const Aperture& aperture, std::uint32_t width, std::uint32_t height, const Vignetting& vignetting = {}) :
-        lens(lens), aperture(aperture), vignetting(vignetting), width(width), height(height)
+    LensSampler(std::shared_ptr<const LensCamera> itsCamera, std::uint32_t width, std::uint32_t height) :
+        camera(std::move(itsCamera)), lens(camera->Solved()), aperture(camera->Opening()), vignetting(camera->ThinVignetting()),
+        width(width), height(height)
     {
     }
 
-    const Lens lens;
-    const Aperture aperture;
-    const Vignetting vignetting;
+    const std::shared_ptr<const LensCamera> camera;
+    const Lens& lens;  ///< the camera's, as are the next two
+    const Aperture& aperture;
+    const Vignetting& vignetting;
     const double width, height;
 
     /// @param point  of the pixel's sequence
@@ -91,7 +91,7 @@ class LensSampler
 
   private:
     /// Seed of the random numbers that redraw a vignetted lens point; independent of those that the sample's ray draws.
-    static std::uint32_t SeedOf(const SampleId& id) { return PixelHash(id.x, id.y, 0x52696d, id.index); }
+    std::uint32_t SeedOf(const SampleId& id) const { return PixelHash(id.x, id.y, camera->SeedSalt(), id.index); }
 };
 
 } // namespace tilt_lens

@@ -18,7 +18,7 @@ void SampleTracer::Trace(const SampleRun& run, SampleResult* results)
 {
     batch.Make(run);
     refusedRays += batch.Refused();
-    if (!HasColours(camera.GetLens()))
+    if (!camera.lens->HasColours())
         return TraceRays(batch.Rays(), run.Place(), run.first.index, run.count, results);
     for (std::uint32_t i = 0; i < run.count; i++)
         TraceColours(run.Place() + i, run.first.index + i, results[i]);

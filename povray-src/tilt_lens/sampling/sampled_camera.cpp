@@ -16,24 +16,17 @@ SamplingLimits WithMinimum(SamplingLimits limits, bool aims)
     return limits;
 }
 
-/// True if the footprint describes the circles of confusion.
-bool FitsFootprint(const Lens& lens, const Character& character)
-{
-    return !lens.glass && !lens.distorts && lens.fieldCurvature == 0.0 && !HasColours(lens) && character.opticalVignetting == 0.0;
-}
-
 } // namespace
 
-SampledCamera::SampledCamera(const Lens& lens, const Aperture& aperture, const Statement& statement, const SamplingLimits& given,
-                             const Picture& picture) :
-    glass(lens.glass ? std::make_unique<const GlassCamera>(lens, aperture, statement.character.naturalVignetting) : nullptr),
-    aims(!picture.deflectsRays && !glass),
-    limits(WithMinimum(given, aims)),
-    spreads(limits.Denoises() && !picture.deflectsRays && FitsFootprint(lens, statement.character)),
-    footprint(lens, aperture, picture.width, picture.height),
-    lensSampler(lens, aperture, picture.width, picture.height, glass ? Vignetting() : Vignetting(lens, aperture, statement.character)),
-    emitters(lensSampler, limits, aims ? picture.emitters : std::vector<Emitter>()),
-    seed(statement.sampleSeed)
+SampledCamera::SampledCamera(std::shared_ptr<const LensCamera> itsLens, const SamplingLimits& given, const Picture& picture,
+                             std::uint32_t itsSeed) :
+    lens(std::move(itsLens)),
+    limits(WithMinimum(given, lens->CanAimAtEmitters())),
+    spreads(limits.Denoises() && lens->CanSpread()),
+    footprint(lens->Solved(), lens->Opening(), picture.width, picture.height),
+    lensSampler(lens, picture.width, picture.height),
+    emitters(lensSampler, limits, lens->CanAimAtEmitters() ? picture.emitters : std::vector<Emitter>()),
+    seed(itsSeed)
 {
 }
 

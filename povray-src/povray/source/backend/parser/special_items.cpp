@@ -14,9 +14,9 @@
 
 #include "backend/scene/objects.h"
 #include "backend/support/fileutil.h"
-#include "tilt_lens/camera/sharp_points.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/prescription.h"
+#include "tilt_lens/lens_camera/sharp_points.h"
 
 #include "base/povdebug.h"
 

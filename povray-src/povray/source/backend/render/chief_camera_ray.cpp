@@ -23,11 +23,11 @@ bool MakeChiefRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL heig
     trace.useFocalBlur = false;
     const bool made = trace.CreateCameraRay(ray, x, y, width, height, 0);
     trace.useFocalBlur = blurs;
-    const TiltLensCamera& camera = trace.camera.TiltLens;
-    if (!made || !camera.given || !(camera.lens->distorts || camera.lens->glass))
+    const tilt_lens::LensCamera* const lens = trace.tiltLens ? trace.tiltLens->view->camera.lens.get() : NULL;
+    if (!made || lens == NULL || !lens->BendsChiefRays())
         return made;
     const tilt_lens::FilmPoint film = tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height);
-    const std::optional<tilt_lens::LensRay> middle = trace.tiltLens ? trace.tiltLens->view->camera.MiddleRay(film) : std::nullopt;
+    const std::optional<tilt_lens::LensRay> middle = lens->MiddleRay(film);
     if (!middle)
         return false;
     const VECTOR& location = trace.camera.Location;

@@ -12,9 +12,9 @@
 #include "backend/render/chief_camera_ray.h"
 #include "backend/render/tracepixel.h"
 #include "backend/scene/layer_attributes.h"
+#include "backend/scene/tilt_lens_view.h"
 #include "backend/scene/view.h"
 #include "base/picture_layers.h"
-#include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
 
@@ -55,13 +55,6 @@ class LayerBlock
     std::vector<std::string> names;
     std::vector<POVMSFloat> values;
 };
-
-/// Signed blur at a depth in a pixel; infinite depth for no hit.
-double BlurAt(const tilt_lens::Lens& lens, unsigned int x, unsigned int y, DBL width, DBL height, double depth)
-{
-    const Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
-    return BlurDiameter(lens, chief, depth / Dot(lens.direction, lens.axis), width);
-}
 
 /// First hit of the ray through a pixel's centre, transparent surfaces included.
 /// @param[out] point  world coordinates
@@ -115,7 +108,8 @@ void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const st
             block.At(positions[1], pixel) = point.y;
             block.At(positions[2], pixel) = point.z;
             if (view.GetTiltLens())
-                block.At(blur, pixel) = BlurAt(*camera.lens, x, y, width, height, found ? depth : double(infinity));
+                block.At(blur, pixel) = view.GetTiltLens()->camera.lens->Blur(tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height),
+                                                                             found ? depth : double(infinity), width);
             if (sampled)
             {
                 block.At(samples, pixel) = effort[pixel].samples;

@@ -9,7 +9,6 @@
 #include "backend/render/tilt_lens_tracer.h"
 #include "backend/render/tracepixel.h"
 #include "backend/scene/view.h"
-#include "tilt_lens/camera/ray.h"
 
 #include "base/povdebug.h"
 
@@ -29,13 +28,11 @@ Colour AidPixel(TracePixel& trace, DBL x, DBL y, DBL width, DBL height)
                                            : FirstHit(trace, camera, ray);
 
     // a camera normal may have deflected the ray: blur depends on the depth along the axis
-    const tilt_lens::Lens& lens = tracer.view->camera.GetLens();
-    const tilt_lens::Vec3 chief = ChiefRay(lens, tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height));
-    const double before = lens.glass ? Dot(FromPov(ray.Origin) - FromPov(camera.Location), lens.axis) : 0.0;
-    const double depth = before + distance * Dot(FromPov(ray.Direction), lens.axis);
-    const double T = distance < HUGE_VAL && depth > 0.0 ? depth / Dot(lens.direction, lens.axis)
-                                                        : std::numeric_limits<double>::infinity();
-    return aids.Drawn(int(x), int(y), chief, T, colour);
+    const tilt_lens::Vec3& axis = tracer.view->camera.lens->Solved().axis;
+    const double before = Dot(FromPov(ray.Origin) - FromPov(camera.Location), axis);  // 0 but for a lens of glass
+    const double depth = before + distance * Dot(FromPov(ray.Direction), axis);
+    return aids.Drawn(int(x), int(y), tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height),
+                      distance < HUGE_VAL && depth > 0.0 ? depth : std::numeric_limits<double>::infinity(), colour);
 }
 
 void TraceAidTile(TracePixel& trace, const ViewData& view, const POVRect& rect, std::vector<Colour>& pixels)

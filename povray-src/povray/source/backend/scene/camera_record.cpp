@@ -13,7 +13,6 @@
 
 #include "backend/scene/focus_target.h"
 #include "backend/scene/scene.h"
-#include "tilt_lens/glass/apply_prescription.h"
 #include "base/image/colourspace.h"
 
 #include "base/povdebug.h"

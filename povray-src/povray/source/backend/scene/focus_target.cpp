@@ -15,7 +15,6 @@
 #include "backend/scene/threaddata.h"
 #include "backend/scene/view.h"
 #include "tilt_lens/camera/ray.h"
-#include "tilt_lens/glass/apply_prescription.h"
 
 #include "base/povdebug.h"
 

@@ -36,7 +36,7 @@ struct LensBox
 };
 
 /// Box around the first surface of a lens of glass, where its rays start.
-LensBox BoxOfGlass(const Camera& camera, const tilt_lens::Lens& lens)
+LensBox BoxOfGlass(const Camera& camera, const tilt_lens::SolvedLens& lens)
 {
     const tilt_lens::GlassLens::Front front = lens.glass->FrontBox();
     const double normal[3] = {lens.normal.x, lens.normal.y, lens.normal.z};
@@ -51,7 +51,7 @@ LensBox BoxOfGlass(const Camera& camera, const tilt_lens::Lens& lens)
     return box;
 }
 
-LensBox BoxOfLens(const Camera& camera, const tilt_lens::Lens& lens)
+LensBox BoxOfLens(const Camera& camera, const tilt_lens::SolvedLens& lens)
 {
     if (lens.glass)
         return BoxOfGlass(camera, lens);
@@ -104,7 +104,7 @@ bool IsConvexSolid(const ObjectBase& object)
 
 } // namespace
 
-std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::Lens& lens, const SceneData& scene)
+std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::SolvedLens& lens, const SceneData& scene)
 {
     const LensBox box = BoxOfLens(camera, lens);
     std::vector<ObjectAroundLens> objects;

@@ -25,7 +25,7 @@ struct ObjectAroundLens
 };
 
 /// Every object with an interior that may contain a part of the lens, in the scene's order.
-std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::Lens& lens, const SceneData& scene);
+std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::SolvedLens& lens, const SceneData& scene);
 
 } // namespace pov
 

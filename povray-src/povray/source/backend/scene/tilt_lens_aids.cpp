@@ -25,13 +25,13 @@ void Lay(Colour& under, const Colour& over, double opacity)
 
 } // namespace
 
-TiltLensAids::TiltLensAids(const tilt_lens::FocusAids& theAids, const tilt_lens::Lens& theLens, int itsWidth,
+TiltLensAids::TiltLensAids(const tilt_lens::FocusAids& theAids, const shared_ptr<const tilt_lens::LensCamera>& theCamera, int itsWidth,
                            int itsHeight, pov_base::GammaCurvePtr theDisplay) :
     aids(theAids),
-    lens(theLens),
+    camera(theCamera),
     width(itsWidth),
     scale(itsWidth, itsHeight),
-    planes(theLens, itsWidth, itsHeight),
+    planes(camera->Solved(), itsWidth, itsHeight),
     display(theDisplay)
 {
 }
@@ -42,9 +42,9 @@ Colour TiltLensAids::Light(const Rgb& shown) const
                   pov_base::GammaCurve::Decode(display, shown.blue));
 }
 
-Colour TiltLensAids::Drawn(int x, int y, const tilt_lens::Vec3& chief, double T, const Colour& picture) const
+Colour TiltLensAids::Drawn(int x, int y, const tilt_lens::FilmPoint& film, double depth, const Colour& picture) const
 {
-    const double blur = BlurDiameter(lens, chief, T, width);
+    const double blur = camera->Blur(film, depth, width);
     if (aids.map)
         return Light(scale.At(x, y).value_or(tilt_lens::FocusMapColour(blur)));
 
@@ -54,7 +54,8 @@ Colour TiltLensAids::Drawn(int x, int y, const tilt_lens::Vec3& chief, double T,
         Lay(drawn, Colour(tint.red, tint.green, tint.blue), tilt_lens::kPeakingTint);
     if (aids.planes)
     {
-        const std::vector<tilt_lens::Veil> veils = planes.Before(x, y, T);
+        const tilt_lens::SolvedLens& lens = camera->Solved();
+        const std::vector<tilt_lens::Veil> veils = planes.Before(x, y, depth / Dot(lens.direction, lens.axis));
         for (auto veil = veils.rbegin(); veil != veils.rend(); ++veil)
             Lay(drawn, Light(veil->colour), veil->opacity);
     }

@@ -13,6 +13,7 @@
 #include "backend/colour/colour.h"
 #include "base/image/colourspace.h"
 #include "tilt_lens/camera/focus_aids.h"
+#include "tilt_lens/lens_camera/lens_camera.h"
 
 namespace pov
 {
@@ -21,23 +22,23 @@ class TiltLensAids
 {
   public:
     /// @param display  from the scene's colours to a display's, or neutral
-    TiltLensAids(const tilt_lens::FocusAids& aids, const tilt_lens::Lens& lens, int width, int height,
+    TiltLensAids(const tilt_lens::FocusAids& aids, const shared_ptr<const tilt_lens::LensCamera>& camera, int width, int height,
                  pov_base::GammaCurvePtr display);
 
     /// False if only distances count, not the scene's light.
     bool NeedsLight() const { return !aids.map; }
 
     /// The pixel with the aids drawn in.
-    /// @param chief  chief ray of the pixel's centre
-    /// @param T      its hit is T * chief; infinite for none
-    Colour Drawn(int x, int y, const tilt_lens::Vec3& chief, double T, const Colour& picture) const;
+    /// @param film   the pixel's centre
+    /// @param depth  of the hit that it shows, along the camera's axis; infinite for none
+    Colour Drawn(int x, int y, const tilt_lens::FilmPoint& film, double depth, const Colour& picture) const;
 
     /// Line of the report before the render.
     std::string Describe() const;
 
   private:
     const tilt_lens::FocusAids aids;
-    const tilt_lens::Lens lens;
+    const shared_ptr<const tilt_lens::LensCamera> camera;
     const double width;
     const tilt_lens::FocusMapScale scale;
     const tilt_lens::FocusPlanes planes;

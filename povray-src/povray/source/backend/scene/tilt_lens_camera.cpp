@@ -100,7 +100,7 @@ void TiltLensCamera::Solve(Camera& camera)
                                        FromPov(camera.Right), FromPov(camera.Up)};
     try
     {
-        camera.TiltLens.lens.reset(new tilt_lens::Lens(tilt_lens::Solve(frame, camera.TiltLens.statement)));
+        camera.TiltLens.lens.reset(new tilt_lens::SolvedLens(tilt_lens::Solve(frame, camera.TiltLens.statement)));
     }
     catch (const tilt_lens::OpticsError& error)
     {

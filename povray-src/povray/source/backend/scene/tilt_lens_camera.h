@@ -16,7 +16,7 @@
 #include "base/povms.h"
 #include "base/stringutilities.h"
 #include "tilt_lens/camera/focus_aids.h"
-#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/lens_camera/solve.h"
 
 namespace pov
 {
@@ -80,7 +80,7 @@ struct TiltLensCamera
 
     /// The solved lens. Set at the end of a camera statement, or before the render if the focus must be found; NULL before that and after a
     /// transformation.
-    shared_ptr<const tilt_lens::Lens> lens;
+    shared_ptr<const tilt_lens::SolvedLens> lens;
 
     /// Transforms plane, points and scale with the camera.
     void Transform(const TRANSFORM* trans);

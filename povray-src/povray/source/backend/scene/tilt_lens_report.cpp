@@ -10,10 +10,10 @@
 
 #include "backend/frame.h"
 #include "backend/scene/tilt_lens_view.h"
-#include "tilt_lens/camera/sharp_points.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/field_aberrations.h"
 #include "tilt_lens/glass/inner_focus.h"
+#include "tilt_lens/lens_camera/sharp_points.h"
 
 #include "base/povdebug.h"
 
@@ -76,19 +76,21 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
 }
 
 /// Brightness of the darkest corner relative to the centre, by natural vignetting alone.
-double DarkestCorner(const tilt_lens::Lens& lens, const tilt_lens::Aperture& disc, const tilt_lens::Character& character)
+double DarkestCorner(const TiltLensCamera& block)
 {
     tilt_lens::Character natural;
-    natural.naturalVignetting = character.naturalVignetting;
-    const tilt_lens::Vignetting vignetting(lens, disc, natural);
+    natural.naturalVignetting = block.statement.character.naturalVignetting;
+    const tilt_lens::Vignetting vignetting(block.lens, tilt_lens::Aperture::Disc(), natural);
     double darkest = HUGE_VAL;
     tilt_lens::ForCorners([&](const tilt_lens::FilmPoint& corner) { darkest = std::min(darkest, vignetting.Brightness(corner)); });
     return darkest;
 }
 
 /// The lens's aberrations, one line each.
-std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character& character)
+std::string CharacterOf(const TiltLensCamera& block)
 {
+    const tilt_lens::SolvedLens& lens = *block.lens;
+    const tilt_lens::Character& character = block.statement.character;
     std::string text;
     if (character.edgeLight != 0.0)
         text += Line("  Edge light...........%.4g: aperture brighter ", character.edgeLight) +
@@ -97,7 +99,7 @@ std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character&
         text += Line("  Natural vignetting...%.4g\n", character.naturalVignetting);
     else if (character.naturalVignetting > 0.0)
         text += Line("  Natural vignetting...%.4g: the darkest corner has %.3g of the middle's light\n", character.naturalVignetting,
-                     DarkestCorner(lens, tilt_lens::Aperture::Disc(), character));
+                     DarkestCorner(block));
     if (character.opticalVignetting > 0.0 && lens.diameter > 0.0)
         text += Line("  Optical vignetting...%.4g, rim of f/%.4g\n", character.opticalVignetting,
                      character.rimStop.value_or(lens.focalLength / lens.diameter));
@@ -116,7 +118,7 @@ std::string CharacterOf(const tilt_lens::Lens& lens, const tilt_lens::Character&
 }
 
 /// Cardinal points of the glass, along its axis from the front principal point, which is the camera's location.
-std::string GlassOf(const tilt_lens::Lens& lens, double filmWidth)
+std::string GlassOf(const tilt_lens::SolvedLens& lens, double filmWidth)
 {
     const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
     std::string text = Line("  Glass................open to f/%.4g, rear principal point at %.5g mm\n", points.fNumber, -points.separation);
@@ -140,12 +142,12 @@ std::string GlassOf(const tilt_lens::Lens& lens, double filmWidth)
 }
 
 /// Focus of the centres of the spectrum's thirds relative to the d line, for a distant object.
-std::string DispersionOf(const tilt_lens::Lens& lens, const tilt_lens::Prescription& prescription)
+std::string DispersionOf(const tilt_lens::SolvedLens& lens)
 {
-    if (!lens.glassOfColours)
+    if (!lens.dispersion)
         return "";
     const auto behind = [&](double wavelength)
-    { return tilt_lens::GlassLens(AtWavelength(prescription, wavelength)).Cardinal().backFocus - lens.glass->Cardinal().backFocus; };
+    { return tilt_lens::GlassLens(AtWavelength(*lens.dispersion, wavelength)).Cardinal().backFocus - lens.glass->Cardinal().backFocus; };
     return Line("    focus of colours...%+.3g, %+.3g, %+.3g mm behind (450, 550, 650 nm)\n", behind(450.0), behind(550.0), behind(650.0));
 }
 
@@ -224,8 +226,9 @@ std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, dou
 }
 
 /// Position of the focusing groups, and the film's movement in addition.
-std::string GroupsOf(const TiltLensCamera& block, const tilt_lens::Lens& lens)
+std::string GroupsOf(const TiltLensCamera& block)
 {
+    const tilt_lens::SolvedLens& lens = *block.lens;
     if (!lens.glass || block.statement.prescription->objectDistances.empty())
         return "";
     if (block.statement.filmDistance)
@@ -290,9 +293,9 @@ std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatist
         text += Line("  Around the lens......%.0f of ", view.aroundLens.size() - hold) + Count(view.objectsWithInterior, "object") +
                 Line(" with interior tested by each ray, %.0f contain the whole lens\n", hold);
     }
-    if (const tilt_lens::GlassCamera* const glass = view.camera.glass.get())
+    if (view.camera.lens->Glass() != nullptr)
     {
-        const double passed = statistics.Samples() * (glass->HasColours() ? 3.0 : 1.0), tried = passed + statistics.refusedRays;
+        const double passed = statistics.Samples() * (view.camera.lens->HasColours() ? 3.0 : 1.0), tried = passed + statistics.refusedRays;
         text += Line("  Blocked by the glass.%.0f of ", statistics.refusedRays) + Count(tried, "ray") +
                 Line(" (%.2g%%)\n", tried > 0.0 ? 100.0 * statistics.refusedRays / tried : 0.0);
     }
@@ -326,7 +329,7 @@ std::string SummarizeTiltLens(const TiltLensView& view, const TiltLensCost& cost
 
 std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensAids* aids)
 {
-    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
+    const tilt_lens::SolvedLens& lens = *camera.TiltLens.lens;
     const double mm = 1.0 / lens.millimetre;
     const double usual = 1.0 / Length(lens.focus);
 
@@ -343,10 +346,9 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
     if (lens.glass)
-        text += GlassOf(lens, camera.TiltLens.statement.filmWidth) +
-                DispersionOf(lens, InState(*camera.TiltLens.statement.prescription, lens.groups));
-    text += CharacterOf(lens, camera.TiltLens.statement.character);
-    text += FocusOf(camera.TiltLens) + SharpPointsOf(camera, lens, width) + GroupsOf(camera.TiltLens, lens) + PlaneOf(camera, lens);
+        text += GlassOf(lens, camera.TiltLens.statement.filmWidth) + DispersionOf(lens);
+    text += CharacterOf(camera.TiltLens);
+    text += FocusOf(camera.TiltLens) + SharpPointsOf(camera, lens, width) + GroupsOf(camera.TiltLens) + PlaneOf(camera, lens);
     text += "  Hinge line...........at " + Distance(HingeDistanceOf(lens), usual) + " from the lens\n";
     if (lens.diameter > 0.0)
     {

@@ -57,6 +57,12 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
     return s.squeeze == 1.0 ? aperture : tilt_lens::Aperture::Squeezed(aperture, s.squeeze);
 }
 
+shared_ptr<const tilt_lens::LensCamera> LensCameraOf(const Camera& camera, shared_ptr<SceneData> scene)
+{
+    return std::make_shared<const tilt_lens::LensCamera>(camera.TiltLens.lens, ApertureOf(camera, scene), camera.TiltLens.statement.character,
+                                                         camera.Tnormal != NULL);
+}
+
 /// With a minimum of 0 if the scene states none.
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 {
@@ -75,15 +81,11 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
                          [](ObjectPtr object) { return object->interior != NULL; });
 }
 
-tilt_lens::SampledCamera::Picture PictureOf(const Camera& camera, ViewData& view)
-{
-    return {view.GetWidth(), view.GetHeight(), camera.Tnormal != NULL, EmittersOf(*view.GetSceneData(), camera)};
-}
-
 } // namespace
 
 TiltLensView::TiltLensView(const Camera& given, ViewData& view) :
-    camera(*given.TiltLens.lens, ApertureOf(given, view.GetSceneData()), given.TiltLens.statement, LimitsOf(given), PictureOf(given, view)),
+    camera(LensCameraOf(given, view.GetSceneData()), LimitsOf(given),
+           {view.GetWidth(), view.GetHeight(), EmittersOf(*view.GetSceneData(), given)}, given.TiltLens.statement.sampleSeed),
     blocks(new tilt_lens::BlockCache(camera.limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(given, *given.TiltLens.lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData()))
@@ -94,22 +96,21 @@ void TiltLensView::RequireLight(const Camera& camera, shared_ptr<SceneData> scen
 {
     const tilt_lens::Character& character = camera.TiltLens.statement.character;
     if (character.opticalVignetting != 0.0)
-        tilt_lens::Vignetting(*camera.TiltLens.lens, ApertureOf(camera, scene), character);
+        tilt_lens::Vignetting(camera.TiltLens.lens, ApertureOf(camera, scene), character);
 }
 
 shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
 {
-    const tilt_lens::Lens& lens = *camera.TiltLens.lens;
+    const tilt_lens::SolvedLens& lens = *camera.TiltLens.lens;
     camera.Direction[X] = lens.direction.x;
     camera.Direction[Y] = lens.direction.y;
     camera.Direction[Z] = lens.direction.z;
     camera.Aperture = 0.0;  // disables POV-Ray's own focal blur
-    if (lens.diameter == 0.0 && !lens.distorts && lens.lateralColour == 0.0 &&
-        camera.TiltLens.statement.character.naturalVignetting == 0.0)
+    if (IsPlainPinhole(lens, camera.TiltLens.statement.character))
         return shared_ptr<TiltLensView>();
     shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view));
     if (camera.TiltLens.aids.Any())
-        prepared->aids.reset(new TiltLensAids(camera.TiltLens.aids, lens, view.GetWidth(), view.GetHeight(),
+        prepared->aids.reset(new TiltLensAids(camera.TiltLens.aids, prepared->camera.lens, view.GetWidth(), view.GetHeight(),
                                               view.GetSceneData()->workingGammaToSRGB));
     return prepared;
 }

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "tilt_lens/camera/optics.h"
+#include "tilt_lens/lens_camera/solve.h"
 
 namespace tilt_lens
 {

@@ -3,7 +3,7 @@
 
 // Samples rays through a lens of glass, four side by side.
 
-#include "tilt_lens/glass/glass_camera.h"
+#include "tilt_lens/lens_camera/glass_camera.h"
 
 #include <algorithm>
 #include <array>
@@ -99,11 +99,11 @@ GlassCamera::Node GlassCamera::Between(const FilmPoint& film) const
 template<class Number>
 TILT_LENS_INLINED LensRayOf<Number> GlassCamera::ToWorld(const Number& x, const Number& y, const GlassRayOf<Number>& ray) const
 {
-    const VecOf<Number> origin = AlongAxes(ray.origin, axisX, axisY, lens.normal);
-    const VecOf<Number> direction = AlongAxes(ray.direction, axisX, axisY, lens.normal);
-    const Number least = Number() + kLeastAlong, along = direction.x * lens.axis.x + direction.y * lens.axis.y + direction.z * lens.axis.z;
-    const Number scale = Dot(lens.direction, lens.axis) / Max(along, least), unit = Number() + lens.millimetre;
-    return {unit * origin, scale * direction, lens.focusMiddle + x * lens.focusRight + y * lens.focusUp};
+    const VecOf<Number> origin = AlongAxes(ray.origin, axisX, axisY, lens->normal);
+    const VecOf<Number> direction = AlongAxes(ray.direction, axisX, axisY, lens->normal);
+    const Number least = Number() + kLeastAlong, along = Dot(direction, Broadcast<Number>(lens->axis));
+    const Number scale = Dot(lens->direction, lens->axis) / Max(along, least), unit = Number() + lens->millimetre;
+    return {unit * origin, scale * direction, lens->focusMiddle + x * lens->focusRight + y * lens->focusUp};
 }
 
 template<class Vector>
@@ -114,7 +114,7 @@ TILT_LENS_INLINED void GlassCamera::FindPupils(const FourGlassPoints& points, Fo
         const Vector x = Load<Vector>(points.x + i), y = Load<Vector>(points.y + i);
         const VecOf<Vector> place{filmMiddle.x + x * filmRight.x + y * filmUp.x, filmMiddle.y + x * filmRight.y + y * filmUp.y,
                                   filmMiddle.z + x * filmRight.z + y * filmUp.z};
-        const PupilPointOf<Vector> aim = ParaxialAim(glass->Cardinal(), place), axis = RadialAxis(place);
+        const PupilPointOf<Vector> aim = ParaxialAim(glass.Cardinal(), place), axis = RadialAxis(place);
         const Interpolation<Vector> mean(nodes, points.x + i, points.y + i);
         const Vector open = mean(&Node::open);
         StoreVectors(pupils.place, i, place);
@@ -169,7 +169,8 @@ TILT_LENS_INLINED unsigned int GlassCamera::DrawRays(const GlassLens& colour, co
     {
         FourGlassRays rays;
         disc.Map(u.data(), v.data(), a.data(), b.data(), 4);
-        const unsigned int passed = Aim<Vector>(pupils, a.data(), b.data(), rays) & TraceThrough(colour, aperture, rays);
+        FourStopPoints stop;
+        const unsigned int passed = Aim<Vector>(pupils, a.data(), b.data(), rays) & colour.Trace(rays, stop);
         for (int i = 0; i < 4; i++)
         {
             if ((waiting >> i & 1u) == 0)
@@ -236,7 +237,8 @@ std::optional<LensRay> GlassCamera::MiddleRay(const FilmPoint& film) const
     const Node node = Between(film);
     const Vec3 place = FilmInLens(film);
     std::optional<GlassRay> ray = RayTowards(place, BoundsOf(node, place).centre);
-    if (!(node.open > 0.0) || !ray || TraceThrough(*glass, aperture, *ray) != Passage::Passed)
+    StopPoint stop;
+    if (!(node.open > 0.0) || !ray || glass.Trace(*ray, stop) != Passage::Passed)
         return {};
     return ToWorld(film.x, film.y, *ray);
 }

@@ -20,11 +20,11 @@
 
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/film_point.h"
-#include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/pupil_view.h"
+#include "tilt_lens/lens_camera/solve.h"
 
 namespace tilt_lens
 {
@@ -60,22 +60,22 @@ class GlassCamera
     /// @param aperture  a shape of uniform brightness within the unit disc
     /// @param natural   share of the natural light fall-off, 0 to 1
     /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the middle of the picture
-    GlassCamera(const Lens& lens, const Aperture& aperture, double natural);
+    GlassCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, double natural);
 
     /// At the d line.
-    void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(*glass, points, samples); }
+    void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(glass, points, samples); }
 
-    GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(*glass, film, u, v, seed); }
+    GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(glass, film, u, v, seed); }
 
     /// Light of one colour, for a lens with dispersion. The share that the rims block is that of the d line, so that a uniform grey surface
     /// has no colour.
     /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end)
     GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
     {
-        return DrawThrough(lens.glassOfColours->Of(hue), film, u, v, seed);
+        return DrawThrough(colours->Of(hue), film, u, v, seed);
     }
 
-    bool HasColours() const { return lens.glassOfColours != nullptr; }
+    bool HasColours() const { return colours.has_value(); }
 
     /// Ray through the centre of the film point's view; none if that is blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
@@ -105,9 +105,10 @@ class GlassCamera
         bool seen = false;
     };
 
-    Lens lens;
-    std::shared_ptr<const GlassLens> glass;
-    Aperture aperture, disc = Aperture::Disc();
+    std::shared_ptr<const SolvedLens> lens;
+    GlassLens glass;                        ///< with the aperture's shape
+    std::optional<GlassOfColours> colours;  ///< none: one wavelength
+    Aperture disc = Aperture::Disc();
     double natural;
     Vec3 axisX, axisY;                      ///< of the lens, world, unit length
     Vec3 filmMiddle, filmRight, filmUp;     ///< lens frame, mm

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/camera/sharp_points.h"
+#include "tilt_lens/lens_camera/sharp_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ Statement WithWidestStop(const CameraFrame& camera, const Statement& given)
     stopped.sharpWithin.reset();
     stopped.aperture = 0.0;
     stopped.fStop = kNarrowStop;
-    const Lens lens = Solve(camera, stopped);
+    const SolvedLens lens = Solve(camera, stopped);
     const double holding = kNarrowStop * GreatestBlur(SharpPointBlurs(camera.location, stopped, lens)) / *given.sharpWithin;
     const double open = lens.glass ? lens.glass->Cardinal().fNumber : kWidestStop;
     stopped.fStop = std::max({holding, open, given.character.rimStop.value_or(0.0), kWidestStop});

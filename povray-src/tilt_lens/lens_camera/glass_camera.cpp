@@ -1,27 +1,31 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/glass/glass_camera.h"
+#include "tilt_lens/lens_camera/glass_camera.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "tilt_lens/camera/frame_table.h"
-#include "tilt_lens/camera/numbers.h"
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/camera/partly_covered.h"
 
 namespace tilt_lens
 {
 
-GlassCamera::GlassCamera(const Lens& itsLens, const Aperture& itsAperture, double itsNatural) :
-    lens(itsLens),
-    glass(itsLens.glass),
-    aperture(itsAperture),
+GlassCamera::GlassCamera(std::shared_ptr<const SolvedLens> itsLens, const Aperture& aperture, double itsNatural) :
+    lens(std::move(itsLens)),
+    glass(*lens->glass),
     natural(itsNatural),
-    axisX(Normalized(itsLens.lensX)),
-    axisY(Normalized(itsLens.lensY))
+    axisX(Normalized(lens->lensX)),
+    axisY(Normalized(lens->lensY))
 {
+    if (!aperture.IsDisc())
+        glass.ShapeStop([aperture](const StopPoint& stop) { return aperture.Density({stop.a, stop.b}) > 0.0; });
+    if (lens->dispersion)
+        colours.emplace(glass, *lens->dispersion);
     PlaceFilm();
     Tabulate();
     const Node& middle = nodes[nodes.size() / 2];
@@ -37,22 +41,22 @@ GlassCamera::GlassCamera(const Lens& itsLens, const Aperture& itsAperture, doubl
 /// The film lies behind the lens, upside down.
 void GlassCamera::PlaceFilm()
 {
-    const double scale = -lens.filmDistance / (Dot(lens.direction, lens.axis) * lens.millimetre);
-    const auto inLens = [&](const Vec3& v) { return scale * Vec3{Dot(v, axisX), Dot(v, axisY), Dot(v, lens.normal)}; };
-    filmMiddle = inLens(lens.direction) - Vec3{0.0, 0.0, glass->Cardinal().separation};
-    filmRight = inLens(lens.right);
-    filmUp = inLens(lens.up);
+    const double scale = -lens->filmDistance / (Dot(lens->direction, lens->axis) * lens->millimetre);
+    const auto inLens = [&](const Vec3& v) { return scale * Vec3{Dot(v, axisX), Dot(v, axisY), Dot(v, lens->normal)}; };
+    filmMiddle = inLens(lens->direction) - Vec3{0.0, 0.0, glass.Cardinal().separation};
+    filmRight = inLens(lens->right);
+    filmUp = inLens(lens->up);
 }
 
 GlassCamera::Node GlassCamera::NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const
 {
     const Vec3 place = FilmInLens(film);
     Node node;
-    const std::optional<PupilView> view = ViewOf(*glass, aperture, place, near);
+    const std::optional<PupilView> view = ViewOf(glass, place, near);
     if (!view)
         return node;
     near = view->bounds.centre;
-    const PupilPoint aim = ParaxialAim(glass->Cardinal(), place);
+    const PupilPoint aim = ParaxialAim(glass.Cardinal(), place);
     node.l = view->bounds.centre.l - aim.l;
     node.m = view->bounds.centre.m - aim.m;
     node.radial = view->bounds.radial;
@@ -61,7 +65,7 @@ GlassCamera::Node GlassCamera::NodeAt(const FilmPoint& film, std::optional<Pupil
     // the solid angle is projected on the lens's plane; the film is tilted against it
     if (const std::optional<GlassRay> ray = RayTowards(place, view->bounds.centre))
     {
-        const Vec3 filmNormal{Dot(lens.axis, axisX), Dot(lens.axis, axisY), Dot(lens.axis, lens.normal)};
+        const Vec3 filmNormal{Dot(lens->axis, axisX), Dot(lens->axis, axisY), Dot(lens->axis, lens->normal)};
         node.natural = view->stop * std::max(0.0, Dot(ray->direction, filmNormal)) / ray->direction.z;
     }
     node.seen = true;
@@ -103,7 +107,7 @@ void GlassCamera::FillUnseen()
 
 PupilEllipse GlassCamera::BoundsOf(const Node& node, const Vec3& place) const
 {
-    const PupilPoint aim = ParaxialAim(glass->Cardinal(), place);
+    const PupilPoint aim = ParaxialAim(glass.Cardinal(), place);
     return {{aim.l + node.l, aim.m + node.m}, node.radial, node.tangential};
 }
 

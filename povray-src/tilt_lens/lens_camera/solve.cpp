@@ -1,0 +1,104 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/lens_camera/solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "tilt_lens/camera/film_point.h"
+#include "tilt_lens/glass/glass_lens.h"
+#include "tilt_lens/glass/inner_focus.h"
+#include "tilt_lens/lens_camera/sharp_points.h"
+#include "tilt_lens/math/numbers.h"
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+/// Relative tolerance: an f-number typed with four digits counts as the glass's own.
+constexpr double kSameFNumber = 1e-3;
+
+/// Least distance, in mm, from a corner of the film to the last surface's vertex; negative: the film reaches into the glass.
+double RoomBehind(const Lens& lens, const CardinalPoints& points)
+{
+    double least = HUGE_VAL;
+    ForCorners([&](const FilmPoint& corner)
+    {
+        const double along = Dot(IdealChiefRay(lens, corner), lens.normal);
+        const double behind = along * lens.filmDistance / (Dot(lens.direction, lens.axis) * lens.millimetre);
+        least = std::min(least, behind + points.separation + points.rearVertex);
+    });
+    return least;
+}
+
+/// Position of the focusing groups of a prescription, so that the film need not move.
+double GroupsOf(const CameraFrame& camera, const Statement& given)
+{
+    // a film placed by film_distance stays there, and the groups stay at infinity
+    if (!given.prescription || given.prescription->objectDistances.empty() || given.filmDistance)
+        return 0.0;
+    return StateFor(*given.prescription, [&](double focalLength) { return FilmVergence(camera, given, focalLength); });
+}
+
+/// Gives a solved thin lens the glass of its prescription.
+/// @throws OpticsError  an aperture wider than the glass; a film within the glass
+void ApplyPrescription(SolvedLens& lens, const Statement& given)
+{
+    const auto glass = std::make_shared<GlassLens>(*given.prescription);
+    const CardinalPoints& points = glass->Cardinal();
+    const double fNumber = lens.focalLength / lens.diameter;
+    if (!(fNumber >= points.fNumber * (1.0 - kSameFNumber)))
+        throw OpticsError("The aperture of f/" + Number(fNumber) + " is wider than the lens of the prescription, which is open to f/" +
+                          Number(points.fNumber) + ". Give a greater f_stop or a smaller aperture, or neither for the lens wide open.");
+    const double room = RoomBehind(lens, points);
+    if (!(room > 0.0))
+        throw OpticsError("The film lies within the glass: a corner of the frame is " + Number(-room) + " mm before the last surface of the "
+                          "lens. Focus nearer, or turn or shift the lens less.");
+    if (given.fStop || given.aperture > 0.0)
+        glass->StopDown(fNumber);
+    lens.glass = glass;
+    if (given.dispersion)
+        lens.dispersion = given.prescription;
+}
+
+} // namespace
+
+SolvedLens Solve(const CameraFrame& camera, const Statement& written)
+{
+    const Statement statement = WithWidestStop(camera, written);
+    const double groups = GroupsOf(camera, statement);
+    const Statement focused = WithGroups(statement, groups);
+    SolvedLens lens = SolveThinLens(camera, IdealStatement(focused));
+    lens.groups = groups;
+    if (focused.prescription)
+        ApplyPrescription(lens, focused);
+    return lens;
+}
+
+Statement IdealStatement(const Statement& given)
+{
+    if (!given.prescription)
+        return given;
+    Statement ideal = given;
+    const CardinalPoints points = GlassLens(*given.prescription).Cardinal();
+    ideal.focalLength = points.focalLength;
+    if (!given.fStop && given.aperture == 0.0)
+        ideal.fStop = points.fNumber;
+    ideal.prescription.reset();
+    return ideal;
+}
+
+Statement WithGroups(const Statement& given, double state)
+{
+    if (!given.prescription || given.prescription->objectDistances.empty())
+        return given;
+    Statement focused = given;
+    focused.prescription = std::make_shared<const Prescription>(InState(*given.prescription, state));
+    return focused;
+}
+
+} // namespace tilt_lens
