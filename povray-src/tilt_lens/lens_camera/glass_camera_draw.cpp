@@ -78,7 +78,7 @@ struct GlassCamera::Interpolation
         Vector mean{};
         for (int corner = 0; corner < 4; corner++)
         {
-            Vector value;
+            Vector value{};
             for (std::size_t i = 0; i < kVectorWidth<Vector>; i++)
                 value[i] = upperLeft[i][corners[corner]].*number;
             mean += weights[corner] * value;

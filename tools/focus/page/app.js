@@ -215,6 +215,7 @@ function supposeFocus() {
         const point = live.surfaceAt(x, y);
         if (point) {
             model.suppose(point);
+            model.past.pop(); // the state before, without a focus, is no step to go back to
             model.remember();
             return;
         }
