@@ -45,7 +45,7 @@ class Tracer:
                 "--height",
                 view.height,
                 "--samples",
-                128 if whole else 1024,
+                128 if whole else 2048,
                 "--f-stop",
                 f_stop,
                 "--tilt",
