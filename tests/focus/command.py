@@ -9,6 +9,7 @@ import urllib.request
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, SETTINGS, SMALL, PageTest
+from tools import povray_run
 
 
 class Command(harness.FocusTest):
@@ -49,7 +50,7 @@ class Command(harness.FocusTest):
     def call(self, *words):
         """Calls ./focus and waits for its end."""
         command = [str(harness.ROOT / "focus"), *map(str, words), "--povray", SETTINGS.povray]
-        return subprocess.run(command, cwd=self.folder, env=harness.environment(), capture_output=True, text=True, check=False, timeout=60)
+        return subprocess.run(command, cwd=self.folder, env=povray_run.user_environment(), capture_output=True, text=True, check=False, timeout=60)
 
     def test_wrong_calls_are_one_message(self):
         for words, said in (

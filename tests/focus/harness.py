@@ -15,6 +15,7 @@ import tempfile
 import unittest
 
 from tests.waiting import WaitingTest
+from tools import povray_run
 from tools.focus.povray import Render
 from tools.repository import ROOT
 
@@ -50,12 +51,6 @@ return { rmse: rmse({}), sharp: rmse({ blur: false }) };
 """
 
 
-def environment():
-    """The tests' own environment, without the user's ini files and display."""
-    hidden = ("POVINI", "POVINC", "DISPLAY", "WAYLAND_DISPLAY")
-    return {name: value for name, value in os.environ.items() if name not in hidden}
-
-
 class FocusTest(WaitingTest):
     """A test in a folder of its own, whose name contains a space."""
 
@@ -81,7 +76,7 @@ class FocusTest(WaitingTest):
         self.process = subprocess.Popen(
             [*command, *words],
             cwd=self.folder,
-            env=dict(environment(), TMPDIR=str(self.folder / "tmp"), **variables),
+            env=povray_run.user_environment(TMPDIR=str(self.folder / "tmp"), **variables),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=said,

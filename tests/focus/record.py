@@ -8,6 +8,7 @@ import subprocess
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, SETTINGS, FocusTest
+from tools import povray_run
 
 LENS = "tilt_lens { scene_unit 10 f_stop 0.7 focus_tilt 30 shift <2, 1> }"
 PINHOLE = LENS.replace("f_stop 0.7 ", "")
@@ -19,7 +20,7 @@ class Record(FocusTest):
         scene = self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {items}\n"))
         record, picture = self.folder / "record.json", self.folder / "picture.png"
         record.unlink(missing_ok=True)
-        env = dict(harness.environment(), **({"TILT_LENS_PREVIEW": str(record)} if preview else {}))
+        env = povray_run.user_environment(**({"TILT_LENS_PREVIEW": str(record)} if preview else {}))
         words = [f"+I{scene.name}", f"+O{picture.name}", *harness.SMALL, "-D", "-A", "+WL0"]
         done = subprocess.run(
             [SETTINGS.povray, *words], cwd=self.folder, env=env, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "double_gauss_rows.h"
 #include "random_cameras.h"
 #include "tile_results.h"
 
@@ -103,9 +104,7 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
 TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
 {
     Statement statement;
-    statement.prescription = std::make_shared<const Prescription>(ReadPrescription(
-        "29.475 3.76 1.67 25.2\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23\n40.77 3.275 1.699 23\n12.75 5.705 1 18\n0 4.5 0 17.1\n"
-        "-14.495 1.18 1.603 17\n40.77 6.065 1.658 20\n-20.385 0.19 1 20\n437.065 3.22 1.717 20\n-39.73 0 1 20\n"));
+    statement.prescription = std::make_shared<const Prescription>(ReadPrescription(kDoubleGauss));
     statement.sceneUnit = 1.0;
     statement.focalPoint = {0.0, 0.0, 3000.0};
     statement.shiftUp = 9.0;

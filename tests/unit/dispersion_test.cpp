@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "double_gauss_rows.h"
 #include "tilt_lens/lens_camera/lens_camera.h"
 
 namespace tilt_lens
@@ -175,10 +176,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
 
 TEST(Dispersion, DoesNotChangeBrightness)
 {
-    const char* const gauss =
-        "29.475 3.76 1.67 25.2 47\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23 47\n40.77 3.275 1.699 23 30\n12.75 5.705 1 18\n0 4.5 0 17.1\n"
-        "-14.495 1.18 1.603 17 38\n40.77 6.065 1.658 20 57\n-20.385 0.19 1 20\n437.065 3.22 1.717 20 48\n-39.73 0 1 20\n";
-    const GlassCamera camera(Made(gauss, true), Aperture::Disc(), 1.0), plain(Made(gauss, false), Aperture::Disc(), 1.0);
+    const GlassCamera camera(Made(kDispersiveDoubleGauss, true), Aperture::Disc(), 1.0), plain(Made(kDispersiveDoubleGauss, false), Aperture::Disc(), 1.0);
     std::uint32_t refused = 0, drawn = 0;
     for (int i = 0; i < 400; i++)
     {

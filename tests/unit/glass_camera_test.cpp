@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "double_gauss_rows.h"
 #include "tilt_lens/glass/field_aberrations.h"
 #include "tilt_lens/sampling/sequence.h"
 
@@ -20,10 +21,6 @@ namespace tilt_lens
 {
 namespace
 {
-
-const char* const kDoubleGauss =
-    "29.475 3.76 1.67 25.2\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23\n40.77 3.275 1.699 23\n12.75 5.705 1 18\n0 4.5 0 17.1\n"
-    "-14.495 1.18 1.603 17\n40.77 6.065 1.658 20\n-20.385 0.19 1 20\n437.065 3.22 1.717 20\n-39.73 0 1 20\n";
 
 /// Thin enough to be an ideal lens near its axis; the stop is in the lens.
 const char* const kThin = "100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 10\n";

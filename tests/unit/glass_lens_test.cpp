@@ -5,6 +5,7 @@
 // reversal, and the fates of rays.
 
 #include "tilt_lens/glass/glass_lens.h"
+#include "double_gauss_rows.h"
 
 #include <cmath>
 #include <random>
@@ -34,12 +35,9 @@ Prescription Singlet(double first, double second, double thickness, double index
     return lens;
 }
 
-/// The double Gauss of pbrt's file dgauss.50mm.dat (US patent 2,673,491).
 Prescription DoubleGauss()
 {
-    return ReadPrescription("29.475 3.76 1.67 25.2\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23\n40.77 3.275 1.699 23\n12.75 5.705 1 18\n"
-                            "0 4.5 0 17.1\n-14.495 1.18 1.603 17\n40.77 6.065 1.658 20\n-20.385 0.19 1 20\n437.065 3.22 1.717 20\n"
-                            "-39.73 0 1 20\n");
+    return ReadPrescription(kDoubleGauss);
 }
 
 /// With a conic, an asphere and a curved first surface.

@@ -9,16 +9,13 @@
 
 #include <gtest/gtest.h>
 
+#include "double_gauss_rows.h"
 #include "random_cameras.h"
 
 namespace tilt_lens
 {
 namespace
 {
-
-const char* const kDoubleGauss =
-    "29.475 3.76 1.67 25.2 47\n84.83 0.12 1 25.2\n19.275 4.025 1.67 23 47\n40.77 3.275 1.699 23 30\n12.75 5.705 1 18\n0 4.5 0 17.1\n"
-    "-14.495 1.18 1.603 17 38\n40.77 6.065 1.658 20 57\n-20.385 0.19 1 20\n437.065 3.22 1.717 20 48\n-39.73 0 1 20\n";
 
 /// A lens of 50 mm at f/2.8, one unit a millimetre.
 struct Setting
@@ -40,7 +37,7 @@ struct Setting
     }
     Setting& Glass(bool dispersion = false)
     {
-        given.prescription = std::make_shared<const Prescription>(ReadPrescription(kDoubleGauss));
+        given.prescription = std::make_shared<const Prescription>(ReadPrescription(kDispersiveDoubleGauss));
         given.focalLength.reset();
         given.dispersion = dispersion;
         return *this;

@@ -47,8 +47,7 @@ class SampledCamera
     const LensSampler lensSampler;
     const EmitterSampling emitters;
 
-    /// Of the sampling pattern.
-    const std::uint32_t seed;
+    const std::uint32_t seed;  ///< scrambles the sequences of all pixels
 };
 
 } // namespace tilt_lens
