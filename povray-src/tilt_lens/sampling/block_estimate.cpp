@@ -11,9 +11,9 @@
 namespace tilt_lens
 {
 
-bool BlockEstimate::IsUniform() const
+bool BlockEstimate::HasNoise() const
 {
-    return std::none_of(pixels.begin(), pixels.end(), [](const PixelEstimate& pixel) { return IsNonZero(pixel.statistics.Variance()); });
+    return spread || std::any_of(pixels.begin(), pixels.end(), [](const PixelEstimate& pixel) { return IsNonZero(pixel.statistics.Variance()); });
 }
 
 FirstRound::FirstRound(const BlockEstimate& estimate) : samples(estimate.firstSamples), pixels(estimate.pixels.size())

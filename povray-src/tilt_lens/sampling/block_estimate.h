@@ -56,8 +56,8 @@ struct BlockEstimate
     double SamplesReceivedBy(std::size_t pixel) const { return spread ? spread->SamplesAt(PlaceOf(pixel)) : 0.0; }
     /// Index of a pixel in a plane of `spread`.
     std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
-    /// True if the samples of each pixel are all equal.
-    bool IsUniform() const;
+    /// False if the samples of each pixel are all equal and none were received.
+    bool HasNoise() const;
 };
 
 /// A block after its first round, as its neighbours see it. Immutable.

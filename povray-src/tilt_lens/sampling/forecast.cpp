@@ -51,7 +51,7 @@ std::vector<double> VarianceAround(const BlockEstimate& estimate)
 std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate)
 {
     const Area& area = estimate.area;
-    const bool uniform = estimate.IsUniform() && !estimate.spread;  // no noise to estimate
+    const bool uniform = !estimate.HasNoise();
     const std::vector<double> none(uniform ? area.Size() : 0);
     const std::vector<double> ratio = uniform ? none : LocalVarianceRatios(estimate), variance = uniform ? none : VarianceAround(estimate);
     const auto made = std::make_shared<BlockStatistics>();

@@ -50,6 +50,8 @@ double Shrinkage(std::uint32_t samples)
 
 std::vector<double> MeanVariances(const BlockEstimate& estimate)
 {
+    if (!estimate.HasNoise())
+        return std::vector<double>(estimate.pixels.size());
     std::vector<Radiance> own;
     for (const PixelEstimate& pixel : estimate.pixels)
         own.push_back(pixel.statistics.Variance());
