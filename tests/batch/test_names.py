@@ -26,7 +26,9 @@ sphere { <2, 0, 0>, Size pigment { rgb 1 } }
 )
 
 
-class Names(BatchTest):
+class InFolders(BatchTest):
+    """Scenes that read files of their folder."""
+
     def lay_out(self, name):
         folder = self.folder / name / "scenes"
         for path, text in (("own.inc", "#declare Own = 1;"), ("../beside/other.inc", "#declare Other = 1;"), ("values.txt", "0.7")):
@@ -54,6 +56,24 @@ class Names(BatchTest):
         self.assertEqual(len(os.listdir(self.folder / f"{WEIRD}_film")), 2)
         self.batch("sweep", scene, "--set", "Tilt=1,2", "+W64", "+H64")
         self.assertEqual(len(os.listdir(self.folder / f"{WEIRD}_sweep")), 3)
+
+    def test_read_only_scene_folder(self):
+        scene = self.lay_out("fixed")
+        out = self.folder / "out"
+        out.mkdir()
+        for folder, _, _ in os.walk(self.folder / "fixed"):
+            os.chmod(folder, 0o555)
+        before = sorted(self.folder.joinpath("fixed").rglob("*"))
+        words = ("still", scene, "--bands", 2, "--output", out / "a.png", "+W64", "+H64")
+        self.batch(*words, before=held_to_permissions())
+        self.assertEqual(sorted(self.folder.joinpath("fixed").rglob("*")), before)
+        for folder, _, _ in os.walk(self.folder / "fixed"):
+            os.chmod(folder, 0o755)
+        self.assert_same(out / "a.png", self.whole_in_place(scene))
+
+
+class Options(BatchTest):
+    """Files and folders that options, ini files and the environment name."""
 
     def test_files_elsewhere(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -103,20 +123,6 @@ class Names(BatchTest):
         self.assertIn("is there now", said)
         self.batch("still", scene, "--bands", 1, "--output", "b.png")
         self.assertEqual(calls.picture(self.folder / "b.png")[:2], (32, 24))
-
-    def test_read_only_scene_folder(self):
-        scene = self.lay_out("fixed")
-        out = self.folder / "out"
-        out.mkdir()
-        for folder, _, _ in os.walk(self.folder / "fixed"):
-            os.chmod(folder, 0o555)
-        before = sorted(self.folder.joinpath("fixed").rglob("*"))
-        words = ("still", scene, "--bands", 2, "--output", out / "a.png", "+W64", "+H64")
-        self.batch(*words, before=held_to_permissions())
-        self.assertEqual(sorted(self.folder.joinpath("fixed").rglob("*")), before)
-        for folder, _, _ in os.walk(self.folder / "fixed"):
-            os.chmod(folder, 0o755)
-        self.assert_same(out / "a.png", self.whole_in_place(scene))
 
 
 if __name__ == "__main__":
