@@ -101,10 +101,10 @@ def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
     built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()
     found = {"grammar": grammar(setup, work, sanitized if built else setup.build, count)}
     targets = [
-        ("solver", setup.build / "tests" / "fuzz" / "solver_fuzz", 320, runs),
+        ("solver", setup.build / "tests" / "sanitized" / "memory" / "solver_fuzz", 320, runs),
         ("parser", sanitized / "tests" / "fuzz" / "parser_fuzz", 2000, runs // 20),
     ]
-    targets.append(("prescription", setup.build / "tests" / "fuzz" / "prescription_fuzz", 4096, runs))
+    targets.append(("prescription", setup.build / "tests" / "sanitized" / "memory" / "prescription_fuzz", 4096, runs))
     seeds.write(work / "solver")
     seeds.write_lenses(work / "prescription")
 
