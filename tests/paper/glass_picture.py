@@ -24,13 +24,15 @@ from tests.render import rendering
 
 TILTS, STOPS = (0, 4, 8), (8, 2.1)
 SAMPLES = {8: 1024, 2.1: 4096}  # of the tracer, per pixel: its noise must be small against the limits
-WIDTH, HEIGHT = 60, 40
-# The limits of the oracle's pictures. With the wrong sign of the tilt the RMSE is 0.11.
+SIZE = (42, 28)
+# The limits of the oracle's pictures
 RMSE, MEAN = 0.006, 0.0005
-WRONG = 0.1
-# The lens that focuses by its first element: its movement (mm of its file) for this scene, the tilt, and the least difference from the lens
-# with all glass as for infinity.
-MOVED, MOVED_TILT, UNMOVED = 2.0, 4, 0.1
+# The least RMSE of a wrong lens, in a picture of this size; so large a difference needs fewer samples. With the wrong sign of the tilt it is
+# 0.11.
+WRONG, WRONG_SIZE, WRONG_SAMPLES = 0.1, (60, 40), 512
+# The lens that focuses by its first element: its movement (mm of its file) for this scene, and the tilt. The wrong lens has all glass as for
+# infinity.
+MOVED, MOVED_TILT = 2.0, 4
 
 
 def scene(tilt, stop, even=False, glass='"gauss.dat", 50'):
@@ -42,27 +44,30 @@ def scene(tilt, stop, even=False, glass='"gauss.dat", 50'):
     )
 
 
-def program_picture(folder, tilt, stop, even=False, **glass):
-    return rendering.render(scene(tilt, stop, even, **glass), f"+L{folder}", f"+L{SCENES}", width=WIDTH, height=HEIGHT, extension="exr")
+def program_picture(folder, tilt, stop, even=False, size=SIZE, **glass):
+    width, height = size
+    return rendering.render(scene(tilt, stop, even, **glass), f"+L{folder}", f"+L{SCENES}", width=width, height=height, extension="exr")
 
 
-def lens_of(tilt, stop):
-    return Lens.tilted(dataclasses.replace(VIEW, width=WIDTH, height=HEIGHT, f_stop=stop), tilt, EDGE_TOP)
+def lens_of(tilt, stop, size=SIZE):
+    width, height = size
+    return Lens.tilted(dataclasses.replace(VIEW, width=width, height=height, f_stop=stop), tilt, EDGE_TOP)
 
 
-def traced_picture(tool, folder, tilt, stop, moved=0.0):
-    lens = lens_of(tilt, stop)
+def traced_picture(tool, folder, tilt, stop, moved=0.0, size=SIZE, samples=None):
+    lens = lens_of(tilt, stop, size)
+    width, height = size
     made = folder / f"traced_{tilt}_{stop}.exr"
     done = subprocess.run(
         [
             tool,
             made,
             "--width",
-            str(WIDTH),
+            str(width),
             "--height",
-            str(HEIGHT),
+            str(height),
             "--samples",
-            str(SAMPLES[stop]),
+            str(samples or SAMPLES[stop]),
             "--f-stop",
             str(stop),
             "--tilt",
@@ -80,7 +85,7 @@ def traced_picture(tool, folder, tilt, stop, moved=0.0):
     assert abs(json.loads(done.stdout)["entrance_pupil"]) < (0.02 if moved == 0.0 else 0.03), done.stdout
     # three floats, and three halves for an error that the mean of one batch lacks
     *_, data = rendering.read_pixels(made)
-    return rendering.Picture(WIDTH, HEIGHT, ["R", "G", "B"], [v for pixel in struct.iter_unpack("=fffeee", data) for v in pixel[:3]])
+    return rendering.Picture(width, height, ["R", "G", "B"], [v for pixel in struct.iter_unpack("=fffeee", data) for v in pixel[:3]])
 
 
 def differences(picture, even, traced):
@@ -90,13 +95,12 @@ def differences(picture, even, traced):
         for own, level, other in zip(picture.channel(name), even.channel(name), traced.channel(name)):
             squares += (own / level - other) ** 2
             mean += own / level - other
-    count = 3 * WIDTH * HEIGHT
+    count = 3 * traced.width * traced.height
     return math.sqrt(squares / count), mean / count
 
 
 def inner_focus(tool, folder, stop):
     """The program has to find the first element's movement by itself."""
-    traced = traced_picture(tool, folder, MOVED_TILT, stop, MOVED)
     at_infinity = gauss.write_moving(folder, MOVED, lens_of(MOVED_TILT, stop).film_distance * VIEW.scene_unit)
     stays = json.loads((folder / "moving.json").read_text())
     del stays["object-distance"]
@@ -104,16 +108,15 @@ def inner_focus(tool, folder, stop):
         if isinstance(surface["thickness"], list):
             surface["thickness"] = surface["thickness"][0]
     (folder / "stays.json").write_text(json.dumps(stays))
-    found = []
-    for name in ("moving", "stays"):
-        glass = {"glass": f'"{name}.json", {at_infinity!r}'}
-        found.append(
-            differences(
-                program_picture(folder, MOVED_TILT, stop, **glass), program_picture(folder, MOVED_TILT, stop, True, **glass), traced
-            )
-        )
-    (rmse, mean), (unmoved, _) = found
-    good = rmse < RMSE and abs(mean) < MEAN and unmoved > UNMOVED
+
+    def found(name, size, samples):
+        glass = f'"{name}.json", {at_infinity!r}'
+        pictures = [program_picture(folder, MOVED_TILT, stop, even, size, glass=glass) for even in (False, True)]
+        return differences(*pictures, traced_picture(tool, folder, MOVED_TILT, stop, MOVED, size, samples))
+
+    rmse, mean = found("moving", SIZE, SAMPLES[stop])
+    unmoved, _ = found("stays", WRONG_SIZE, WRONG_SAMPLES)
+    good = rmse < RMSE and abs(mean) < MEAN and unmoved > WRONG
     print(
         f"first element moved, f/{stop}: RMSE {rmse:.5f}, signed mean {mean:+.6f}; the film moved instead: RMSE {unmoved:.5f}"
         f"{'' if good else '  WRONG'}"
@@ -122,22 +125,28 @@ def inner_focus(tool, folder, stop):
 
 
 def one_tilt(tool, folder, stop, tilt):
-    """The lens tilted as a whole; with the wrong sign of the largest tilt the pictures differ."""
+    """The lens tilted as a whole."""
     traced = traced_picture(tool, folder, tilt, stop)
     rmse, mean = differences(program_picture(folder, tilt, stop), program_picture(folder, tilt, stop, True), traced)
     good = rmse < RMSE and abs(mean) < MEAN
     print(f"f/{stop}, tilt {tilt}: RMSE {rmse:.5f}, signed mean {mean:+.6f}{'' if good else '  TOO LARGE'}")
-    if tilt == max(TILTS) and stop == min(STOPS):
-        wrong, _ = differences(program_picture(folder, -tilt, stop), program_picture(folder, -tilt, stop, True), traced)
-        print(f"the wrong sign of the tilt: RMSE {wrong:.5f}")
-        good = good and wrong > WRONG
     return good
+
+
+def wrong_sign(tool, folder, stop, tilt):
+    """With the wrong sign of the tilt the pictures differ."""
+    traced = traced_picture(tool, folder, tilt, stop, size=WRONG_SIZE, samples=WRONG_SAMPLES)
+    pictures = [program_picture(folder, -tilt, stop, even, WRONG_SIZE) for even in (False, True)]
+    wrong, _ = differences(*pictures, traced)
+    print(f"f/{stop}, tilt {-tilt} instead of {tilt}: RMSE {wrong:.5f}{'' if wrong > WRONG else '  TOO SMALL'}")
+    return wrong > WRONG
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("stop", type=float, choices=STOPS)
     parser.add_argument("tilt", type=int, nargs="?", choices=TILTS, help="without it: the lens that focuses by its first element")
+    parser.add_argument("--wrong-sign", action="store_true", help="the program's tilt gets the wrong sign; the pictures must differ")
     parser.add_argument("--glass", required=True, help="the separate tracer")
     parser.add_argument("--povray", required=True)
     parser.add_argument("--compare", required=True)
@@ -147,6 +156,8 @@ def main():
         gauss.write(folder)
         if args.tilt is None:
             good = inner_focus(args.glass, folder, args.stop)
+        elif args.wrong_sign:
+            good = wrong_sign(args.glass, folder, args.stop, args.tilt)
         else:
             good = one_tilt(args.glass, folder, args.stop, args.tilt)
     return 0 if good else 1
