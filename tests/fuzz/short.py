@@ -11,7 +11,7 @@ import tempfile
 from tests.fuzz import blocks, frames, grammar, kept, seeds
 from tests.parse import items
 
-RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 1200, 60
+RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 800, 60
 SECONDS_OF_ONE = 60  # a file is read within a thousandth of it
 # a block that the parser refuses, and one followed by more light than the file can hold
 BAD = ("tilt", "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
