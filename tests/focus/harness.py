@@ -16,7 +16,7 @@ import unittest
 
 from tests.waiting import WaitingTest
 from tools import povray_run
-from tools.focus.povray import Render
+from tools.focus.render import Render
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None, cases=None)
@@ -36,6 +36,21 @@ plane { z, 9 pigment { brick rgb 0.9, rgb <0.7, 0.3, 0.2> scale 0.2 } }
 box { <-2.4, 0, -2>, <-1.4, 0.6, -1> pigment { rgb <0.9, 0.4, 0.1> } }
 box { <1.2, 0, 0>, <2.2, 1.2, 1> pigment { rgb <0.2, 0.7, 0.3> } }
 box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
+"""
+# As an exporter writes it: the camera at the origin, placed by a matrix.
+EXPORTED = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera {
+  location <0, 0, 0>
+  look_at <0, 0, -1>
+  right <-1.777778, 0, 0>
+  up <0, 1, 0>
+  angle 49.134343
+  matrix <0.685921, 0.727676, 0.0,  -0.324013, 0.305421, 0.895396,  0.651558, -0.614170, 0.445271,  73588.9, -69257.9, 49583.1>
+}
+light_source { <40000, -10000, 90000>, rgb 1.2 }
+plane { z, 0  pigment { checker rgb 0.8 rgb 0.35 scale 4000 } }
+#for (I, -4, 4) box { <10000*I - 3000, -3000, 0>, <10000*I + 3000, 3000, 12000> pigment { rgb <0.7, 0.3, 0.2> } } #end
 """
 SMALL = ("+W160", "+H90")
 
@@ -120,7 +135,7 @@ def rendered(scene, folder, size, *words):
             place[tile.top : tile.top + part.shape[0], tile.left : tile.left + part.shape[1]] = part
 
     render = Render(SETTINGS.povray, folder, "rendered")
-    library = f"+L{ROOT / 'scenes' / 'include'}"
+    library = f"+L{povray_run.INCLUDE}"
     asyncio.run(render.run(render.words(scene, [library, "-A", *words], size), False, take))
     return found
 
@@ -234,6 +249,8 @@ def read_settings():
     return rest
 
 
-def main():
-    """Runs the tests of the calling module."""
-    unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()])
+def main(prefix="test"):
+    """Runs the tests of the calling module: the methods whose names begin with the prefix."""
+    loader = unittest.TestLoader()
+    loader.testMethodPrefix = prefix
+    unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()], testLoader=loader)

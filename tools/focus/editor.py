@@ -5,7 +5,7 @@
 import os
 
 from tools.focus import scene_file, scene_text
-from tools.focus.povray import Render, RenderError
+from tools.focus.render import Render, RenderError
 from tools.focus.scene_text import EditError
 from tools.focus.tasks import ended, started
 

@@ -8,7 +8,7 @@ import time
 import numpy
 
 from tools.focus import wrapper
-from tools.focus.povray import Render
+from tools.focus.render import Render
 from tools.focus.tasks import ended, started
 
 

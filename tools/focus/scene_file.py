@@ -16,12 +16,7 @@ from tools.focus.scene_text import EditError
 ENCODING = "latin-1"  # every byte is a character, so that unchanged bytes survive
 
 # items that state the focus, by family
-FOCUS = {
-    "lensTurn": ("tilt", "swing", "focalPoint"),
-    "plane": ("plane",),
-    "points": ("points",),
-    "sharp": ("sharpPoints", "sharpWithin"),
-}
+FOCUS = {"lensTurn": ("tilt", "swing", "focalPoint"), "plane": ("plane",), "points": ("points",), "sharp": ("sharpPoints", "sharpWithin")}
 LENS = ("filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle")
 CAMERA = ("location", "direction", "right", "up")
 

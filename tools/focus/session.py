@@ -16,7 +16,7 @@ import numpy
 from tools.focus import scene_file, scene_text, wrapper
 from tools.focus.editor import Editor
 from tools.focus.picture import TruePicture
-from tools.focus.povray import Render, RenderError
+from tools.focus.render import Render, RenderError
 from tools.focus.scene_text import EditError
 from tools.focus.tasks import started, stopped
 
@@ -207,9 +207,7 @@ class Session:
 
     async def tell_scene(self):
         """Sends the scene and its cameras."""
-        cameras = [
-            {**camera, "own": self.is_own(camera), "kept": self.kept(camera)} for camera in self.record["cameras"]
-        ]
+        cameras = [{**camera, "own": self.is_own(camera), "kept": self.kept(camera)} for camera in self.record["cameras"]]
         await self.tell(
             "scene",
             name=os.path.basename(self.settings.scene),

@@ -21,16 +21,22 @@ camera {
 }
 """
 # one bright spot before the plane of sharp focus and one behind it, on black
-SPOTS = VIEW + """\
+SPOTS = (
+    VIEW
+    + """\
 sphere { <-1, 0, -2>, 0.07 pigment { rgb 1 } finish { emission 40 } }
 sphere { <1.4, 0, 4>, 0.1 pigment { rgb 1 } finish { emission 40 } }
 sphere { <0, -1.2, 0>, 0.1 pigment { rgb 1 } finish { emission 1 } }
 """
+)
 # a red post before a wall of another colour
-POST = VIEW + """\
+POST = (
+    VIEW
+    + """\
 box { <-1, -9, 0>, <1, 9, 0.1> pigment { rgb x } finish { emission 1 diffuse 0 } }
 plane { z, 20 pigment { checker rgb z, rgb y scale 0.3 } finish { emission 1 diffuse 0 } }
 """
+)
 SLOW = SCENE.replace("plane { y", "media { scattering { 1, 1 } intervals 20 samples 50 } plane { y", 1)
 
 

@@ -139,7 +139,9 @@ class Knobs(PageTest):
             self.assertLessEqual(addresses, {"http://www.w3.org"}, path.name)
 
     def test_program_contacts_no_other_host(self):
-        clients = r"^\s*(?:import|from) (?:urllib|http|socket|ssl|requests|ftplib|smtplib)\b|ClientSession|open_connection|create_connection"
+        clients = (
+            r"^\s*(?:import|from) (?:urllib|http|socket|ssl|requests|ftplib|smtplib)\b|ClientSession|open_connection|create_connection"
+        )
         for path in (ROOT / "tools" / "focus").glob("*.py"):
             text = path.read_text()
             self.assertEqual(re.findall(clients, text, re.MULTILINE), [], path.name)
@@ -156,8 +158,19 @@ class Knobs(PageTest):
             elif action == 1:
                 self.set_number(chance.choice(ids), chance.choice([0, -1, 3, 8, 14.5, 40, 70, 1e9, -1e9, ""]))
             elif action == 2:
-                self.press(chance.choice(["input[name=mode][value=one]", "input[name=mode][value=three]", "input[name=mode][value=more]", "#hold",
-                                          "input[name=pair][value=A]", "input[name=pair][value=B]", "#back"]))
+                self.press(
+                    chance.choice(
+                        [
+                            "input[name=mode][value=one]",
+                            "input[name=mode][value=three]",
+                            "input[name=mode][value=more]",
+                            "#hold",
+                            "input[name=pair][value=A]",
+                            "input[name=pair][value=B]",
+                            "#back",
+                        ]
+                    )
+                )
             elif action == 3:
                 self.press(chance.choice(["#show-blur", "#show-peaking", "#show-map", "#show-planes"]))
             elif action == 4:

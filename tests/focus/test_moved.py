@@ -3,7 +3,7 @@
 """Cameras with transformations: the page's text makes its lens in the camera, before and behind transformations."""
 
 from tests.focus import harness
-from tests.focus.harness import SCENE, PageTest
+from tests.focus.harness import EXPORTED, SCENE, PageTest
 
 PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
 SIZE = (160, 90)
@@ -20,20 +20,6 @@ CAMERAS = """#include "transforms.inc"
   up Turned_Back(<0, 0.954030, 0.299706>)
   blur_samples 4
 #end
-"""
-EXPORTED = """#version 3.7;
-global_settings { assumed_gamma 1 }
-camera {
-  location <0, 0, 0>
-  look_at <0, 0, -1>
-  right <-1.777778, 0, 0>
-  up <0, 1, 0>
-  angle 49.134343
-  matrix <0.685921, 0.727676, 0.0,  -0.324013, 0.305421, 0.895396,  0.651558, -0.614170, 0.445271,  73588.9, -69257.9, 49583.1>
-}
-light_source { <40000, -10000, 90000>, rgb 1.2 }
-plane { z, 0  pigment { checker rgb 0.8 rgb 0.35 scale 4000 } }
-#for (I, -4, 4) box { <10000*I - 3000, -3000, 0>, <10000*I + 3000, 3000, 12000> pigment { rgb <0.7, 0.3, 0.2> } } #end
 """
 MOVES = {
     "rotate": "rotate y*60",
@@ -107,7 +93,9 @@ class Moved(PageTest):
         self.assertEqual(self.console(), [])
 
     def test_declared_camera(self):
-        text = SCENE.replace("camera {", "#declare Cam = camera {").replace("light_source", "camera { Cam rotate 9*y scale 2 }\nlight_source")
+        text = SCENE.replace("camera {", "#declare Cam = camera {").replace(
+            "light_source", "camera { Cam rotate 9*y scale 2 }\nlight_source"
+        )
         scene = self.scene(text)
         self.open(scene)
         self.pick_three()
