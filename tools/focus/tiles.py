@@ -15,6 +15,16 @@ from tools.povray_run import STATE_HEADER, whole_messages
 VECTORS = {b"VFL4": ">f4", b"VIN4": ">i4"}
 
 
+PREVIEW, PICTURE = 1, 2  # kinds of a rectangle for the page
+
+
+def packed(kind, number, left, top, values):
+    """A rectangle of values in the page's format: six whole numbers, then the values."""
+    rows, columns = values.shape[:2]
+    head = struct.pack("<6I", kind, number, left, top, columns, rows)
+    return head + numpy.ascontiguousarray(values).tobytes()
+
+
 @dataclasses.dataclass
 class Tile:
     """A rectangle of the picture: colours (rows, columns, 3) in the scene's light, or named layers."""

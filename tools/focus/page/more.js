@@ -13,7 +13,8 @@ export function pixels(blur) {
     return size < SHARP ? "sharp" : `${size < 9.995 ? size.toFixed(2) : size.toFixed(size < 99.95 ? 1 : 0)} px`;
 }
 
-const stop = value => `f/${Number(value.toPrecision(3))}`;
+/// An f-number with few digits.
+export const stop = value => `f/${Number(value.toPrecision(3))}`;
 
 /// The blur of a point with its side, and whether it binds.
 const described = (blur, binds) => pixels(blur) + (Math.abs(blur) < SHARP ? "" : blur > 0 ? " before" : " behind") + (binds ? ", binds" : "");
