@@ -55,6 +55,23 @@ plane { z, 0  pigment { checker rgb 0.8 rgb 0.35 scale 4000 } }
 SMALL = ("+W160", "+H90")
 
 
+# Consistency of knobs and points: knobs that differ from the lens, and the points' distance from the plane of sharp focus. While the wanted
+# lens is impossible, the last lens is shown and the points wait.
+ONE_LENS = """
+const model = focusPage.model, { lens, block } = model, found = model.numbers(), wrong = [];
+const numbers = {
+    tilt: found.tilt, swing: found.swing, focusTilt: found.focus.tilt, focusSwing: found.focus.swing, angle: found.angle,
+    focalLength: found.focalLength, ...(model.error ? {} : { fStop: lens.focalLength / lens.diameter, sceneUnit: 1 / lens.millimetre }),
+};
+for (const [id, value] of Object.entries(numbers)) {
+    const shown = Number(document.getElementById(id).value);
+    if (Math.abs(shown - value) > 0.06 + 1e-3 * Math.abs(value))
+        wrong.push(`${id} shows ${shown} for ${value}`);
+}
+const wanted = model.picks.length === model.wantedPicks && !model.error ? model.picks : [];
+return [...wrong, ...wanted.map(p => model.offPlane(p)).filter(off => !(Math.abs(off) < 1e-6)).map(off => `a point is off by ${off}`)];
+"""
+
 # Root mean square differences of the live and the true picture, relative to white: with and without blur.
 DIFFERENCE = """
 const truth = focusPage.truePixels();

@@ -105,6 +105,7 @@ class Measure(PageTest):
         self.shot("phone")
         self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
         self.points()
+        self.beside()
         self.pull()
 
     def points(self):
@@ -115,6 +116,16 @@ class Measure(PageTest):
             self.click_at(*place)
         self.press("#hold")
         self.shot("points")
+
+    def beside(self):
+        """The same points with a lens without tilt."""
+        self.press("#beside")
+        self.press("input[name=pair][value=B]")
+        for knob in ("tilt", "swing"):
+            self.set_number(knob, 0)
+        self.press("input[name=pair][value=A]")
+        self.shot("beside")
+        self.press("#beside")
 
     def pull(self):
         """Two marks of a focus pull."""

@@ -4,7 +4,8 @@
 
 import re
 
-from tests.focus.harness import PageTest
+from tests.focus.harness import SETTINGS, PageTest
+from tools import povray_run
 
 # on the fronts of the three towers, on the floor and on the wall
 PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3), (0.3, -0.4), (0.4, 0.3))
@@ -33,3 +34,13 @@ class MorePage(PageTest):
         """Has the f-stop found."""
         self.set_number("within", within)
         self.press("#hold")
+
+    def reported(self, scene, size):
+        """The program's report of a render: f-number, the same as rows(), and the f-number without tilt."""
+        command = povray_run.command(SETTINGS.povray, scene, None, size, "+SR1", "+ER1", library=[povray_run.INCLUDE])
+        said = povray_run.run(command, self.folder).succeeded().said
+        text = re.sub(r"\n (?! )", " ", said)  # what the console has wrapped
+        points = re.findall(r"^    \d+\.+<[^>]*>: ([\d.e-]+) pixels \([\d.e-]+ mm\) (before|behind)(, binds)?", text, re.MULTILINE)
+        blurs = [(float(blur) * (1 if side == "before" else -1), bool(binds)) for blur, side, binds in points]
+        without = re.search(r"without tilt\.+f/([\d.]+)", text)
+        return float(re.search(r"Aperture\.+f/([\d.]+)", text)[1]), blurs, without and float(without[1])

@@ -63,12 +63,12 @@ class Page(PageTest):
                 self.press("#write")
                 self.until("the change", lambda: "Written" in self.text("file-said") or "Not" in self.text("file-said"))
                 self.assertIn("Written", self.text("file-said"))
-                size = (800, 450)
+                size = (160, 90)
                 blur = harness.rendered(scene, self.folder, size, "+N")["blur"]
                 for x, y in PLACES:
-                    found = blur[round((0.5 - y) * size[1]), round((x + 0.5) * size[0])]
-                    self.assertLess(abs(found), 0.5, f"{x}, {y}")
-                self.assertGreater(abs(blur).max(), 3, "nothing is blurred")
+                    found = blur[int((0.5 - y) * size[1]), int((x + 0.5) * size[0])]
+                    self.assertLess(abs(found), 0.1, f"{x}, {y}")
+                self.assertGreater(abs(blur).max(), 0.6, "nothing is blurred")
                 self.press("#undo")
                 self.until("the undoing", lambda: "is as it was" in self.text("file-said"))
                 self.assertEqual(scene.read_text(), SCENE)

@@ -5,24 +5,11 @@
 import re
 
 from tests.focus import harness
-from tests.focus.harness import EXPORTED, SCENE, SETTINGS
+from tests.focus.harness import SCENE
 from tests.focus.more_page import PLACES, WITHIN, MorePage
-from tools import povray_run
-
-EXPORTED_PLACES = ((-0.1, -0.42), (0.15, -0.3), (0.25, -0.44), (-0.3, -0.2), (0.0, 0.1))
 
 
 class Sharp(MorePage):
-    def reported(self, scene, size):
-        """The program's report of a render: f-number, the same as rows(), and the f-number without tilt."""
-        command = povray_run.command(SETTINGS.povray, scene, None, size, "+SR1", "+ER1", library=[povray_run.INCLUDE])
-        said = povray_run.run(command, self.folder).succeeded().said
-        text = re.sub(r"\n (?! )", " ", said)  # what the console has wrapped
-        points = re.findall(r"^    \d+\.+<[^>]*>: ([\d.e-]+) pixels \([\d.e-]+ mm\) (before|behind)(, binds)?", text, re.MULTILINE)
-        blurs = [(float(blur) * (1 if side == "before" else -1), bool(binds)) for blur, side, binds in points]
-        without = re.search(r"without tilt\.+f/([\d.]+)", text)
-        return float(re.search(r"Aperture\.+f/([\d.]+)", text)[1]), blurs, without and float(without[1])
-
     def written(self, scene):
         """Copies, which tries the block, and writes it; returns the scene's text."""
         self.press("#copy")
@@ -63,16 +50,6 @@ class Sharp(MorePage):
         for x, y in PLACES:
             self.assertLess(layer[int((0.5 - y) * 90), int((x + 0.5) * 160)], WITHIN + 0.3)
         self.assertEqual(self.console(), [])
-
-    def test_a_scene_of_an_exporter_by_clicking_alone(self):
-        scene = self.scene(EXPORTED)
-        self.open(scene)
-        self.click_all(EXPORTED_PLACES)
-        self.hold(0.2)
-        self.written(scene)
-        _, blurs, _ = self.compare(scene, (160, 90))
-        self.assertEqual(len(blurs), 5)
-        self.assertAlmostEqual(max(abs(blur) for blur, _ in blurs), 0.2, delta=1e-3)
 
     def test_a_scene_with_sharp_points_begins_with_them(self):
         for limit in ("sharp_within 2", "circle_of_confusion 0.45"):  # the same, in pixels and in millimetres

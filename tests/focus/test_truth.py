@@ -50,8 +50,8 @@ class Truth(PageTest):
     def test_live_and_true_picture_agree_in_the_tutorial(self):
         for name, sharp in (("three_points", 0.08), ("tilt", 0.03), ("swing", 0.02)):
             with self.subTest(name):
-                self.open(ROOT / "scenes" / "tutorial" / f"{name}.pov", "+W320", "+H180")
-                found = self.difference(320)
+                self.open(ROOT / "scenes" / "tutorial" / f"{name}.pov")
+                found = self.difference(160)
                 self.assertLess(found["rmse"], 0.03, found)
                 self.assertLess(found["rmse"], 1.1 * found["sharp"], found)
                 # if the preview were not a pinhole's, this would be almost 0
@@ -60,7 +60,7 @@ class Truth(PageTest):
                 for knob, value in (("tilt", 0), ("swing", 0), ("fStop", 1)):
                     self.set_number(knob, value)
                 self.click_at(-0.1, -0.4)
-                found = self.difference(320)
+                found = self.difference(160)
                 self.assertLess(found["rmse"], 0.04, found)
                 self.assertGreater(found["sharp"], 1.5 * found["rmse"], found)
                 self.end()

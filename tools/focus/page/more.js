@@ -51,6 +51,7 @@ export function buildMore(find, model) {
     const showRow = ({ blurs, binds }, i) => {
         const row = list.children[i], words = described(blurs[i], binds[i]);
         row.className = binds[i] ? "binds" : "";
+        row.title = binds[i] ? "This point decides where the plane lies, and how far the lens may be opened." : "";
         if (row.children[1].textContent !== words)
             row.children[1].textContent = words;
     };
