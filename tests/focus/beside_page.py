@@ -4,7 +4,6 @@
 
 from tests.focus.harness import PageTest
 
-PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
 # Name, numbers and blurs of the figures of the shown and of the other lens.
 FIGURES = """
 return ["figures", "other-figures"].map(id => {
@@ -21,9 +20,7 @@ class BesidePage(PageTest):
         """Lens A through the three towers, lens B another one, side by side; B is shown."""
         self.open(scene or self.scene())
         self.set_number("fStop", 0.7)
-        self.press("input[name=mode][value=three]")
-        for place in PLACES:
-            self.click_at(*place)
+        self.pick_towers()
         self.press("#beside")
         self.assertEqual(self.run(FIGURES)[1][1:], self.run(FIGURES)[0][1:], "it begins as a copy")
         self.press("input[name=pair][value=B]")

@@ -52,6 +52,7 @@ light_source { <40000, -10000, 90000>, rgb 1.2 }
 plane { z, 0  pigment { checker rgb 0.8 rgb 0.35 scale 4000 } }
 #for (I, -4, 4) box { <10000*I - 3000, -3000, 0>, <10000*I + 3000, 3000, 12000> pigment { rgb <0.7, 0.3, 0.2> } } #end
 """
+TOWERS = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # places in the picture of the fronts of the three towers
 SMALL = ("+W160", "+H90")
 
 
@@ -240,6 +241,15 @@ class PageTest(FocusTest):
         ActionChains(self.browser, duration=0).move_to_element_with_offset(
             picture, round(x * size["width"]), round(-y * size["height"])
         ).click().perform()
+
+    def pick_towers(self):
+        """Clicks the three towers; returns the picked points."""
+        self.press("input[name=mode][value=three]")
+        for x, y in TOWERS:
+            self.click_at(x, y)
+        picks = self.run("return focusPage.model.picks")
+        self.assertEqual(len(picks), 3)
+        return picks
 
     def set_number(self, name, value):
         """Types a number into a knob."""

@@ -3,9 +3,8 @@
 """Cameras with transformations: the page's text makes its lens in the camera, before and behind transformations."""
 
 from tests.focus import harness
-from tests.focus.harness import EXPORTED, SCENE, PageTest
+from tests.focus.harness import EXPORTED, SCENE, TOWERS, PageTest
 
-PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
 SIZE = (160, 90)
 FROM_HERE = "return String(focusPage.live.location) === String(focusPage.model.camera.location)"
 
@@ -36,13 +35,6 @@ def camera_of(move, more="", behind=""):
 
 
 class Moved(PageTest):
-    def pick_three(self):
-        """Clicks the three towers."""
-        self.press("input[name=mode][value=three]")
-        for x, y in PLACES:
-            self.click_at(x, y)
-        self.assertEqual(len(self.run("return focusPage.model.picks")), 3)
-
     def check(self, scene, places, size=SIZE):
         """The program's blur at the places."""
         blur = harness.rendered(scene, self.folder, size, "+N")["blur"]
@@ -59,7 +51,7 @@ class Moved(PageTest):
         for index, (name, move) in enumerate(MOVES.items()):
             self.choose("camera", index)
             self.until("its preview", lambda: self.drawn() and self.run(FROM_HERE))
-            self.pick_three()
+            self.pick_towers()
             self.set_number("fStop", 0.7)
             self.set_number("angle", 44)
             for form in ("points", "plane", "angles"):
@@ -67,7 +59,7 @@ class Moved(PageTest):
                 text = self.text("block")
                 for camera in (camera_of(move, more=text), camera_of(move, behind=text)):
                     with self.subTest(name, form=form, text=camera):
-                        self.check(self.scene(head + camera + objects, "pasted.pov"), PLACES)
+                        self.check(self.scene(head + camera + objects, "pasted.pov"), TOWERS)
         self.assertEqual(self.console(), [])
 
     def copy(self):
@@ -98,13 +90,13 @@ class Moved(PageTest):
         )
         scene = self.scene(text)
         self.open(scene)
-        self.pick_three()
+        self.pick_towers()
         self.set_number("fStop", 0.7)
         self.assertIn("tried there, it makes this lens", self.copy())
         self.press("#write")
         self.until("the change", lambda: "ritten" in self.text("file-said"))
         self.assertIn("Written", self.text("file-said"))
-        self.check(scene, PLACES)
+        self.check(scene, TOWERS)
 
     def test_what_cannot_be_tried_is_said(self):
         (self.folder / "more.inc").write_text(SCENE)
