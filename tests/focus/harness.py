@@ -212,6 +212,12 @@ class PageTest(FocusTest):
         self.press("#render")
         self.until("the true picture", lambda: "Done" in self.text("true-said"))
 
+    def difference(self, width):
+        """Differences between the true picture, made now, and the live one."""
+        self.true_picture(width)
+        self.smooth()
+        return self.run(DIFFERENCE)
+
     def choose(self, name, value):
         """Chooses from a list of the page."""
         script = "const s = document.getElementById(arguments[0]); s.value = arguments[1]; s.dispatchEvent(new Event('change'))"

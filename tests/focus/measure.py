@@ -68,12 +68,6 @@ class Measure(PageTest):
         self.until("the preview", lambda: self.run("return focusPage.live.complete"))
         return page, first, time.monotonic() - begun
 
-    def difference(self):
-        """Differences of the live picture and the true one, at the size of the preview."""
-        self.true_picture(480)
-        self.smooth()
-        return self.run(harness.DIFFERENCE)
-
     def shot(self, name):
         """Saves a screenshot."""
         shown = "const end = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(end)))"
@@ -189,7 +183,7 @@ class Measure(PageTest):
         rows = []
         for name in SCENES:
             self.open(ROOT / "scenes" / "tutorial" / f"{name}.pov", *SIZE)
-            found = self.difference()
+            found = self.difference(480)
             rows.append(f"| `{name}.pov` | {found['rmse']:.4f} | {found['sharp']:.4f} |")
             self.end()
         self.put("differences", ["| scene | RMSE of the live picture | RMSE without blur |", "| --- | --- | --- |", *rows])

@@ -31,6 +31,11 @@ class Preview:
         self.told = {}  # kind of message -> the last one, for pages that come later
         self.task = None
 
+    @property
+    def failed(self):
+        """True if it has ended with an error; another try may succeed."""
+        return bool(self.told.get("error", {}).get("message"))
+
     # ---- to the pages ----
 
     def tell(self, kind, **what):

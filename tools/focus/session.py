@@ -92,7 +92,7 @@ class Session:
         """Shows a page the preview of its clock and a frame, which other pages may show already."""
         size = self.settings.options.size if frame is None else view.size
         key = (view.clock, frame, list(size))
-        found = next((preview for preview in self.previews if preview.key == key), None)
+        found = next((preview for preview in self.previews if preview.key == key and not preview.failed), None)
         if view.preview:
             view.preview.views.discard(view)
             self.drop_unused(found)
@@ -101,22 +101,22 @@ class Session:
 
     def drop_unused(self, wanted):
         """Ends the previews that no page shows, but for the wanted one and the one for new pages."""
-        first = self.previews[:1]
-        for preview in self.previews[1:]:
-            if preview.views or preview is wanted:
-                first.append(preview)
-            else:
+        options = self.settings.options
+        first = (options.clock, None, list(options.size))
+        for preview in self.previews.copy():
+            if not preview.views and preview is not wanted and (preview.key != first or preview.failed):
                 preview.task.cancel()
-        self.previews = first
+                self.previews.remove(preview)
 
     def renew_previews(self):
         """Makes all previews anew, because the scene has changed."""
         former, self.previews = self.previews, []
         for preview in former:
             preview.task.cancel()
-        self.start_preview()
         for view in self.views:
             self.show(view)
+        if not self.views:
+            self.start_preview()
 
     def described(self, error):
         """An error for the page, with its line. Prints a fault of this program as well."""
