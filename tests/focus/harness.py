@@ -101,6 +101,10 @@ class FocusTest(WaitingTest):
         path.write_text(text)
         return path
 
+    def with_lens(self, block):
+        """The scene with a block of its own."""
+        return self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {block}\n"))
+
     def start(self, scene, *words, idle=120, **variables):
         """Calls ./focus, with more environment variables; returns the address that it prints."""
         command = [str(ROOT / "focus"), str(scene), "--idle", str(idle), "--povray", SETTINGS.povray]
@@ -265,6 +269,10 @@ class PageTest(FocusTest):
     def text(self, name):
         """An element's text."""
         return self.run("return document.getElementById(arguments[0]).textContent", name)
+
+    def message(self):
+        """The error on the page, if any."""
+        return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
     def console(self):
         """Errors and warnings of the browser's console, except those about software rendering."""

@@ -49,11 +49,7 @@ class RandomActions(PageTest):
             self.assertEqual(self.run(ONE_LENS), [])
             self.assertNotRegex(self.text("block"), r"NaN|undefined|Infinity|null")
         self.assertEqual(self.console(), [])
-        self.assertEqual(self.message_of_page(), "")
-
-    def message_of_page(self):
-        """The error on the page, if any."""
-        return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
+        self.assertEqual(self.message(), "")
 
 
 if __name__ == "__main__":

@@ -161,6 +161,7 @@ function takeView(view) {
     startedFrom = from;
     ownChange = ownClock = false;
     if (seen || written || pulled) {
+        kept = null;
         model.note(view);
         model.changed();
         keep();
@@ -346,7 +347,10 @@ try {
         message: message => takes[message.type]?.(message),
         preview: tile => live.take(tile),
         picture: tile => truth.takeTile(tile),
-        open: () => status("preview …"),
+        open: () => {
+            kept ??= readAddress();
+            status("preview …");
+        },
         closed: () => complain({ message: "The program has ended. Start ./focus again and open its new address." }),
     });
 } catch (error) {
