@@ -11,8 +11,8 @@ import traceback
 from tools.focus import scene_file, wrapper
 from tools.focus.editor import Editor
 from tools.focus.picture import TruePicture
-from tools.focus.preview import Preview
 from tools.focus.render import RenderError
+from tools.focus.scene_preview import Preview
 from tools.focus.scene_text import EditError
 from tools.focus.tasks import started, stopped
 from tools.focus.tiles import PICTURE, packed
