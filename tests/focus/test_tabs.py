@@ -71,6 +71,23 @@ class Tabs(ClientTest):
         asyncio.run(use())
         self.assertEqual(self.evidence(), "")
 
+    def test_files_that_only_one_page_reads_are_watched(self):
+        scene = self.scene(SCENE + '#if (clock > 0.4) #include "late.inc" #end\n')
+        (self.folder / "late.inc").write_text("sphere { 0, 0.1 }\n")
+        address = self.start(scene, *WORDS)
+
+        async def use():
+            async with page_at(address) as one, page_at(address) as two:
+                for page, clock in ((one, 0.5), (two, 0.25)):
+                    await page.told("preview", "done")
+                    await page.ask("preview", clock=clock)
+                    await page.told("preview", "done")
+                (self.folder / "late.inc").write_text("sphere { 0, 0.2 }\n")
+                self.assertEqual((await one.told("changed"))["files"], ["late.inc"])
+                await one.told("preview", "done")
+
+        asyncio.run(use())
+
     def test_pages_that_show_the_same_share_a_render(self):
         """Another page at the same clock is served at once, while the scene itself can no longer be read."""
         text, gate = self.gated()

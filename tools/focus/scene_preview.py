@@ -28,6 +28,7 @@ class Preview:
         self.values = None  # rows, columns, 4: red, green, blue, 1/depth
         self.covered = 0  # number of pixels received
         self.record = None
+        self.files = set(session.file.stamps)  # that the render has read, or may read
         self.told = {}  # kind of message -> the last one, for pages that come later
         self.task = None
 
@@ -108,7 +109,8 @@ class Preview:
         try:
             await render.run(words, True, on_tile, on_camera)
             if not refining and not fitting:
-                session.file.watch(render.file_list, session.folder)
+                self.files = session.file.files_read(render.file_list, session.folder)
+                session.watch_files()
         finally:
             for path in (render.picture, render.picture.with_suffix(".layers.exr"), render.file_list):
                 path.unlink(missing_ok=True)

@@ -118,6 +118,10 @@ class Session:
         if not self.views:
             self.start_preview()
 
+    def watch_files(self):
+        """Watches the files of all previews: which ones a scene reads may depend on the clock."""
+        self.file.watch(set().union(*(preview.files for preview in self.previews)))
+
     def described(self, error):
         """An error for the page, with its line. Prints a fault of this program as well."""
         if isinstance(error, OSError):  # such as a full disk
