@@ -16,7 +16,7 @@ return [focusPage.livePixels(), focusPage.otherPixels()].map(pixels => corners.f
 """
 
 
-class BesidePictures(BesidePage):
+class Truth(BesidePage):
     def test_the_true_picture_is_over_the_picture_of_its_lens(self):
         self.open_pair()
         self.choose("quality", 0)
@@ -41,6 +41,8 @@ class BesidePictures(BesidePage):
         self.assertEqual(self.run(OVER), "stage")
         self.assertEqual(self.console(), [])
 
+
+class Frames(BesidePage):
     def test_both_are_whole_where_one_is_shifted(self):
         self.open_pair()
         self.set_number("shiftUp", -6)

@@ -34,7 +34,9 @@ def camera_of(move, more="", behind=""):
     return f"#declare Move = transform {{ {move} }}\ncamera {{\n  Moved()\n  {more}\n  {move}\n  {behind}\n}}\n"
 
 
-class Moved(PageTest):
+class MovedPage(PageTest):
+    """A test with a moved camera."""
+
     def check(self, scene, places, size=SIZE):
         """The program's blur at the places."""
         blur = harness.rendered(scene, self.folder, size, "+N")["blur"]
@@ -43,6 +45,8 @@ class Moved(PageTest):
             self.assertLess(abs(found), 0.3, f"{x}, {y}")
         self.assertGreater(abs(blur).max(), 2, "nothing is blurred")
 
+
+class Texts(MovedPage):
     def test_the_text_makes_the_lens_before_and_behind_transformations(self):
         parts = SCENE.partition("camera {")
         objects = parts[2].split("\n}\n", 1)[1]
@@ -62,6 +66,8 @@ class Moved(PageTest):
                         self.check(self.scene(head + camera + objects, "pasted.pov"), TOWERS)
         self.assertEqual(self.console(), [])
 
+
+class Written(MovedPage):
     def copy(self):
         """Presses Copy; returns the message after the text has been tried."""
         self.press("#copy")
