@@ -17,7 +17,8 @@ from tools.repository import ROOT
 
 INCLUDE = ROOT / "scenes" / "include"
 NO_SETTINGS = ROOT / "tools" / "no_settings.ini"
-USER_SETTINGS = ("POVINI", "POVINC", "DISPLAY", "WAYLAND_DISPLAY")
+DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY")
+USER_SETTINGS = ("POVINI", "POVINC", *DISPLAYS)
 # Seconds until a run counts as hanging: far more than any test takes, because the time depends on the machine's load.
 PATIENCE = 600
 # The sanitizers' settings: upstream keeps parsed objects until the end.
@@ -41,29 +42,31 @@ def quoted(name):
     return f"'{name}'" if '"' in name else f'"{name}"'
 
 
-def command(program, scene, picture, size, *options, library=()):
+def command(program, scene, picture, size, *options, library=(), before=()):
     """The command line that renders a scene, without window or pause; of conflicting options, the last one counts.
     @param picture  None: no picture is written; "": POV-Ray names it after the scene
-    @param library  further folders of include files"""
+    @param library  further folders of include files
+    @param before   options of the user, which may antialias but change neither scene, picture nor size"""
     output = ["-F"] if picture is None else [f"+O{quoted(picture)}"] if picture else []
     folders = [f"+L{quoted(folder)}" for folder in library]
     return [
         os.path.abspath(program),
+        "-A",
+        *before,
         f"+I{quoted(scene)}",
         *output,
         f"+W{size[0]}",
         f"+H{size[1]}",
         "-D",
         "-P",
-        "-A",
         *folders,
         *map(str, options),
     ]
 
 
-def user_environment(**variables):
-    """The environment of a user without settings and display, with these variables."""
-    return {**{name: value for name, value in os.environ.items() if name not in USER_SETTINGS}, **variables}
+def user_environment(without=USER_SETTINGS, **variables):
+    """The environment of a user without settings and display, or without other variables, with these variables."""
+    return {**{name: value for name, value in os.environ.items() if name not in without}, **variables}
 
 
 def environment(**variables):

@@ -26,6 +26,7 @@ class Page:
     def __init__(self, socket):
         self.socket = socket
         self.tiles = 0
+        self.kinds = []  # of the messages so far
         self.view = None  # the scene's camera
 
     async def ask(self, what, **parts):
@@ -42,6 +43,7 @@ class Page:
                     continue
                 assert message.type.name == "TEXT", f"the line has ended: {message}"
                 found = json.loads(message.data)
+                self.kinds.append(found["type"])
                 if found["type"] == "scene":
                     self.view = found["view"]
                 if found["type"] == "error" and found["message"]:

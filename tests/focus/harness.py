@@ -16,7 +16,7 @@ import unittest
 
 from tests.waiting import WaitingTest
 from tools import povray_run
-from tools.focus.povray import Render
+from tools.focus.render import Render
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None, cases=None)
@@ -37,8 +37,41 @@ box { <-2.4, 0, -2>, <-1.4, 0.6, -1> pigment { rgb <0.9, 0.4, 0.1> } }
 box { <1.2, 0, 0>, <2.2, 1.2, 1> pigment { rgb <0.2, 0.7, 0.3> } }
 box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
 """
+# As an exporter writes it: the camera at the origin, placed by a matrix.
+EXPORTED = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera {
+  location <0, 0, 0>
+  look_at <0, 0, -1>
+  right <-1.777778, 0, 0>
+  up <0, 1, 0>
+  angle 49.134343
+  matrix <0.685921, 0.727676, 0.0,  -0.324013, 0.305421, 0.895396,  0.651558, -0.614170, 0.445271,  73588.9, -69257.9, 49583.1>
+}
+light_source { <40000, -10000, 90000>, rgb 1.2 }
+plane { z, 0  pigment { checker rgb 0.8 rgb 0.35 scale 4000 } }
+#for (I, -4, 4) box { <10000*I - 3000, -3000, 0>, <10000*I + 3000, 3000, 12000> pigment { rgb <0.7, 0.3, 0.2> } } #end
+"""
+TOWERS = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # places in the picture of the fronts of the three towers
 SMALL = ("+W160", "+H90")
 
+
+# Consistency of knobs and points: knobs that differ from the lens, and the points' distance from the plane of sharp focus. While the wanted
+# lens is impossible, the last lens is shown and the points wait.
+ONE_LENS = """
+const model = focusPage.model, { lens, block } = model, found = model.numbers(), wrong = [];
+const numbers = {
+    tilt: found.tilt, swing: found.swing, focusTilt: found.focus.tilt, focusSwing: found.focus.swing, angle: found.angle,
+    focalLength: found.focalLength, ...(model.error ? {} : { fStop: lens.focalLength / lens.diameter, sceneUnit: 1 / lens.millimetre }),
+};
+for (const [id, value] of Object.entries(numbers)) {
+    const shown = Number(document.getElementById(id).value);
+    if (Math.abs(shown - value) > 0.06 + 1e-3 * Math.abs(value))
+        wrong.push(`${id} shows ${shown} for ${value}`);
+}
+const wanted = model.picks.length === model.wantedPicks && !model.error ? model.picks : [];
+return [...wrong, ...wanted.map(p => model.offPlane(p)).filter(off => !(Math.abs(off) < 1e-6)).map(off => `a point is off by ${off}`)];
+"""
 
 # Root mean square differences of the live and the true picture, relative to white: with and without blur.
 DIFFERENCE = """
@@ -67,6 +100,10 @@ class FocusTest(WaitingTest):
         path = self.folder / name
         path.write_text(text)
         return path
+
+    def with_lens(self, block):
+        """The scene with a block of its own."""
+        return self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {block}\n"))
 
     def start(self, scene, *words, idle=120, **variables):
         """Calls ./focus, with more environment variables; returns the address that it prints."""
@@ -120,7 +157,7 @@ def rendered(scene, folder, size, *words):
             place[tile.top : tile.top + part.shape[0], tile.left : tile.left + part.shape[1]] = part
 
     render = Render(SETTINGS.povray, folder, "rendered")
-    library = f"+L{ROOT / 'scenes' / 'include'}"
+    library = f"+L{povray_run.INCLUDE}"
     asyncio.run(render.run(render.words(scene, [library, "-A", *words], size), False, take))
     return found
 
@@ -179,6 +216,12 @@ class PageTest(FocusTest):
         self.press("#render")
         self.until("the true picture", lambda: "Done" in self.text("true-said"))
 
+    def difference(self, width):
+        """Differences between the true picture, made now, and the live one."""
+        self.true_picture(width)
+        self.smooth()
+        return self.run(DIFFERENCE)
+
     def choose(self, name, value):
         """Chooses from a list of the page."""
         script = "const s = document.getElementById(arguments[0]); s.value = arguments[1]; s.dispatchEvent(new Event('change'))"
@@ -209,6 +252,15 @@ class PageTest(FocusTest):
             picture, round(x * size["width"]), round(-y * size["height"])
         ).click().perform()
 
+    def pick_towers(self):
+        """Clicks the three towers; returns the picked points."""
+        self.press("input[name=mode][value=three]")
+        for x, y in TOWERS:
+            self.click_at(x, y)
+        picks = self.run("return focusPage.model.picks")
+        self.assertEqual(len(picks), 3)
+        return picks
+
     def set_number(self, name, value):
         """Types a number into a knob."""
         script = "const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))"
@@ -217,6 +269,10 @@ class PageTest(FocusTest):
     def text(self, name):
         """An element's text."""
         return self.run("return document.getElementById(arguments[0]).textContent", name)
+
+    def message(self):
+        """The error on the page, if any."""
+        return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
     def console(self):
         """Errors and warnings of the browser's console, except those about software rendering."""
@@ -234,6 +290,8 @@ def read_settings():
     return rest
 
 
-def main():
-    """Runs the tests of the calling module."""
-    unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()])
+def main(prefix="test"):
+    """Runs the tests of the calling module: the methods whose names begin with the prefix."""
+    loader = unittest.TestLoader()
+    loader.testMethodPrefix = prefix
+    unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()], testLoader=loader)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Measures the page, writes the tables of docs/focus.md and takes its pictures:
 
-    /usr/bin/python3 run_module.py tests.focus.measure --povray build/bin/povray [Measure.test_times]
+    /usr/bin/python3 run_module.py tests.focus.measure --povray build/bin/povray [Measure.make_times]
 
 Times are those of headless Chromium with graphics done by the processor, on this machine as it is: on a busy one they say little."""
 
@@ -21,7 +21,9 @@ TUTORIAL = sorted(path.stem for path in (ROOT / "scenes" / "tutorial").glob("*.p
 SCENES = ("three_points", "tilt", "swing")  # for the live picture against the true one
 LARGE, SIZE = ("+W960", "+H540"), ("+W480", "+H270")
 POINTS = ((-0.28, -0.36), (0.31, -0.27), (0.02, 0.01), (-0.2, -0.05), (0.1, -0.42))
-SET_CLOCK = "const e = document.getElementById('time'); e.value = arguments[0]; for (const n of ['input', 'change']) e.dispatchEvent(new Event(n))"
+SET_CLOCK = (
+    "const e = document.getElementById('time'); e.value = arguments[0]; for (const n of ['input', 'change']) e.dispatchEvent(new Event(n))"
+)
 CLICKS = 12
 STARTS = 3  # of each scene; the median is reported
 # Milliseconds from a click to its first blurred picture: until it is drawn, and until the browser's next frame, by which it is visible.
@@ -66,12 +68,6 @@ class Measure(PageTest):
         self.until("the preview", lambda: self.run("return focusPage.live.complete"))
         return page, first, time.monotonic() - begun
 
-    def difference(self):
-        """Differences of the live picture and the true one, at the size of the preview."""
-        self.true_picture(480)
-        self.smooth()
-        return self.run(harness.DIFFERENCE)
-
     def shot(self, name):
         """Saves a screenshot."""
         shown = "const end = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(end)))"
@@ -81,7 +77,10 @@ class Measure(PageTest):
         PICTURES.mkdir(parents=True, exist_ok=True)
         png = self.folder / "shot.png"
         self.browser.save_screenshot(str(png))
-        subprocess.run(["oiiotool", str(png), "--nosoftwareattrib", "--ch", "R,G,B", "--compression", "jpeg:88", "-o", str(PICTURES / f"{name}.jpg")], check=True)
+        subprocess.run(
+            ["oiiotool", str(png), "--nosoftwareattrib", "--ch", "R,G,B", "--compression", "jpeg:88", "-o", str(PICTURES / f"{name}.jpg")],
+            check=True,
+        )
 
     def pictures(self):
         """The page's pictures for the documents: its parts, dark, and on a phone."""
@@ -100,6 +99,7 @@ class Measure(PageTest):
         self.shot("phone")
         self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
         self.points()
+        self.beside()
         self.pull()
 
     def points(self):
@@ -110,6 +110,16 @@ class Measure(PageTest):
             self.click_at(*place)
         self.press("#hold")
         self.shot("points")
+
+    def beside(self):
+        """The same points with a lens without tilt."""
+        self.press("#beside")
+        self.press("input[name=pair][value=B]")
+        for knob in ("tilt", "swing"):
+            self.set_number(knob, 0)
+        self.press("input[name=pair][value=A]")
+        self.shot("beside")
+        self.press("#beside")
 
     def pull(self):
         """Two marks of a focus pull."""
@@ -123,7 +133,7 @@ class Measure(PageTest):
         self.run("document.getElementById('pull').scrollIntoView()")
         self.shot("pull")
 
-    def test_pictures(self):
+    def make_pictures(self):
         self.open(ROOT / "scenes" / "tutorial" / f"{SCENES[0]}.pov", "+W640", "+H360")
         self.smooth()
         self.pictures()
@@ -137,7 +147,7 @@ class Measure(PageTest):
             time.sleep(0.2)
         return found
 
-    def test_times(self):
+    def make_times(self):
         rows, clicks, turns = [], [], []
         for name in TUTORIAL:
             starts = []
@@ -169,11 +179,11 @@ class Measure(PageTest):
             f"- From the command to the page, to the first picture through the lens, and to the whole preview (medians of {STARTS} starts):",
         ]
 
-    def test_differences(self):
+    def make_differences(self):
         rows = []
         for name in SCENES:
             self.open(ROOT / "scenes" / "tutorial" / f"{name}.pov", *SIZE)
-            found = self.difference()
+            found = self.difference(480)
             rows.append(f"| `{name}.pov` | {found['rmse']:.4f} | {found['sharp']:.4f} |")
             self.end()
         self.put("differences", ["| scene | RMSE of the live picture | RMSE without blur |", "| --- | --- | --- |", *rows])
@@ -187,4 +197,4 @@ class Measure(PageTest):
 
 
 if __name__ == "__main__":
-    harness.main()
+    harness.main("make")

@@ -11,7 +11,6 @@ from tests.setup.scratch import BUILD, REPOSITORY, SetupTest
 PYTHON = re.compile(r"^    (?:async )?def test_", re.MULTILINE)
 CPP = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\(", re.MULTILINE)
 TESTS = REPOSITORY / "tests"
-OTHERWISE_NAMED = TESTS / "focus"  # all of its modules but client, harness and measure are tests
 
 
 def misnamed(paths, pattern, has_tests):
@@ -21,7 +20,7 @@ def misnamed(paths, pattern, has_tests):
 
 class Names(SetupTest):
     def python_files(self):
-        return [path for path in TESTS.rglob("*.py") if OTHERWISE_NAMED not in path.parents]
+        return list(TESTS.rglob("*.py"))
 
     def test_python(self):
         self.assertGreater(len(self.python_files()), 80)

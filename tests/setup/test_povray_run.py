@@ -11,12 +11,10 @@ from tests.setup.scratch import POVRAY, REPOSITORY, SetupTest
 from tools import povray_run
 
 COMMAND_LINE = re.compile(r"[\"']\+I\w|[\"']\+I\{|POVINI|#include\\s|POVRAYMS")
-# the module itself; users' own settings and names, and tests of those; the page of ./focus, which reads tiles during the render
+# the module itself; users' own settings and names, and tests of those
 MAY = (
     "tools/povray_run.py",
     "tools/batch/",
-    "tools/focus/",
-    "tests/focus/",
     "tests/batch/test_names.py",
     "tests/batch/test_units.py",
     "tests/batch/test_bounds.py",

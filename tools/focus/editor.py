@@ -5,7 +5,8 @@
 import os
 
 from tools.focus import scene_file, scene_text
-from tools.focus.povray import Render, RenderError
+from tools.focus.record import Record
+from tools.focus.render import Render, RenderError
 from tools.focus.scene_text import EditError
 from tools.focus.tasks import ended, started
 
@@ -15,31 +16,38 @@ class Editor:
 
     def __init__(self, session):
         self.session = session
-        self.added = 0  # cameras that the last change added before the one with the lens
+        self.added = self.index = 0  # cameras that the last change added, and the index of the one before which it did
         self.task = None  # the last task; tasks run one after the other
 
-    def start(self, request):
-        """Writes the block into the scene's file."""
-        self.begin(lambda: self.write(request), "refused", self.tell_all)
+    def start(self, request, view):
+        """Writes the block of a page into the scene's file."""
+        self.begin(lambda: self.write(request, view), "refused", self.tell_all)
 
     def start_undo(self):
         """Undoes the last change of the file."""
         self.begin(self.undo, "refused", self.tell_all)
 
-    def start_trial(self, request, tell):
-        """Checks whether the block would do in the scene's file; `tell` receives the answer."""
-        self.begin(lambda: self.tried(request), "untried", tell)
+    def start_trial(self, request, view):
+        """Checks whether the block of a page would do in the scene's file; the page receives the answer."""
+        self.begin(lambda: self.tried(request, view), "untried", lambda told: self.tell(view, told))
 
-    def start_pull(self, request, tell):
-        """Writes a focus pull, or checks whether it would do; `tell` receives the answer to the latter."""
+    def start_pull(self, request, view):
+        """Writes a focus pull, or checks whether it would do; the page receives the answer to the latter."""
         if request["write"]:
-            self.begin(lambda: self.pulled(request), "refused", lambda told: self.tell_all({**told, "pull": True}))
+            self.begin(lambda: self.pulled(request, view), "refused", lambda told: self.tell_all({**told, "pull": True}))
         else:
-            self.begin(lambda: self.pulled(request), "untried", lambda told: tell({**told, "pull": True}))
+            self.begin(lambda: self.pulled(request, view), "untried", lambda told: self.tell(view, {**told, "pull": True}))
+
+    @staticmethod
+    async def tell(view, told):
+        """Tells one page the result."""
+        view.send({"type": "file", **told})
 
     async def tell_all(self, told):
-        """Tells all pages the result."""
-        await self.session.tell("file", **told)
+        """Tells all pages the result, each with its chosen camera."""
+        self.session.told["file"] = {"type": "file", **told}
+        for view in self.session.views:
+            await self.tell(view, {**told, "chosen": view.chosen})
 
     def begin(self, work, failed, tell):
         """Starts a task after the one before."""
@@ -54,13 +62,11 @@ class Editor:
             told = {"state": failed, "reason": self.session.described(error)["message"]}
         await tell(told)
 
-    async def change(self, request):
+    async def change(self, request, view):
         """The file's contents, the contents with the block, which the program has checked, and the number of cameras added before the one
         with the lens."""
         session = self.session
-        await self.renew_record()
-        index = self.index_to_change()
-        camera, before = session.record["cameras"][index], session.file.bytes()
+        camera, before = await self.camera_to_change(view), session.file.bytes()
         text, behind = session.file.decoded(before), request["behind"]
         reason = None
         for added, changed, expected in (
@@ -69,7 +75,7 @@ class Editor:
         ):
             try:
                 after = session.file.encoded(changed())
-                await self.check(after, camera, added, expected)
+                await self.check(view, after, camera, added, expected)
                 return before, after, added
             except (EditError, RenderError) as error:
                 reason = reason or error
@@ -82,84 +88,81 @@ class Editor:
             raise EditError("the camera's tilt_lens block comes from a macro or another file")
         return scene_text.with_block(text, camera["line"], request["block"], request["items"])
 
-    async def write(self, request):
+    async def write(self, request, view):
         """Changes the file; returns the answer for the page."""
-        return self.replaced(*await self.change(request))
+        return self.replaced(view, *await self.change(request, view))
 
-    def replaced(self, before, after, added):
+    def replaced(self, view, before, after, added):
         """Replaces the file's contents; returns the answer for the page."""
         kept = self.session.file.replace(before, after)
+        self.added, self.index = added, view.record.index_in_use() if view.chosen is None else view.chosen
         self.choose(added)
-        return {"state": "written", "kept": kept, "chosen": self.session.chosen}
+        return {"state": "written", "kept": kept}
 
-    async def pulled(self, request):
+    async def pulled(self, request, view):
         """Writes a focus pull if the program finds its lenses at some times; returns the answer for the page."""
         session = self.session
-        await self.renew_record()
-        camera, before = session.record["cameras"][self.index_to_change()], session.file.bytes()
+        camera, before = await self.camera_to_change(view), session.file.bytes()
         text = session.file.decoded(before)
         after = session.file.encoded(scene_text.with_head(self.in_camera(camera, text, request), text, camera["line"], request["head"]))
         for check in request["checks"]:
-            await self.check(after, camera, 0, check["expect"], [f"+K{check['time']!r}"])
-        return self.replaced(before, after, 0) if request["write"] else {"state": "tried"}
+            await self.check(view, after, camera, 0, check["expect"], [f"+K{check['time']!r}"])
+        return self.replaced(view, before, after, 0) if request["write"] else {"state": "tried"}
 
-    async def tried(self, request):
+    async def tried(self, request, view):
         """Changes nothing; returns the answer for the page."""
-        await self.change(request)
+        await self.change(request, view)
         return {"state": "tried"}
 
     async def undo(self):
         """Restores the file; returns the answer for the page."""
         self.session.file.undo()
         self.choose(-self.added)
-        return {"state": "undone", "chosen": self.session.chosen}
+        self.added = -self.added
+        return {"state": "undone"}
 
     def choose(self, added):
-        """Keeps the same camera chosen after cameras were added before it."""
-        self.added = added
-        if self.session.chosen is not None:
-            self.session.chosen += added
+        """Each page keeps its chosen camera after cameras were added before it, or removed."""
+        for view in self.session.views:
+            if view.chosen is not None and view.chosen >= self.index + max(0, -added):
+                view.chosen += added
 
-    async def look_at(self, path, name, more=()):
-        """The cameras of a file, by a render of one pixel with more options."""
+    async def look_at(self, view, path, name, more=()):
+        """The cameras of a file, by a render of one pixel with a page's options and more."""
 
         async def nothing(_):
             return
 
         session = self.session
         render = Render(session.settings.program, session.folder, name)
-        words = render.words(path, [*session.options(), *more, "-A"], session.size)
+        words = render.words(path, [*view.options(), *more, "-A"], view.size)
         await render.run([*words, "+SR1", "+ER1", "+SC1", "+EC1"], True, nothing)
         return render.camera()
 
-    async def renew_record(self):
-        """Updates the cameras' lines to those of the file."""
-        session = self.session
-        stamp = scene_file.stamp(session.file.path)
-        if session.record_stamp != stamp:
-            session.take_record(await self.look_at(session.settings.scene, "renewed"), stamp)
-
-    def index_to_change(self):
-        """Index of the camera statement on the page.
+    async def camera_to_change(self, view):
+        """The statement of a page's camera, as the file has it now.
         @throws EditError  it cannot be changed"""
         session = self.session
-        cameras, index = session.record["cameras"], session.chosen
+        stamp = scene_file.stamp(session.file.path)
+        if view.record.stamp != stamp:
+            view.take(Record(await self.look_at(view, session.settings.scene, "renewed"), session.file, stamp), view.size)
+        record, index = view.record, view.chosen
         if index is None:
-            index = session.index_in_use()
+            index = record.index_in_use()
         if index is None:
             raise EditError("no camera statement of the scene is the one in use")
-        camera = cameras[index]
-        if not session.is_own(camera):
+        camera = record.cameras[index]
+        if not record.is_own(camera):
             raise EditError(f"the camera stands in another file, {os.path.basename(camera['file'])}")
-        return index
+        return camera
 
-    async def check(self, data, old, added, expected, more=()):
+    async def check(self, view, data, old, added, expected, more=()):
         """@throws EditError  unless the program finds the wanted lens, and the items that the page keeps, in the changed scene"""
         session = self.session
         path = session.folder / "changed.pov"
         path.write_bytes(data)
-        found = await self.look_at(path, "changed", more)
-        camera = found["view"] if session.chosen is None else found["cameras"][session.chosen + added]
+        found = await self.look_at(view, path, "changed", more)
+        camera = found["view"] if view.chosen is None else found["cameras"][view.chosen + added]
         lost = set(old["words"]) & {*scene_text.KEPT, *scene_text.REFUSED} - set(camera["words"])
         if lost:
             raise EditError("the changed scene would lose " + ", ".join(sorted(lost)))

@@ -11,7 +11,8 @@ import signal
 import sys
 import webbrowser
 
-from tools.focus import scratch, wrapper
+from tools import povray_run
+from tools.focus import temporary
 from tools.focus.options import Options
 from tools.focus.tasks import stopped
 
@@ -37,18 +38,12 @@ def seconds(text):
 
 
 def parser():
-    top = argparse.ArgumentParser(
-        prog="focus", allow_abbrev=False, epilog=HELP, description=__doc__.split("`: ")[1].capitalize()
-    )
+    top = argparse.ArgumentParser(prog="focus", allow_abbrev=False, epilog=HELP, description=__doc__.split("`: ")[1].capitalize())
     top.add_argument("scene", help="the scene file")
     top.add_argument("--no-browser", action="store_true", help="only print the address")
     top.add_argument("--port", type=port, default=0, help="where to listen (default: any that is free)")
     top.add_argument(
-        "--idle",
-        type=seconds,
-        default=60,
-        metavar="SECONDS",
-        help="end when the page has been closed for so long (default: 60)",
+        "--idle", type=seconds, default=60, metavar="SECONDS", help="end when the page has been closed for so long (default: 60)"
     )
     top.add_argument("--povray", default=os.environ.get("FOCUS_POVRAY"), metavar="PROGRAM", help=argparse.SUPPRESS)
     return top
@@ -56,11 +51,9 @@ def parser():
 
 def real_lenses():
     """The lenses and film formats of tilt_lens.inc: {"lenses": [...], "films": [...]}, millimetres and degrees."""
-    text = (wrapper.INCLUDES / "tilt_lens.inc").read_text(encoding="utf-8")
+    text = (povray_run.INCLUDE / "tilt_lens.inc").read_text(encoding="utf-8")
     number = r"\s*([\d.]+)\s*"
-    lenses = re.findall(
-        rf"#declare Tilt_Lens_\w+\s*= array\[4\] {{{number},{number},{number},{number}}}\s*// (.+)", text
-    )
+    lenses = re.findall(rf"#declare Tilt_Lens_\w+\s*= array\[4\] {{{number},{number},{number},{number}}}\s*// (.+)", text)
     films = re.findall(rf"#declare Tilt_Lens_Film_(\w+)\s*= array\[2\] {{{number},{number}}}", text)
     return {
         "lenses": [
@@ -101,10 +94,7 @@ async def serve(settings, folder, ended):
     print(f"Focus of {settings.scene}\n  {address}\nCtrl-C ends it.", flush=True)
     if not settings.no_browser and (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         webbrowser.open(address)
-    tasks = [
-        asyncio.create_task(coroutine)
-        for coroutine in (ended.wait(), server.until_left(settings.idle), session.watch())
-    ]
+    tasks = [asyncio.create_task(coroutine) for coroutine in (ended.wait(), server.until_left(settings.idle), session.watch())]
     try:
         await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
     finally:
@@ -133,7 +123,7 @@ def main(words):
     settings.lenses = real_lenses()
     signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
     try:
-        with scratch.folder() as folder:
+        with temporary.folder() as folder:
             return asyncio.run(serve_until_ended(settings, folder))
     except OSError as error:
         print(f"focus: {error.filename or 'the folder for pictures'}: {os.strerror(error.errno)}", file=sys.stderr)

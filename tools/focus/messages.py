@@ -12,11 +12,7 @@ LARGEST = 16384  # pixels of a side
 MOST_POINTS = MOST_KEYS = 100  # the program's own limits
 MOST_CHECKS = 5  # of a focus pull
 LONGEST_BLOCK = 1000 + 80 * MOST_POINTS  # characters
-QUALITIES = (
-    "blur_samples 32",
-    "blur_samples 256 variance 1/8000",
-    "blur_samples 1024 variance 1/20000",
-)
+QUALITIES = ("blur_samples 32", "blur_samples 256 variance 1/8000", "blur_samples 1024 variance 1/20000")
 WORDS = (
     "film_width", "focal_length", "scene_unit", "tilt", "swing", "focus_tilt", "focus_swing", "focal_plane", "focal_points",
     "sharp_points", "sharp_within", "circle_of_confusion", "shift", "f_stop", "blades",
@@ -71,11 +67,7 @@ def some_of(**parts):
 VECTOR = values(NUMBER, 3)
 CAMERA = record(location=VECTOR, direction=VECTOR, right=VECTOR, up=VECTOR)
 BLOCK = text(BLOCK_TEXT, LONGEST_BLOCK)
-ITEMS = some_of(
-    focal_point=text(VECTOR_TEXT),
-    angle={"anyOf": [text(DIGITS), {"type": "null"}]},
-    aperture={"type": "null"},
-)
+ITEMS = some_of(focal_point=text(VECTOR_TEXT), angle={"anyOf": [text(DIGITS), {"type": "null"}]}, aperture={"type": "null"})
 LENS = {
     "filmWidth": NUMBER, "focalLength": NUMBER_OR_NONE, "sceneUnit": NUMBER, "shift": values(NUMBER, 2), "fStop": NUMBER,
     "blades": NUMBER, "bladesAngle": NUMBER,

@@ -8,7 +8,7 @@ import time
 import numpy
 
 from tools.focus import wrapper
-from tools.focus.povray import Render
+from tools.focus.render import Render
 from tools.focus.tasks import ended, started
 
 
@@ -31,17 +31,18 @@ class TruePicture:
         self.session = session
         self.number, self.values, self.file, self.task = 0, None, None, None
 
-    def start(self, request):
-        """Starts a picture in place of the previous one."""
+    def start(self, request, view):
+        """Starts a picture for a page in place of the previous one."""
         self.stop()
         self.number += 1
-        self.task = started(self.render(self.number, request, self.task))
+        request["lens"]["clock"] = view.clock
+        self.task = started(self.render(self.number, request, view.options(), view.record.gamma, self.task))
 
     def stop(self):
         if self.task and not self.task.done():
             self.task.cancel()
 
-    async def render(self, number, request, previous):
+    async def render(self, number, request, options, gamma, previous):
         """Renders the scene with the page's camera."""
         await ended(previous)
         session, (width, height) = self.session, request["size"]
@@ -58,7 +59,7 @@ class TruePicture:
             nonlocal covered
             if tile.colours is None:
                 return
-            values = display(tile.colours, session.record["gamma"])
+            values = display(tile.colours, gamma)
             rows, columns = values.shape[:2]
             self.values[tile.top : tile.top + rows, tile.left : tile.left + columns] = values
             covered += rows * columns
@@ -70,7 +71,7 @@ class TruePicture:
         try:
             self.values = numpy.zeros((height, width, 4), numpy.uint8)
             scene = wrapper.write(session.folder, session.settings.scene, request["camera"], request["inside"], "picture_scene")
-            await render.run(render.words(scene, session.options(), (width, height)), False, on_tile)
+            await render.run(render.words(scene, options, (width, height)), False, on_tile)
             self.file, covered = render.picture, width * height
             await state("done")
         except Exception as error:  # pylint: disable=broad-except

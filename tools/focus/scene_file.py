@@ -16,12 +16,7 @@ from tools.focus.scene_text import EditError
 ENCODING = "latin-1"  # every byte is a character, so that unchanged bytes survive
 
 # items that state the focus, by family
-FOCUS = {
-    "lensTurn": ("tilt", "swing", "focalPoint"),
-    "plane": ("plane",),
-    "points": ("points",),
-    "sharp": ("sharpPoints", "sharpWithin"),
-}
+FOCUS = {"lensTurn": ("tilt", "swing", "focalPoint"), "plane": ("plane",), "points": ("points",), "sharp": ("sharpPoints", "sharpWithin")}
 LENS = ("filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle")
 CAMERA = ("location", "direction", "right", "up")
 
@@ -148,16 +143,19 @@ class SceneFile:
         os.unlink(self.kept)
         self.kept = self.written = None
 
-    def watch(self, file_list, own):
-        """Watches the files that a render has read, from the program's list, except those in our own folder."""
-        names = {self.path}
+    @staticmethod
+    def files_read(file_list, own):
+        """The files that a render has read, from the program's list, except those in our own folder."""
         try:
             entries = open(file_list, "rb").read().split(b"\0")
-            names |= {os.fsdecode(entry[1:]) for entry in entries if entry.startswith(b"+")}
         except OSError:
-            pass
-        names = {name for name in map(os.path.realpath, names) if not name.startswith(f"{os.path.realpath(own)}/")}
-        self.stamps = {name: self.stamps.get(name, stamp(name)) for name in names}
+            return set()
+        names = {os.path.realpath(os.fsdecode(entry[1:])) for entry in entries if entry.startswith(b"+")}
+        return {name for name in names if not name.startswith(f"{os.path.realpath(own)}/")}
+
+    def watch(self, names):
+        """Watches these files, and the scene's own."""
+        self.stamps = {name: self.stamps.get(name, stamp(name)) for name in {self.path, *names}}
 
     def changed(self):
         """Files changed since the last call."""

@@ -5,12 +5,42 @@
 import re
 
 # items that the page writes; items that it keeps; and among these the focus aids, which the true picture omits
-WRITTEN = ("film_width", "focal_length", "scene_unit", "shift", "f_stop", "blades", "tilt", "swing", "focus_tilt",
-           "focus_swing", "focal_plane", "focal_points", "sharp_points", "sharp_within", "circle_of_confusion", "focus_on",
-           "focus_at", "film_distance", "focus_scale")
+WRITTEN = (
+    "film_width",
+    "focal_length",
+    "scene_unit",
+    "shift",
+    "f_stop",
+    "blades",
+    "tilt",
+    "swing",
+    "focus_tilt",
+    "focus_swing",
+    "focal_plane",
+    "focal_points",
+    "sharp_points",
+    "sharp_within",
+    "circle_of_confusion",
+    "focus_on",
+    "focus_at",
+    "film_distance",
+    "focus_scale",
+)
 AIDS = ("focus_peaking", "focus_map", "show_planes")
-KEPT = ("blade_curvature", "squeeze", "edge_light", "natural_vignetting", "optical_vignetting", "distortion",
-        "field_curvature", "lateral_colour", "axial_colour", "denoise", "sample_seed", *AIDS)
+KEPT = (
+    "blade_curvature",
+    "squeeze",
+    "edge_light",
+    "natural_vignetting",
+    "optical_vignetting",
+    "distortion",
+    "field_curvature",
+    "lateral_colour",
+    "axial_colour",
+    "denoise",
+    "sample_seed",
+    *AIDS,
+)
 # blocks with one of these are not written: the page models the ideal lens alone, and its focal length would conflict
 REFUSED = ("prescription", "dispersion")
 
@@ -115,8 +145,10 @@ def kept_items(inside):
         raise EditError("the block has directives such as #if, which would be lost")
     for word in REFUSED:
         if re.search(rf"\b{word}\b", code):
-            raise EditError(f"the block has the item {word}, beside which the page's focal_length cannot stand: copy the page's block, and put "
-                            "its other items into the scene by hand")
+            raise EditError(
+                f"the block has the item {word}, beside which the page's focal_length cannot stand: copy the page's block, and put "
+                "its other items into the scene by hand"
+            )
     words = list(re.finditer(rf"\b(?:{'|'.join(WRITTEN + KEPT)})\b", code))
     ends = [word.start() for word in words[1:]] + [len(code)]
     items = [(word.group(), " ".join(code[word.start() : end].split())) for word, end in zip(words, ends)]

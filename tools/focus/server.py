@@ -42,7 +42,6 @@ class Server:
         self.files = page_files()
         self.peers = set()
         self.last_seen = None  # time when the last page left; None before the first
-        session.send = self.send
         self.runner = self.listener = None
 
     # ---- life ----
@@ -137,15 +136,10 @@ class Server:
 
     # ---- the socket ----
 
-    async def send(self, message):
-        """Sends a message to all pages."""
-        self.put(message, self.peers)
-
-    def put(self, message, peers):
-        """Queues a message for pages."""
-        sent = message if isinstance(message, bytes) else sessions.as_text(message)
-        for peer in peers:
-            peer.put(sent)
+    @staticmethod
+    def put(message, peer):
+        """Queues a message for a page."""
+        peer.put(message if isinstance(message, bytes) else sessions.as_text(message))
 
     async def socket(self, request):
         """Serves one page."""
@@ -154,67 +148,52 @@ class Server:
         socket = web.WebSocketResponse(max_msg_size=LONGEST_MESSAGE, heartbeat=20, compress=False)
         await socket.prepare(request)
         peer = Peer(socket, request.transport)
-        for message in self.session.everything():
-            self.put(message, [peer])
-        self.peers.add(peer)  # added at once: tiles from now on are not in the messages sent next
+        view = self.session.connect(lambda message: self.put(message, peer))
+        self.peers.add(peer)
         try:
             async for message in socket:
                 if message.type != WSMsgType.TEXT:
                     break
-                await self.obey(peer, message.data)
+                await self.obey(peer, view, message.data)
         finally:
+            self.session.disconnect(view)
             self.peers.discard(peer)
             self.last_seen = time.monotonic()
             await peer.close(1000)
         return socket
 
-    async def obey(self, peer, text):
+    async def obey(self, peer, view, text):
         """Executes a page's message, or closes the connection."""
         try:
             what, message = messages.read(text)
-            getattr(self, f"do_{what}")(message, peer)
+            getattr(self, f"do_{what}")(message, view)
         except messages.BadRequest:
             await peer.close(1008, b"bad request")
 
-    def do_preview(self, message, _peer):
+    def do_preview(self, message, view):
         """Previews this camera, this clock, or the scene's own."""
-        session = self.session
-        chosen = message.get("chosen")
-        if "clock" in message:
-            session.clock = float(message["clock"])
-        if chosen is not None:
-            messages.need(session.record and chosen < len(session.record["cameras"]))
-            session.chosen = int(chosen)
-        session.start_preview(message.get("camera"))
+        view.ask(message)
 
-    def do_render(self, message, _peer):
-        messages.need(self.session.record)
-        self.session.picture.start(messages.picture(message, self.session.kept_in_picture()))
+    def do_render(self, message, view):
+        messages.need(view.record)
+        self.session.picture.start(messages.picture(message, view.record.kept_in_picture(view.chosen)), view)
 
-    def do_stop(self, _message, _peer):
+    def do_stop(self, _message, _view):
         self.session.picture.stop()
 
-    def do_write(self, message, _peer):
-        messages.need(self.session.record)
-        self.session.editor.start(message)
+    def do_write(self, message, view):
+        messages.need(view.record)
+        self.session.editor.start(message, view)
 
-    def do_try(self, message, peer):
+    def do_try(self, message, view):
         """Checks for one page whether the block would do in the scene."""
-        messages.need(self.session.record)
+        messages.need(view.record)
+        self.session.editor.start_trial(message, view)
 
-        async def tell(told):
-            self.put({"type": "file", **told}, [peer])
-
-        self.session.editor.start_trial(message, tell)
-
-    def do_pull(self, message, peer):
+    def do_pull(self, message, view):
         """Writes a focus pull into the scene's file, or checks for one page whether it would do there."""
-        messages.need(self.session.record)
+        messages.need(view.record)
+        self.session.editor.start_pull(message, view)
 
-        async def tell(told):
-            self.put({"type": "file", **told}, [peer])
-
-        self.session.editor.start_pull(message, tell)
-
-    def do_undo(self, _message, _peer):
+    def do_undo(self, _message, _view):
         self.session.editor.start_undo()

@@ -2,16 +2,27 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Reads the tiles of a picture during the render, from the state file that POV-Ray keeps for +C.
 
-The file is 512 bytes, then messages: "POVRAYMS", a version, the size, "RAWSOBJE", the number of attributes, and the attributes: name, type
-and length of four bytes each, then the value. All numbers are big-endian."""
+After mark, version and size of a message come "RAWSOBJE", the number of attributes, and the attributes: name, type and length of four
+bytes each, then the value. All numbers are big-endian."""
 
 import dataclasses
 import struct
 
 import numpy
 
-HEADER = 512
+from tools.povray_run import STATE_HEADER, whole_messages
+
 VECTORS = {b"VFL4": ">f4", b"VIN4": ">i4"}
+
+
+PREVIEW, PICTURE = 1, 2  # kinds of a rectangle for the page
+
+
+def packed(kind, number, left, top, values):
+    """A rectangle of values in the page's format: six whole numbers, then the values."""
+    rows, columns = values.shape[:2]
+    head = struct.pack("<6I", kind, number, left, top, columns, rows)
+    return head + numpy.ascontiguousarray(values).tobytes()
 
 
 @dataclasses.dataclass
@@ -45,9 +56,7 @@ def tile_of(message):
     """A message's tile, or None."""
     found = attributes(message)
     try:
-        left, top, right, bottom = (
-            struct.unpack(">i", found[name])[0] for name in (b"Left", b"Top ", b"Righ", b"Bott")
-        )
+        left, top, right, bottom = (struct.unpack(">i", found[name])[0] for name in (b"Left", b"Top ", b"Righ", b"Bott"))
     except KeyError:
         return None
     shape = (bottom - top + 1, right - left + 1)
@@ -69,28 +78,18 @@ class StateFile:
         path.unlink(missing_ok=True)
         path.touch()
         self.stream = open(path, "rb")
-        self.rest = b""
-        self.begun = False
+        self.data = b""  # the header, and what is not yet read
 
     def tiles(self):
         """Tiles completed since the last call."""
-        data = self.rest + self.stream.read()
-        at = 0
-        if not self.begun:
-            if len(data) < HEADER:
-                self.rest = data
-                return
-            self.begun, at = True, HEADER
-        while at + 28 <= len(data) and data[at : at + 8] == b"POVRAYMS":
-            (size,) = struct.unpack(">i", data[at + 12 : at + 16])
-            end = at + 20 + size
-            if size <= 0 or end > len(data):
-                break
-            tile = tile_of(data[at:end])
-            at = end
+        self.data += self.stream.read()
+        ends = whole_messages(self.data)
+        for at, end in zip(ends, ends[1:]):
+            tile = tile_of(self.data[at:end])
             if tile:
                 yield tile
-        self.rest = data[at:]
+        if ends:
+            self.data = self.data[:STATE_HEADER] + self.data[ends[-1] :]
 
     def close(self):
         self.stream.close()

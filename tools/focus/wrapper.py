@@ -7,16 +7,15 @@ import os
 import re
 
 from tools.focus import scene_text
-from tools.focus.povray import nameable, quoted
-from tools.repository import ROOT
+from tools.focus.render import nameable
+from tools.povray_run import INCLUDE, quoted
 
-INCLUDES = ROOT / "scenes" / "include"
 VECTORS = ("location", "direction", "right", "up")
 
 
 def search(settings, folder):
     """Search path of the scene's include files."""
-    places = {"includes": INCLUDES, "beside": os.path.dirname(settings.scene)}
+    places = {"includes": INCLUDE, "beside": os.path.dirname(settings.scene)}
     return [f"+L{quoted(nameable(place, folder, link))}" for link, place in places.items()]
 
 

@@ -14,7 +14,8 @@ import { buildCameras } from "./cameras.js";
 import { drawSide, surfaceSection } from "./side.js";
 import { buildText } from "./text.js";
 import { isState, markOf, readAddress, writeAddress } from "./address.js";
-import { Pair, buildPair } from "./pair.js";
+import { Pair } from "./pair.js";
+import { buildBeside } from "./beside.js";
 import { areKeys } from "./pull.js";
 import { buildFilm } from "./film.js";
 import { buildReading } from "./reading.js";
@@ -26,7 +27,7 @@ import { buildProbe } from "./probe.js";
 const find = id => document.getElementById(id);
 const model = new Model(), pair = new Pair(model);
 const ask = message => line.ask(message);
-let blur, live, line, knobs, scene, reading;
+let blur, live, line, knobs, scene, reading, beside;
 let startedFor = null;   // signature of the camera that the model started with
 let startedFrom = null;  // place and direction of that camera
 let ownClock = false;    // the next scene is of a clock that this page has set
@@ -49,13 +50,13 @@ model.changed = () => {
     knobs();
     stage.show();
     more();
-    showPair();
     say();
     text.show();
     film.show();
     truth.show();
     if (live.show())
         showSide();
+    beside();
     reading.show();
 };
 
@@ -85,21 +86,26 @@ function say() {
 
 function hint() {
     const keys = stage.byKeys() ? " Arrow keys move the cross, with Shift in larger steps; Enter picks." : "";
+    const other = pair.twin ? ` A click into the other picture goes to lens ${pair.waiting}.` : "";
+    return advice() + other + keys;
+}
+
+function advice() {
     if (model.mode === "one")
-        return `Click what is to be sharp.${keys}`;
+        return "Click what is to be sharp.";
     const missing = model.wantedPicks - model.picks.length;
-    if (missing > 0) {
-        const places = missing === 1 ? "place that is" : "places that are";
-        return `Click ${model.picks.length ? `${missing} more` : missing} ${places} to be sharp.${keys}`;
-    }
+    if (missing > 0)
+        return `Click ${model.picks.length ? `${missing} more` : missing} ${missing === 1 ? "place that is" : "places that are"} to be sharp.`;
     if (model.mode === "more")
-        return `Each click adds a point. Drag a point to move it.${keys}`;
-    return `All of these are sharp. Drag a point, or click to move the nearest.${keys}`;
+        return "Each click adds a point. Drag a point to move it.";
+    return "All of these are sharp. Drag a point, or click to move the nearest.";
 }
 
 // ---- messages of the program ----
 
 function takeScene(message) {
+    if (isOfAnotherTime(message))
+        return;
     const other = Number.isInteger(kept?.chosen) ? message.cameras[kept.chosen] : null;
     if (other && markOf(signatureOf(other)) === kept.of)
         ({ chosen } = kept);
@@ -118,6 +124,16 @@ function takeScene(message) {
         askForCamera();
     if (!view.perspective)
         complain({ message: "This camera is not perspective. Only the perspective camera has a lens." });
+}
+
+/// Requests the scene at the clock that the address holds, if this is another.
+function isOfAnotherTime({ animated, clock: now, clocks: [least, most] }) {
+    const { clock } = kept ?? {};
+    if (!animated || !Number.isFinite(clock) || clock === now || clock < least || clock > most)
+        return false;
+    kept.clock = null;
+    ask({ do: "preview", clock });
+    return true;
 }
 
 /// Names items of the scene's camera that neither the live nor the true picture shows.
@@ -145,6 +161,7 @@ function takeView(view) {
     startedFrom = from;
     ownChange = ownClock = false;
     if (seen || written || pulled) {
+        kept = null;
         model.note(view);
         model.changed();
         keep();
@@ -159,7 +176,7 @@ function takeView(view) {
 /// Writes the choices into the address, unless the focus still waits for the preview.
 function keep() {
     if (!model.open && !model.error)
-        writeAddress({ of: markOf(startedFor), chosen, state: model.state, pair: pair.kept, keys: film.keys });
+        writeAddress({ of: markOf(startedFor), chosen, clock: cameras.animated ? scene.clock : null, state: model.state, pair: pair.kept, keys: film.keys });
 }
 
 /// The choices that the address has kept, if they are of the shown camera.
@@ -279,19 +296,17 @@ const cameras = buildCameras(find, {
     },
     moved: time => film.moved(time),
 });
-const more = buildMore(find, model), showPair = buildPair(pair);
+const more = buildMore(find, model);
 const text = buildText(find, model, cameras.kept, ask);
 const film = buildFilm(find, model, cameras, cameras.kept, ask, keep);
-const truth = buildTruth(find, stage, model, () => [blur.width, blur.height], ask);
+const truth = buildTruth(find, stage, pair, () => [blur.width, blur.height], () => (cameras.animated ? scene.clock ?? cameras.time() : null), ask);
 
 function listen() {
     for (const name of ["blur", "peaking", "map", "planes"])
         find(`show-${name}`).onchange = event => {
             blur.show[name] = event.target.checked;
             find("legend").hidden = !blur.show.map;
-            if (blur.values && blur.lens)
-                blur.display();
-            live.draw();
+            live.display();
         };
     document.querySelectorAll("input[name=mode]").forEach(radio => (radio.onchange = () => model.setMode(radio.value)));
     find("third").onchange = event => model.setThird(event.target.value);
@@ -300,6 +315,8 @@ function listen() {
         const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !["text", "select-one"].includes(event.target.type);
         if (plain && event.key.toLowerCase() === "x" && model.lens)
             pair.swap();
+        if (plain && event.key.toLowerCase() === "s")
+            find("beside").click();
         if (plain && event.key.toLowerCase() === "l")
             find("show-loupe").click();
         if ((event.ctrlKey || event.metaKey) && event.key === "z" && event.target.type !== "text") {
@@ -310,7 +327,8 @@ function listen() {
     onhashchange = () => location.reload();
     const dark = matchMedia("(prefers-color-scheme: dark)");
     const paint = () => {
-        blur.empty = dark.matches ? [0.055, 0.06, 0.067] : [0.914, 0.914, 0.894];
+        for (const each of live.blurs)
+            each.empty = dark.matches ? [0.055, 0.06, 0.067] : [0.914, 0.914, 0.894];
         live.draw();
     };
     dark.onchange = paint;
@@ -322,17 +340,21 @@ try {
     blur = openBlur(find("picture"));
     live = new Live(blur, model, ask, model.changed);
     reading = buildReading(find, model, blur, (x, y) => live.inverseDepthAt(x, y));
+    beside = buildBeside(find, pair, live, film => stage.pick(film));
     live.drawn = () => reading.drawLoupe();
     listen();
     line = connect({
         message: message => takes[message.type]?.(message),
         preview: tile => live.take(tile),
         picture: tile => truth.takeTile(tile),
-        open: () => status("preview …"),
+        open: () => {
+            kept ??= readAddress();
+            status("preview …");
+        },
         closed: () => complain({ message: "The program has ended. Start ./focus again and open its new address." }),
     });
 } catch (error) {
     complain({ message: error.message });
 }
 
-window.focusPage = blur && buildProbe(model, blur, () => live.complete);
+window.focusPage = live && buildProbe(model, live);

@@ -91,14 +91,16 @@ class Blur {
 
     // ---- what is drawn ----
 
-    /// Starts an empty preview of that size, taken with this frame (a solved lens, or direction, right and up).
-    begin(width, height) {
+    /// Starts a preview of that size, empty or with the values of another picture of it.
+    begin(width, height, values = null) {
         this.width = width;
         this.height = height;
         this.canvas.style.aspectRatio = `${width} / ${height}`;
         this.rows = Math.ceil(height / LEAST_STRIPS);
-        this.values = new Float32Array(width * height * 4);
+        this.values = values ?? new Float32Array(width * height * 4);
         this.reach = new Reach(width, height, this.values);
+        if (values)
+            this.reach.note(0, 0, width, height);
         const gl = this.gl;
         gl.bindTexture(gl.TEXTURE_2D, this.preview);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, this.values);

@@ -288,6 +288,17 @@ export function frameMap(lens, frame) {
     return [...offset, ratio * length(lens.right) / length(frame.right), ratio * length(lens.up) / length(frame.up)];
 }
 
+/// The smallest frame that holds the frames of lenses at one place with the same axes.
+export function frameAround(lenses) {
+    const [first] = lenses, maps = lenses.map(lens => frameMap(lens, first));
+    const [x, y] = [0, 1].map(i => {
+        const least = Math.min(...maps.map(map => map[i] - map[i + 2] / 2)), most = Math.max(...maps.map(map => map[i] + map[i + 2] / 2));
+        return { middle: (least + most) / 2, size: most - least };
+    });
+    const { location, axis, right, up } = first;
+    return { location, axis, direction: chiefRay(first, x.middle, y.middle), right: times(x.size, right), up: times(y.size, up) };
+}
+
 /// World point at x, y of the picture at a distance along the axis.
 export const pointAt = (lens, x, y, depth) =>
     along(lens.location, depth / dot(lens.direction, lens.axis), chiefRay(lens, x, y));

@@ -4,8 +4,7 @@
 /// The live picture: receives the preview, schedules drawing and refinement, and requests a new preview when the frame has moved away from
 /// the current one.
 
-import { dot, length, subtract } from "./vector.js";
-import { pointAt, solve } from "./lens.js";
+import { frameAround, frameMap, pointAt, solve } from "./lens.js";
 import { inverseDepthOf } from "./blur.js";
 
 const REST = 150;          // milliseconds without a change before the picture is refined
@@ -18,6 +17,7 @@ export class Live {
     /// @param begun  called when the first part of a new preview is there
     constructor(blur, model, ask, begun) {
         Object.assign(this, { blur, model, ask, begun });
+        this.second = null;        // { blur, lens, changed }: the picture of the other lens, if both are shown
         this.drawn = () => {};     // called after each drawing
         this.complete = false;     // no more tiles of the preview are to come
         this.former = null;        // the previous preview of the same scene, while the current one arrives
@@ -46,12 +46,14 @@ export class Live {
         if (this.arriving) {
             this.keepFormer();
             this.blur.begin(...this.arriving);
+            this.second?.blur.begin(...this.arriving, this.blur.values);
             this.arriving = null;
             this.blur.frame = this.frameOf(this.askedFrame);
             if (this.model.lens)
                 this.begun();
         }
         this.blur.take(left, top, width, height, values);
+        this.second?.blur.take(left, top, width, height, values);
         this.draw();
     }
 
@@ -120,24 +122,58 @@ export class Live {
         return true;
     }
 
+    /// Shows the picture of the other lens, a model, in a Blur of its own; none if that is null.
+    showBeside(blur, twin) {
+        if (!blur || !this.fits) {
+            this.second = null;
+            return;
+        }
+        if (this.second?.blur !== blur || blur.values !== this.blur.values)
+            blur.begin(this.blur.width, this.blur.height, this.blur.values);
+        const { gamma, empty, show, frame } = this.blur, { lens, block } = twin, known = this.second?.lens === lens && blur.frame === frame;
+        Object.assign(blur, { gamma, empty, show });
+        this.second = { blur, lens, changed: known ? this.second.changed : performance.now() };
+        if (known)
+            return;
+        blur.setBlades(block.blades, block.bladesAngle * Math.PI / 180);
+        blur.setLens(lens, frame);
+        this.askForFrame();
+        this.draw();
+    }
+
     /// Requests a new preview if the frame has moved away from the current one.
     askForFrame() {
         clearTimeout(this.timer);
-        const now = this.model.lens, then = this.blur.frame;
+        const then = this.blur.frame;
         if (!then || this.model.open || !this.fits)
             return;
-        const far = v => dot(v, now.axis), scaled = v => v.map(x => x / far(v));
-        const moved = length(subtract(scaled(now.direction), scaled(then.direction))) * far(now.direction) / length(now.right);
-        const zoomed = Math.abs(far(now.direction) / far(then.direction) * length(then.right) / length(now.right) - 1);
-        if (moved < 1e-6 && zoomed < FAR)
+        const [x, y, across, upward] = frameMap(this.wantedFrame, then);
+        if (Math.hypot(x, y) < 1e-6 && Math.abs(across - 1) < FAR && Math.abs(upward - 1) < FAR)
             return;
         this.timer = setTimeout(() => {
-            const { location, direction, right, up } = this.model.lens;
+            const { location, direction, right, up } = this.wantedFrame;
             this.ask({ do: "preview", camera: { location, direction, right, up } });
         }, PREVIEW_REST);
     }
 
+    /// The frame of the lens, or of both lenses.
+    get wantedFrame() {
+        return frameAround([this.model.lens, ...(this.second ? [this.second.lens] : [])]);
+    }
+
     // ---- drawing ----
+
+    /// The blurs whose pictures are shown.
+    get blurs() {
+        return [this.blur, ...(this.second ? [this.second.blur] : [])];
+    }
+
+    /// Shows the pictures with other overlays.
+    display() {
+        if (this.blur.values && this.blur.lens)
+            this.blurs.forEach(blur => blur.display());
+        this.draw();
+    }
 
     /// Schedules drawing until the picture is smooth.
     draw() {
@@ -154,11 +190,14 @@ export class Live {
 
     drawNow() {
         this.scheduled = false;
-        const moving = !this.complete || performance.now() - this.lastChange < REST;
+        const now = performance.now(), { second } = this, isMoving = changed => !this.complete || now - changed < REST;
+        const moving = isMoving(this.lastChange), other = second !== null && isMoving(second.changed);
         this.blur.draw(moving);
+        if (other || (!moving && second?.blur.unfinished))
+            second.blur.draw(other);
         this.lastDrawing = performance.now();
         this.drawn();
-        if (this.complete && (moving || this.blur.unfinished))
+        if (this.complete && (moving || other || this.blur.unfinished || second?.blur.unfinished))
             this.draw();
     }
 }

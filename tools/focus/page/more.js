@@ -13,7 +13,8 @@ export function pixels(blur) {
     return size < SHARP ? "sharp" : `${size < 9.995 ? size.toFixed(2) : size.toFixed(size < 99.95 ? 1 : 0)} px`;
 }
 
-const stop = value => `f/${Number(value.toPrecision(3))}`;
+/// An f-number with few digits.
+export const stop = value => `f/${Number(value.toPrecision(3))}`;
 
 /// The blur of a point with its side, and whether it binds.
 const described = (blur, binds) => pixels(blur) + (Math.abs(blur) < SHARP ? "" : blur > 0 ? " before" : " behind") + (binds ? ", binds" : "");
@@ -50,6 +51,7 @@ export function buildMore(find, model) {
     const showRow = ({ blurs, binds }, i) => {
         const row = list.children[i], words = described(blurs[i], binds[i]);
         row.className = binds[i] ? "binds" : "";
+        row.title = binds[i] ? "This point decides where the plane lies, and how far the lens may be opened." : "";
         if (row.children[1].textContent !== words)
             row.children[1].textContent = words;
     };

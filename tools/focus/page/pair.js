@@ -1,11 +1,16 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Two lenses for one camera, A and B: one is the model's, the other waits.
+/// Two lenses for one camera, A and B: one is the model's, the other waits, and may be shown beside it.
+
+import { Model } from "./model.js";
+
+const nameOfOther = { A: "B", B: "A" };
 
 export class Pair {
     constructor(model) {
         this.model = model;
+        this.beside = false; // whether both pictures are shown
         this.begin();
     }
 
@@ -14,31 +19,70 @@ export class Pair {
         this.other = null; // { state, past } of the other lens; null until it is first shown
     }
 
-    /// Shows the other lens, which begins as a copy.
+    get waiting() {
+        return nameOfOther[this.shown];
+    }
+
+    /// The shown lens, without a last change that no lens fulfils.
+    get present() {
+        const { error, past, state } = this.model;
+        return { state: error && past.length ? JSON.parse(past.at(-1)) : structuredClone(state), past };
+    }
+
+    /// Makes the other lens, a copy of the shown one, unless there is one.
+    copy() {
+        this.other ??= structuredClone(this.present);
+    }
+
+    /// Shows the other lens.
     swap() {
-        const { model } = this, present = { state: structuredClone(model.state), past: model.past };
-        const next = this.other ?? structuredClone(present);
-        this.other = present;
-        this.shown = this.shown === "A" ? "B" : "A";
+        const { model } = this;
+        this.copy();
+        const next = this.other;
+        this.other = this.present;
+        this.shown = this.waiting;
         model.past = next.past;
         model.restore(next.state);
         model.remember();
     }
 
-    /// For the address.
-    get kept() {
-        return this.other && { shown: this.shown, other: this.other.state };
+    /// Shows both pictures, or one.
+    setBeside(beside) {
+        this.beside = beside;
+        this.model.changed();
+        this.model.remembered();
     }
 
-    /// Takes the lenses that the address holds.
-    restore({ shown, other }) {
+    /// The other lens as a model of its own; null without one, and unless both pictures are shown.
+    get twin() {
+        const { model } = this;
+        if (!this.beside || model.open || !model.lens)
+            return null;
+        this.copy();
+        const { given, place, width } = model, { state } = this.other;
+        if (this.made?.of !== state || this.made.width !== width)
+            this.made = { of: state, width, twin: modelOf(state, { given, place, width }) };
+        return Object.assign(this.made.twin, { given, place });
+    }
+
+    /// For the address.
+    get kept() {
+        return (this.other || this.beside) && { shown: this.shown, other: this.other?.state ?? null, beside: this.beside };
+    }
+
+    /// Takes the lenses that the address holds, unless the other one cannot be.
+    restore({ shown, other, beside }) {
+        this.beside = beside === true;
+        if (!other || modelOf(other, this.model).error)
+            return;
         this.shown = shown === "B" ? "B" : "A";
         this.other = { state: other, past: [JSON.stringify(other)] };
     }
 }
 
-export function buildPair(pair) {
-    const radios = document.querySelectorAll("input[name=pair]");
-    radios.forEach(radio => (radio.onchange = () => radio.value !== pair.shown && pair.swap()));
-    return () => radios.forEach(radio => (radio.checked = radio.value === pair.shown));
+/// A model with this state, for the camera of another.
+function modelOf(state, { given, place, width }) {
+    const made = Object.assign(new Model(), { given, place, width });
+    made.restore(state);
+    return made;
 }

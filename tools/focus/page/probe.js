@@ -5,9 +5,9 @@
 
 import { describe } from "./block.js";
 
-/// @param blur      the live picture
-/// @param complete  () -> true if the whole preview is there
-export function buildProbe(model, blur, complete) {
+/// @param live  the live picture, and that of the other lens
+export function buildProbe(model, live) {
+    const { blur } = live;
     const read = (canvas, [width, height]) => {
         const context = new OffscreenCanvas(width, height).getContext("2d");
         context.drawImage(canvas, 0, 0, width, height);
@@ -21,8 +21,8 @@ export function buildProbe(model, blur, complete) {
         /// The live picture, or null before the first: size, preview's location, completeness of the preview, averaged passes, pending
         /// passes, and milliseconds of the last drawing.
         get live() {
-            const { frame, pass, unfinished, work } = blur;
-            return blur.values && frame ? { size: size(), location: frame.location, complete: complete(), passes: pass, smooth: !unfinished, work } : null;
+            const { frame, pass, work } = blur, { complete } = live, smooth = live.blurs.every(each => !each.unfinished);
+            return blur.values && frame ? { size: size(), location: frame.location, complete, passes: pass, smooth, work } : null;
         },
 
         /// Number of drawings.
@@ -43,6 +43,9 @@ export function buildProbe(model, blur, complete) {
             blur.display();
             return pixels;
         },
+
+        /// The pixels of the other lens's picture, at the live picture's size.
+        otherPixels: () => read(document.getElementById("other-picture"), size()),
 
         /// The true picture's pixels, at the live picture's size.
         truePixels: () => read(document.getElementById("truth"), size()),

@@ -117,6 +117,9 @@ export function buildStage(model, on) {
         /// True if keys move the crosshair.
         byKeys: () => !cross.hidden,
 
+        /// Picks the surface at a place of the film.
+        pick,
+
         /// Moves the points to their projections.
         show() {
             while (points.children.length > model.picks.length)
@@ -136,8 +139,10 @@ export function buildStage(model, on) {
                 place(made, [x, y]);
             });
         },
-        /// Shows or hides the true picture beside the live one.
-        showTruth(shown) {
+        /// Shows or hides the true picture over the live one, or over that of the other lens.
+        showTruth(shown, over = "cross") {
+            document.getElementById(over).before(truth, wipeLine);
+            truth.parentElement.after(wipe);
             truth.hidden = wipe.hidden = wipeLine.hidden = !shown;
             showWipe();
         },

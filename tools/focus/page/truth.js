@@ -20,26 +20,35 @@ const WORDS = {
 };
 
 /// @param previewSize  () -> [width, height] of the preview, whose proportions the picture has
+/// @param clockOf      () -> the clock of a scene that uses it
 /// @param ask          sends a message to the program
-export function buildTruth(find, stage, model, previewSize, ask) {
-    const canvas = find("truth"), said = find("true-said");
-    let number = 0, waiting = [], last = null, other = false;
+export function buildTruth(find, stage, pair, previewSize, clockOf, ask) {
+    const { model } = pair, canvas = find("truth"), said = find("true-said");
+    let number = 0, waiting = [], last = null, other = "", shown = false;
 
     /// The current lens as a request to the program.
-    const wanted = () => {
-        const { location, right, up, unshifted } = model.lens, { block, items } = describe(model, "plane", WORLD);
+    const wanted = (of = model) => {
+        const { location, right, up, unshifted } = of.lens, { block, items } = describe(of, "plane", WORLD);
         return { camera: { location, direction: unshifted, right, up }, block, items };
     };
     const keyOf = ({ camera: { location, direction, right, up }, block }) => JSON.stringify([location, direction, right, up, block]);
 
-    /// Shows the picture; dims one of another lens.
+    /// The kind of difference between the picture and the live one: "", "lens" or "time".
+    const difference = of => (keyOf(last.lens) !== keyOf(wanted(of)) ? "lens" : (last.lens.clock ?? 0) !== (clockOf() ?? last.lens.clock ?? 0) ? "time" : "");
+
+    /// Shows the picture over that of its lens, or dims one of another lens.
     const show = () => {
         if (!last)
             return;
+        const { twin } = pair;
         if (model.lens && !model.error)
-            other = keyOf(last.lens) !== keyOf(wanted());
-        canvas.classList.toggle("other", other);
-        said.textContent = WORDS[last.state](last) + (other && last.state !== "failed" ? " Of another lens: render again." : "");
+            other = difference(model);
+        const beside = other && twin && !difference(twin);
+        if (shown)
+            stage.showTruth(true, beside ? "other-points" : "cross");
+        canvas.classList.toggle("other", other && !beside);
+        const of = beside ? ` Of lens ${pair.waiting}: render again for lens ${pair.shown}.` : other && ` Of another ${other}: render again.`;
+        said.textContent = WORDS[last.state](last) + (last.state === "failed" ? "" : of);
     };
 
     find("width").replaceChildren(...WIDTHS.map(width => {
@@ -59,6 +68,7 @@ export function buildTruth(find, stage, model, previewSize, ask) {
     };
     find("stop").onclick = () => ask({ do: "stop" });
     find("hide").onclick = () => {
+        shown = false;
         stage.showTruth(false);
         find("hide").hidden = find("save").hidden = true;
         said.textContent = "";
@@ -75,7 +85,7 @@ export function buildTruth(find, stage, model, previewSize, ask) {
                 [canvas.width, canvas.height] = message.size;
                 waiting.forEach(tile => this.takeTile(tile));
                 waiting = [];
-                stage.showTruth(true);
+                shown = true;
             }
             find("stop").hidden = find("progress").hidden = !running;
             find("render").hidden = running;

@@ -99,7 +99,9 @@ class Files(ClientTest):
             text, after = path.read_bytes(), path.stat()
             self.assertIn(b"\r\n  tilt_lens {\r\n    f_stop 2\r\n    focal_plane { <0, 0, 1>, 2 }\r\n  }\r\n}", text)
             self.assertEqual(text.count(b"\n"), text.count(b"\r\n"))
-            self.assertEqual((after.st_uid, after.st_gid, after.st_mode, after.st_ino), (before.st_uid, before.st_gid, before.st_mode, before.st_ino))
+            self.assertEqual(
+                (after.st_uid, after.st_gid, after.st_mode, after.st_ino), (before.st_uid, before.st_gid, before.st_mode, before.st_ino)
+            )
 
 
 class Replacing(unittest.TestCase):

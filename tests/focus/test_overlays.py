@@ -92,7 +92,9 @@ class Overlays(PageTest):
         self.press("#write")
         self.until("the change", lambda: "Written" in self.text("file-said"))
         self.until("the new preview", lambda: "new preview" in self.text("status"))
-        self.until("smooth edges", lambda: self.run("const sum = focusPage.previewSum(), same = sum === window.sum; window.sum = sum; return same"))
+        self.until(
+            "smooth edges", lambda: self.run("const sum = focusPage.previewSum(), same = sum === window.sum; window.sum = sum; return same")
+        )
         self.smooth()
         written = scene.read_text()
         live = {name: self.live({name: True} if name else {}) for name in ("", *AIDS)}

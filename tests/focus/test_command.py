@@ -50,7 +50,9 @@ class Command(harness.FocusTest):
     def call(self, *words):
         """Calls ./focus and waits for its end."""
         command = [str(harness.ROOT / "focus"), *map(str, words), "--povray", SETTINGS.povray]
-        return subprocess.run(command, cwd=self.folder, env=povray_run.user_environment(), capture_output=True, text=True, check=False, timeout=60)
+        return subprocess.run(
+            command, cwd=self.folder, env=povray_run.user_environment(), capture_output=True, text=True, check=False, timeout=60
+        )
 
     def test_wrong_calls_are_one_message(self):
         for words, said in (

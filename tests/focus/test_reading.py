@@ -87,13 +87,15 @@ class Reading(PageTest):
 
     def nothing(self):
         """Distance and blur where the picture has no surface."""
-        return self.browser.execute_async_script("""
+        return self.browser.execute_async_script(
+            """
             const done = arguments[0];
             import(new URL("page/reading.js", location)).then(({ readingAt }) => {
                 const { surface, blur } = readingAt(focusPage.model.lens, 0, 0, 0, 320);
                 done([surface, blur]);
             });
-        """)
+        """
+        )
 
     def test_loupe_shows_the_picture_at_its_own_pixels(self):
         self.open_wide()

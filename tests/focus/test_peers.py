@@ -154,7 +154,7 @@ class Peers(ClientTest):
 class Ends(ClientTest):
     def test_a_second_ctrl_c_leaves_nothing(self):
         self.start(self.scene(), "+W800", "+H450")
-        for _ in range(20):     # more than a hand presses, fewer than fill the pipe through which Python receives signals
+        for _ in range(20):  # more than a hand presses, fewer than fill the pipe through which Python receives signals
             if self.process.poll() is None:
                 os.killpg(self.process.pid, signal.SIGINT)
             time.sleep(0.02)
@@ -181,7 +181,7 @@ class Ends(ClientTest):
 
 class Names(ClientTest):
     def test_a_name_with_both_quotation_marks(self):
-        folder = self.folder / "it's \"here\""
+        folder = self.folder / 'it\'s "here"'
         folder.mkdir()
         scene = folder / "a'b\"c.pov"
         scene.write_text(SCENE + '#include "more.inc"\n')

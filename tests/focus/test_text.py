@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 from tests.focus import harness
-from tools.focus import focus, povray, scene_text
+from tools.focus import focus, render, scene_text
 from tools.focus.options import Options
 from tools.focus.scene_text import EditError, with_block
 from tools.repository import ROOT
@@ -76,20 +76,20 @@ class SceneText(unittest.TestCase):
 
 class Messages(unittest.TestCase):
     def test_an_error_has_its_file_and_line(self):
-        error = povray.error_in("x\nFile '/a/b.pov' line 7: Parse Error: Missing }, found\n  this instead\nFatal error in parser: y\n")
+        error = render.error_in("x\nFile '/a/b.pov' line 7: Parse Error: Missing }, found\n  this instead\nFatal error in parser: y\n")
         self.assertEqual((error.file, error.line, error.message), ("/a/b.pov", 7, "Missing }, found this instead"))
 
     def test_an_error_in_a_file_of_a_long_name_has_its_file_and_line(self):
         said = "File 'x' line 2: Parse Warning: odd\nFile '/a long\n name/%s\n%s.pov'\n line 7: Parse\n Error: Missing }\nRender failed\n"
-        error = povray.error_in(said % (70 * "a", 70 * "b"))
+        error = render.error_in(said % (70 * "a", 70 * "b"))
         self.assertEqual((error.file, error.line, error.message), (f"/a long name/{70 * 'a'}{70 * 'b'}.pov", 7, "Missing }"))
 
     def test_other_output_is_shown_by_its_end(self):
-        self.assertIn("three", povray.error_in("one\ntwo\nthree\n").message)
+        self.assertIn("three", render.error_in("one\ntwo\nthree\n").message)
 
     def test_names_with_blanks_stay_whole(self):
-        self.assertEqual(povray.with_quotes("+Lmy folder"), '+L"my folder"')
-        self.assertEqual(povray.with_quotes("Declare=A=1 + 2"), "Declare=A=1 + 2")
+        self.assertEqual(render.with_quotes("+Lmy folder"), '+L"my folder"')
+        self.assertEqual(render.with_quotes("Declare=A=1 + 2"), "Declare=A=1 + 2")
 
 
 class Settings(unittest.TestCase):

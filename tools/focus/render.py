@@ -9,8 +9,11 @@ import os
 import re
 import signal
 
+from tools import povray_run
 from tools.focus import tiles
+from tools.povray_run import quoted
 
+OWN = ("+FN", "Output_to_File=on", "-C", "+SP1", "+EP1", "+KFI1", "+KFF1")
 STEP = 0.05  # seconds between looks at a render's files
 BACKGROUND = 10  # niceness of a render that nobody waits for
 
@@ -41,11 +44,6 @@ def error_in(text):
         return RenderError(message)
     name = found["file"].replace("\n", "")  # POV-Ray breaks lines even within names
     return RenderError(message, name, int(found["line"]))
-
-
-def quoted(name):
-    """A name quoted for POV-Ray, for names with spaces."""
-    return f"'{name}'" if '"' in str(name) else f'"{name}"'
 
 
 def nameable(path, folder, link):
@@ -80,30 +78,12 @@ class Render:
 
     def words(self, scene, options, size):
         """The command line: the user's options, then those of this run."""
-        width, height = size
-        return [
-            self.program,
-            *map(with_quotes, options),
-            f"+I{quoted(nameable(scene, self.folder, 'scene-link.pov'))}",
-            f"+W{width}",
-            f"+H{height}",
-            f"+O{quoted(self.picture)}",
-            "+FN",
-            "Output_to_File=on",
-            "-D",
-            "-P",
-            "-C",
-            "+SP1",
-            "+EP1",
-            "+KFI1",
-            "+KFF1",
-        ]
+        scene = nameable(scene, self.folder, "scene-link.pov")
+        return povray_run.command(self.program, scene, self.picture, size, *OWN, before=map(with_quotes, options))
 
     def environment(self, preview):
         """The user's environment with this run's variables."""
-        env = dict(os.environ)
-        env.pop("DISPLAY", None)
-        env.pop("TILT_LENS_PREVIEW", None)
+        env = povray_run.user_environment((*povray_run.DISPLAYS, "TILT_LENS_PREVIEW"))
         if preview:
             self.record.unlink(missing_ok=True)
             env["TILT_LENS_PREVIEW"] = str(self.record)

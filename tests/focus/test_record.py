@@ -11,6 +11,7 @@ from tests.focus.harness import SCENE, SETTINGS, FocusTest
 from tools import povray_run
 
 LENS = "tilt_lens { scene_unit 10 f_stop 0.7 focus_tilt 30 shift <2, 1> }"
+SIZE = (160, 90)
 PINHOLE = LENS.replace("f_stop 0.7 ", "")
 
 
@@ -20,12 +21,8 @@ class Record(FocusTest):
         scene = self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {items}\n"))
         record, picture = self.folder / "record.json", self.folder / "picture.png"
         record.unlink(missing_ok=True)
-        env = povray_run.user_environment(**({"TILT_LENS_PREVIEW": str(record)} if preview else {}))
-        words = [f"+I{scene.name}", f"+O{picture.name}", *harness.SMALL, "-D", "-A", "+WL0"]
-        done = subprocess.run(
-            [SETTINGS.povray, *words], cwd=self.folder, env=env, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-        )
-        self.assertEqual(done.returncode, 0, done.stderr)
+        env = povray_run.environment(**({"TILT_LENS_PREVIEW": str(record)} if preview else {}))
+        povray_run.run(povray_run.command(SETTINGS.povray, scene, picture, SIZE, "+WL0"), self.folder, env).succeeded()
         self.assertEqual(record.exists(), preview)
         told = subprocess.run(["oiiotool", "--info", "--hash", str(picture)], capture_output=True, text=True, check=True).stdout
         return told.split("SHA-1: ")[1].split()[0], json.loads(record.read_text()) if preview else None

@@ -3,9 +3,8 @@
 """Cameras with transformations: the page's text makes its lens in the camera, before and behind transformations."""
 
 from tests.focus import harness
-from tests.focus.harness import SCENE, PageTest
+from tests.focus.harness import EXPORTED, SCENE, TOWERS, PageTest
 
-PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
 SIZE = (160, 90)
 FROM_HERE = "return String(focusPage.live.location) === String(focusPage.model.camera.location)"
 
@@ -21,20 +20,6 @@ CAMERAS = """#include "transforms.inc"
   blur_samples 4
 #end
 """
-EXPORTED = """#version 3.7;
-global_settings { assumed_gamma 1 }
-camera {
-  location <0, 0, 0>
-  look_at <0, 0, -1>
-  right <-1.777778, 0, 0>
-  up <0, 1, 0>
-  angle 49.134343
-  matrix <0.685921, 0.727676, 0.0,  -0.324013, 0.305421, 0.895396,  0.651558, -0.614170, 0.445271,  73588.9, -69257.9, 49583.1>
-}
-light_source { <40000, -10000, 90000>, rgb 1.2 }
-plane { z, 0  pigment { checker rgb 0.8 rgb 0.35 scale 4000 } }
-#for (I, -4, 4) box { <10000*I - 3000, -3000, 0>, <10000*I + 3000, 3000, 12000> pigment { rgb <0.7, 0.3, 0.2> } } #end
-"""
 MOVES = {
     "rotate": "rotate y*60",
     "matrix": "matrix <0.685921, 0.727676, 0, -0.324013, 0.305421, 0.895396, 0.651558, -0.614170, 0.445271, 73588.9, -69257.9, 49583.1>",
@@ -49,13 +34,8 @@ def camera_of(move, more="", behind=""):
     return f"#declare Move = transform {{ {move} }}\ncamera {{\n  Moved()\n  {more}\n  {move}\n  {behind}\n}}\n"
 
 
-class Moved(PageTest):
-    def pick_three(self):
-        """Clicks the three towers."""
-        self.press("input[name=mode][value=three]")
-        for x, y in PLACES:
-            self.click_at(x, y)
-        self.assertEqual(len(self.run("return focusPage.model.picks")), 3)
+class MovedPage(PageTest):
+    """A test with a moved camera."""
 
     def check(self, scene, places, size=SIZE):
         """The program's blur at the places."""
@@ -65,6 +45,8 @@ class Moved(PageTest):
             self.assertLess(abs(found), 0.3, f"{x}, {y}")
         self.assertGreater(abs(blur).max(), 2, "nothing is blurred")
 
+
+class Texts(MovedPage):
     def test_the_text_makes_the_lens_before_and_behind_transformations(self):
         parts = SCENE.partition("camera {")
         objects = parts[2].split("\n}\n", 1)[1]
@@ -73,7 +55,7 @@ class Moved(PageTest):
         for index, (name, move) in enumerate(MOVES.items()):
             self.choose("camera", index)
             self.until("its preview", lambda: self.drawn() and self.run(FROM_HERE))
-            self.pick_three()
+            self.pick_towers()
             self.set_number("fStop", 0.7)
             self.set_number("angle", 44)
             for form in ("points", "plane", "angles"):
@@ -81,9 +63,11 @@ class Moved(PageTest):
                 text = self.text("block")
                 for camera in (camera_of(move, more=text), camera_of(move, behind=text)):
                     with self.subTest(name, form=form, text=camera):
-                        self.check(self.scene(head + camera + objects, "pasted.pov"), PLACES)
+                        self.check(self.scene(head + camera + objects, "pasted.pov"), TOWERS)
         self.assertEqual(self.console(), [])
 
+
+class Written(MovedPage):
     def copy(self):
         """Presses Copy; returns the message after the text has been tried."""
         self.press("#copy")
@@ -107,16 +91,18 @@ class Moved(PageTest):
         self.assertEqual(self.console(), [])
 
     def test_declared_camera(self):
-        text = SCENE.replace("camera {", "#declare Cam = camera {").replace("light_source", "camera { Cam rotate 9*y scale 2 }\nlight_source")
+        text = SCENE.replace("camera {", "#declare Cam = camera {").replace(
+            "light_source", "camera { Cam rotate 9*y scale 2 }\nlight_source"
+        )
         scene = self.scene(text)
         self.open(scene)
-        self.pick_three()
+        self.pick_towers()
         self.set_number("fStop", 0.7)
         self.assertIn("tried there, it makes this lens", self.copy())
         self.press("#write")
         self.until("the change", lambda: "ritten" in self.text("file-said"))
         self.assertIn("Written", self.text("file-said"))
-        self.check(scene, PLACES)
+        self.check(scene, TOWERS)
 
     def test_what_cannot_be_tried_is_said(self):
         (self.folder / "more.inc").write_text(SCENE)

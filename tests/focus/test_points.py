@@ -3,7 +3,7 @@
 """Any number of points on the page: adding, moving and removing them, and the limits."""
 
 from tests.focus import harness
-from tests.focus.sharp import PLACES, MorePage
+from tests.focus.more_page import PLACES, MorePage
 
 
 class Points(MorePage):

@@ -2,59 +2,14 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Any number of points on the page: their blur, which of them bind, and the f-stop that holds them, against the program's report."""
 
-import asyncio
 import re
 
 from tests.focus import harness
-from tests.focus.harness import ROOT, SCENE, SETTINGS, PageTest
-from tests.focus.moved import EXPORTED
-from tools.focus.povray import Render
-
-# on the fronts of the three towers, on the floor and on the wall
-PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3), (0.3, -0.4), (0.4, 0.3))
-EXPORTED_PLACES = ((-0.1, -0.42), (0.15, -0.3), (0.25, -0.44), (-0.3, -0.2), (0.0, 0.1))
-WITHIN = 1.5  # pixels
-ROW = r"(?P<blur>[\d.]+) px (?P<side>before|behind)(?P<binds>, binds)?|sharp"
-
-
-class MorePage(PageTest):
-    """A test with points of "More"."""
-
-    def click_all(self, places=PLACES):
-        """Clicks the places as points of "More"."""
-        self.press("input[name=mode][value=more]")
-        for x, y in places:
-            self.click_at(x, y)
-        self.assertEqual(len(self.run("return focusPage.model.picks")), len(places))
-
-    def rows(self):
-        """(signed blur, whether it binds) of each row of the page's list."""
-        texts = self.run("return [...document.querySelectorAll('#sharp-points li span')].map(e => e.textContent)")
-        found = [re.fullmatch(ROW, text) for text in texts]
-        self.assertTrue(all(found), texts)
-        return [(float(row["blur"] or 0) * (1 if row["side"] == "before" else -1), bool(row["binds"])) for row in found]
-
-    def hold(self, within=WITHIN):
-        """Has the f-stop found."""
-        self.set_number("within", within)
-        self.press("#hold")
+from tests.focus.harness import SCENE
+from tests.focus.more_page import PLACES, WITHIN, MorePage
 
 
 class Sharp(MorePage):
-    def reported(self, scene, size):
-        """The program's report of a render: f-number, the same as rows(), and the f-number without tilt."""
-
-        async def nothing(_):
-            return
-
-        render = Render(SETTINGS.povray, self.folder, "reported")
-        words = render.words(scene, [f"+L{ROOT / 'scenes' / 'include'}", "-A", "+SR1", "+ER1"], size)
-        text = re.sub(r"\n (?! )", " ", asyncio.run(render.run(words, False, nothing)))  # what the console has wrapped
-        points = re.findall(r"^    \d+\.+<[^>]*>: ([\d.e-]+) pixels \([\d.e-]+ mm\) (before|behind)(, binds)?", text, re.MULTILINE)
-        blurs = [(float(blur) * (1 if side == "before" else -1), bool(binds)) for blur, side, binds in points]
-        without = re.search(r"without tilt\.+f/([\d.]+)", text)
-        return float(re.search(r"Aperture\.+f/([\d.]+)", text)[1]), blurs, without and float(without[1])
-
     def written(self, scene):
         """Copies, which tries the block, and writes it; returns the scene's text."""
         self.press("#copy")
@@ -86,24 +41,15 @@ class Sharp(MorePage):
         self.assertIn("sharp_within", self.written(scene))
         stop, blurs, without = self.compare(scene, (160, 90))
         self.assertAlmostEqual(max(abs(blur) for blur, _ in blurs), WITHIN, delta=1e-3)
-        said = re.search(r"^f/([\d.]+) is the widest that keeps all within 1.5 px. A lens without tilt needs f/([\d.]+) ", self.text("sharp-said"))
+        said = re.search(
+            r"^f/([\d.]+) is the widest that keeps all within 1.5 px. A lens without tilt needs f/([\d.]+) ", self.text("sharp-said")
+        )
         for shown, found in zip(map(float, said.groups()), (stop, without)):
             self.assertAlmostEqual(shown, found, delta=5e-3 * found)
         layer = abs(harness.rendered(scene, self.folder, (160, 90), "+N")["blur"])
         for x, y in PLACES:
             self.assertLess(layer[int((0.5 - y) * 90), int((x + 0.5) * 160)], WITHIN + 0.3)
         self.assertEqual(self.console(), [])
-
-
-    def test_a_scene_of_an_exporter_by_clicking_alone(self):
-        scene = self.scene(EXPORTED)
-        self.open(scene)
-        self.click_all(EXPORTED_PLACES)
-        self.hold(0.2)
-        self.written(scene)
-        _, blurs, _ = self.compare(scene, (160, 90))
-        self.assertEqual(len(blurs), 5)
-        self.assertAlmostEqual(max(abs(blur) for blur, _ in blurs), 0.2, delta=1e-3)
 
     def test_a_scene_with_sharp_points_begins_with_them(self):
         for limit in ("sharp_within 2", "circle_of_confusion 0.45"):  # the same, in pixels and in millimetres

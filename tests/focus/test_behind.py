@@ -3,9 +3,8 @@
 """Blocks with directives, and blocks from macros or other files: the new block goes into a second camera behind the first."""
 
 from tests.focus import harness
-from tests.focus.harness import SCENE, PageTest
+from tests.focus.harness import SCENE, TOWERS, PageTest
 
-PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # on the fronts of the three towers
 SIZE = (160, 90)
 QUALITY = "  angle 45\n  blur_samples 4\n"
 
@@ -24,16 +23,14 @@ class Behind(PageTest):
 
     def focus_on_towers(self):
         """Clicks the three towers and opens the lens."""
-        self.press("input[name=mode][value=three]")
-        for x, y in PLACES:
-            self.click_at(x, y)
+        self.pick_towers()
         self.set_number("fStop", 0.7)
         self.set_number("sceneUnit", 100)
 
     def check(self, scene):
         """The program's blur at the places."""
         blur = harness.rendered(scene, self.folder, SIZE, "+N", f"+L{self.folder}")["blur"]
-        for x, y in PLACES:
+        for x, y in TOWERS:
             self.assertLess(abs(blur[int((0.5 - y) * SIZE[1]), int((x + 0.5) * SIZE[0])]), 0.3, f"{x}, {y}")
         self.assertGreater(abs(blur).max(), 2, "nothing is blurred")
 

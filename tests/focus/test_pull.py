@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Focus pulls: lenses marked at times of the clock, the film of them, and the text that makes it."""
 
-import asyncio
+import json
 
 from tests.focus import harness
-from tests.focus.harness import ROOT, SCENE, SETTINGS, PageTest
-from tests.focus.moved import EXPORTED
-from tools.focus.povray import Render
+from tests.focus.harness import EXPORTED, SCENE, SETTINGS, PageTest
+from tools import povray_run
+from tools.focus.messages import BadRequest, read
 
 NEAR, FAR = (-0.41, -0.41), (-0.03, 0.3)  # on the fronts of two towers
 THREE = (NEAR, (0.28, -0.055), FAR)
@@ -51,14 +51,10 @@ class Pull(PageTest):
 
     def block_at(self, scene, clock):
         """The block of a scene at a time, as the program finds it."""
-
-        async def nothing(_):
-            return
-
-        render = Render(SETTINGS.povray, self.folder, "found")
-        words = render.words(scene, [f"+L{ROOT / 'scenes' / 'include'}", f"+K{clock}", "-A", "+SR1", "+ER1"], (16, 9))
-        asyncio.run(render.run(words, True, nothing))
-        return render.camera()["view"]["block"]
+        record, library = self.folder / "record.json", [povray_run.INCLUDE]
+        command = povray_run.command(SETTINGS.povray, scene, None, (16, 9), f"+K{clock}", "+SR1", "+ER1", library=library)
+        povray_run.run(command, self.folder, povray_run.environment(TILT_LENS_PREVIEW=str(record))).succeeded()
+        return json.loads(record.read_text())["view"]["block"]
 
     def test_the_written_pull_is_the_film_of_the_page(self):
         scene = self.scene()
@@ -78,7 +74,9 @@ class Pull(PageTest):
                     self.assertAlmostEqual(a, b, delta=1e-5 * max(1, abs(b)), msg=f"{name} at {time}")
         # again, with another mark: the former keys are replaced
         self.until("the new preview", lambda: "new preview" in self.text("status") and self.drawn())
-        self.run("window.noted = 0; const model = focusPage.model, { note } = model; model.note = view => { window.noted++; note.call(model, view); }")
+        self.run(
+            "window.noted = 0; const model = focusPage.model, { note } = model; model.note = view => { window.noted++; note.call(model, view); }"
+        )
         self.move_clock(0.5)
         self.set_number("fStop", 5)
         self.until("the camera of this time", lambda: self.run("return window.noted"))
@@ -100,11 +98,13 @@ class Pull(PageTest):
         self.assertAlmostEqual(near["fStop"], 0.7)
         self.move_clock(0.5)
         state, drawings = self.run("return JSON.stringify(focusPage.model.state)"), self.run("return focusPage.drawings")
-        self.run("""
+        self.run(
+            """
             window.seen = [];
             const { changed } = focusPage.model;
             focusPage.model.changed = () => { window.seen.push(focusPage.model.block.fStop); changed(); };
-        """)
+        """
+        )
         self.press("#play")
         self.until("the end of the film", lambda: self.text("play") == "Play")
         seen = self.run("return window.seen")
@@ -148,12 +148,11 @@ class Pull(PageTest):
         self.assertNotIn("Tilt_Lens", scene.read_text())
 
     def test_only_keys_end_up_in_the_scene(self):
-        from tools.focus.messages import BadRequest, read
-        import json
-
         self.open_pull(self.scene())
         self.mark_two()
-        self.run("window.sent = []; const { send } = WebSocket.prototype; WebSocket.prototype.send = function (t) { window.sent.push(t); send.call(this, t); }")
+        self.run(
+            "window.sent = []; const { send } = WebSocket.prototype; WebSocket.prototype.send = function (t) { window.sent.push(t); send.call(this, t); }"
+        )
         self.answer("#pull-copy")
         (good,) = [text for text in map(json.loads, self.run("return window.sent")) if text["do"] == "pull"]
         self.assertEqual(read(json.dumps(good))[0], "pull")
