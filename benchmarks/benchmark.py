@@ -30,6 +30,7 @@ from benchmarks import (
     reconstruction,
     report,
     sample_cost,
+    speedups,
     suite,
     tables,
     threads,
@@ -59,6 +60,7 @@ PARTS = (
     "contract",
     "crops",
     "builds",
+    "speedups",
     "ablation",
     "found_lamps",
     "allocation",
@@ -75,6 +77,7 @@ SHORT = {
     "cycles",
     "preview",
     "crops",
+    "speedups",
     "ablation",
     "found_lamps",
     "allocation",
@@ -112,6 +115,12 @@ def arguments():
         default=BUILD / "fast" / "bin" / "povray",
         help="the patched program as cmake/build-fast makes it (for part builds)",
     )
+    parser.add_argument(
+        "--without-speedups",
+        type=pathlib.Path,
+        default=BUILD / "without-speedups" / "bin" / "povray",
+        help="the patched program of the preset without-speedups (for part speedups)",
+    )
     parser.add_argument("--before", type=pathlib.Path, help="the patched program of before a change (for part samples)")
     parser.add_argument("--tools", type=pathlib.Path, default=BUILD / "tests" / "benchmarks" / "tools")
     parser.add_argument("--work", type=pathlib.Path, default=BUILD / "benchmarks")
@@ -138,6 +147,7 @@ def arguments():
         args.stock,
         *[args.unpatched] * ("instructions" in args.parts),
         *[args.fast] * ("builds" in args.parts),
+        *[args.without_speedups] * ("speedups" in args.parts),
         *[args.before] * bool(args.before),
     ]
     for path in programs:
@@ -209,6 +219,8 @@ def measure(lab, args):
         results["crops"] = [row for scene in scenes for tilt in (0, 1) for row in contract.measure(lab, scene, tilt, contract.CROP)]
     if "builds" in args.parts:
         results["builds"] = builds.measure(lab, scenes, args.fast.resolve())
+    if "speedups" in args.parts:
+        results["speedups"] = speedups.measure(lab, args.without_speedups.resolve())
     if "ablation" in args.parts:
         results["ablation"] = ablation.measure(lab)
     if "found_lamps" in args.parts:

@@ -29,9 +29,12 @@ file(CONFIGURE OUTPUT "${POVRAY_GENERATED}/jversion.h" CONTENT "#define JVERSION
 # The name of this build, printed in the version lines. It is a definition of the files that use it and no line of config.h: a
 # changed patch must not recompile everything.
 if(TILT_LENS_PATCHES)
-    patched_source_series_hash(series_hash "${TILT_LENS_SERIES}")
+    patched_source_series_hash(series_hash "${TILT_LENS_SERIES}" ${TILT_LENS_LEFT_OUT})
     string(SUBSTRING "${series_hash}" 0 12 series_hash)
     set(TILT_LENS_BUILD_NAME "povray-tilt-lens ${PROJECT_VERSION}, patch series ${series_hash}")
+    if(NOT SPEEDUPS)
+        string(APPEND TILT_LENS_BUILD_NAME " without speedups")
+    endif()
 else()
     set(TILT_LENS_BUILD_NAME "povray-tilt-lens ${PROJECT_VERSION}, without its patch series")
 endif()

@@ -12,14 +12,16 @@ include("${CMAKE_CURRENT_LIST_DIR}/Upstream.cmake")
 # What the build and the program need of the package.
 set(PATCHED_SOURCE_PARTS source vfe unix distribution/include distribution/ini LICENSE changes.txt)
 
-# Sets OUT to the patches that SERIES lists, in order; "#" starts a comment.
+# Sets OUT to the patches that SERIES lists, in order, but for those of the folders ARGN; "#" starts a comment.
 function(patched_source_read_series out series)
     file(STRINGS "${series}" lines)
     set(names "")
     foreach(line IN LISTS lines)
         string(REGEX REPLACE "#.*" "" line "${line}")
         string(STRIP "${line}" line)
-        if(NOT line STREQUAL "")
+        get_filename_component(folder "${line}" DIRECTORY)
+        list(FIND ARGN "${folder}" left_out)
+        if(NOT line STREQUAL "" AND left_out EQUAL -1)
             list(APPEND names "${line}")
         endif()
     endforeach()
@@ -88,22 +90,22 @@ function(patched_source_update tree fresh)
     endforeach()
 endfunction()
 
-# Sets OUT to a hash of all that decides what the patched tree holds.
+# Sets OUT to a hash of all that decides what the patched tree holds. Patches of the folders ARGN are left out.
 function(patched_source_key out pin series_folder use_patches)
     file(SHA256 "${pin}" key)
     file(SHA256 "${CMAKE_CURRENT_FUNCTION_LIST_FILE}" recipe)
     string(APPEND key "${recipe}")
     if(use_patches)
-        patched_source_series_hash(series "${series_folder}")
+        patched_source_series_hash(series "${series_folder}" ${ARGN})
         string(APPEND key "${series}")
     endif()
     string(SHA256 key "${key}")
     set(${out} "${key}" PARENT_SCOPE)
 endfunction()
 
-# Sets OUT to a hash of the names, order and contents of our series.
+# Sets OUT to a hash of the names, order and contents of our series without the folders ARGN.
 function(patched_source_series_hash out series_folder)
-    patched_source_read_series(names "${series_folder}/series")
+    patched_source_read_series(names "${series_folder}/series" ${ARGN})
     set(text "")
     foreach(name IN LISTS names)
         set(hash missing)
@@ -116,11 +118,11 @@ function(patched_source_series_hash out series_folder)
     set(${out} "${hash}" PARENT_SCOPE)
 endfunction()
 
-# Brings WORK/povray up to date. WORK/applied-patches lists what was applied to it, WORK/debian-copyright its
+# Brings WORK/povray up to date, without the patches of the folders ARGN. WORK/applied-patches lists what was applied to it, WORK/debian-copyright its
 # licences, WORK/key what it was made from; the key is removed first and written last, so that an interrupted run counts as none.
 function(patched_source_prepare work downloads pin series_folder use_patches)
     upstream_read_pin("${pin}")
-    patched_source_key(key "${pin}" "${series_folder}" "${use_patches}")
+    patched_source_key(key "${pin}" "${series_folder}" "${use_patches}" ${ARGN})
     set(old_key "")
     if(EXISTS "${work}/key")
         file(READ "${work}/key" old_key)
@@ -138,7 +140,7 @@ function(patched_source_prepare work downloads pin series_folder use_patches)
     set(tree "${fresh}/${UPSTREAM_SOURCE_FOLDER}")
     patched_source_apply("${tree}" "${packaging}/debian/patches" "${record}" ${UPSTREAM_PATCHES})
     if(use_patches)
-        patched_source_read_series(series "${series_folder}/series")
+        patched_source_read_series(series "${series_folder}/series" ${ARGN})
         patched_source_apply("${tree}" "${series_folder}" "${record}" ${series})
     endif()
     patched_source_update("${work}/povray" "${tree}")

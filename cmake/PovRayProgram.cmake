@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
 # The program: upstream's patched files, our files at upstream's paths (compiled where they lie in the
-# repository), and the camera library.
+# repository), the camera library, and the speedups.
 include_guard()
 
 set(POVRAY_SOURCE "${CMAKE_BINARY_DIR}/upstream/povray")
 set(POVRAY_OWN "${CMAKE_SOURCE_DIR}/povray-src/povray")
+set(POVRAY_SPEEDUPS "${CMAKE_SOURCE_DIR}/povray-src/speedups/povray")
 
 # The patched tree changes only while configuring, so that its list needs no second look at build time.
 file(GLOB_RECURSE povray_core "${POVRAY_SOURCE}/source/*.cpp")
@@ -14,8 +15,10 @@ file(GLOB povray_vfe "${POVRAY_SOURCE}/vfe/*.cpp" "${POVRAY_SOURCE}/vfe/unix/*.c
 set(povray_unix "${POVRAY_SOURCE}/unix/disp_text.cpp" "${POVRAY_SOURCE}/unix/disp_sdl.cpp")
 file(GLOB_RECURSE povray_own_core CONFIGURE_DEPENDS "${POVRAY_OWN}/source/*.cpp")
 file(GLOB_RECURSE povray_own_unix CONFIGURE_DEPENDS "${POVRAY_OWN}/vfe/*.cpp" "${POVRAY_OWN}/unix/*.cpp")
-set(povray_allocator "${POVRAY_OWN}/unix/allocator.cpp")
-list(REMOVE_ITEM povray_own_unix "${povray_allocator}")
+if(SPEEDUPS)
+    file(GLOB_RECURSE povray_speedups CONFIGURE_DEPENDS "${POVRAY_SPEEDUPS}/source/*.cpp")
+    list(APPEND povray_own_core ${povray_speedups})
+endif()
 
 # What every file is compiled with, ours and upstream's. Both trees are searched for one include path:
 # "backend/render/x.h" is found wherever it lies.
@@ -37,6 +40,10 @@ target_link_libraries(povray_own_unix PRIVATE ${CMAKE_DL_LIBS})
 target_link_libraries(povray_settings INTERFACE tilt_lens
     PNG::PNG JPEG::JPEG TIFF::TIFF OpenEXR::OpenEXR ZLIB::ZLIB Boost::thread Boost::date_time
     Threads::Threads povray_own_unix m)
+if(SPEEDUPS)
+    target_include_directories(povray_settings INTERFACE "${POVRAY_SPEEDUPS}/source")
+    target_link_libraries(povray_settings INTERFACE speedups)
+endif()
 
 # Object libraries: all files reach the link, in no particular order. Upstream's own warnings are not ours
 # to mend (-w); our files keep theirs.
@@ -46,10 +53,16 @@ target_compile_options(povray_core PRIVATE -w)
 
 # Most of a compilation is upstream's headers, so its files are compiled some at a time. Not those that define the same
 # names (shapes) or include a header that has no guard (parser), nor those whose functions the fuzzers' driver replaces
-# at the link (povms, scene): that needs callers in other objects.
+# at the link (povms, scene): that needs callers in other objects. Nor the files that patches in fixes bring.
 set_target_properties(povray_core PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 set(povray_alone ${povray_core})
 list(FILTER povray_alone INCLUDE REGEX "/backend/(shape|parser)/|/base/povms\\.cpp$|/backend/scene/scene\\.cpp$")
+foreach(source IN LISTS povray_core)
+    file(STRINGS "${source}" notice LIMIT_COUNT 1)
+    if(notice MATCHES "povray-tilt-lens")
+        list(APPEND povray_alone "${source}")
+    endif()
+endforeach()
 set_source_files_properties(${povray_alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Where text of others is read, functions check their stack. Elsewhere they do not: with vectors on nearly each stack, that would
@@ -88,8 +101,8 @@ function(add_povray_program name)
     if(TARGET povray_own)
         target_link_libraries(${name} PRIVATE povray_own)
     endif()
-    if(TILT_LENS_PATCHES AND NOT TILT_LENS_SANITIZE)
-        target_sources(${name} PRIVATE "${povray_allocator}")
+    if(TILT_LENS_PATCHES AND SPEEDUPS AND NOT TILT_LENS_SANITIZE)
+        target_sources(${name} PRIVATE "${POVRAY_SPEEDUPS}/unix/allocator.cpp")
         target_link_libraries(${name} PRIVATE "${JEMALLOC_LIBRARY}" ${CMAKE_DL_LIBS})
     endif()
 endfunction()

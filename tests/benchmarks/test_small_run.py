@@ -29,11 +29,12 @@ from benchmarks import (
     reconstruction,
     report,
     sample_cost,
+    speedups,
     suite,
     tilted,
     versus_stock,
 )
-from benchmarks.lab import STOCK, TILT_LENS, Lab, Part
+from benchmarks.lab import STOCK, TILT_LENS, Failed, Lab, Part
 
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (40, 30)
@@ -176,6 +177,20 @@ class SmallRun(unittest.TestCase):
         with unittest.mock.patch.object(sample_cost, "TIMED_SIZE", (160, 120)):
             ratio = sample_cost.seconds_over_before(self.lab, SCENE.shot(TILT_LENS), before)
         self.assertTrue(ratio > 0.0, ratio)
+
+    def test_worth_of_the_speedups(self):
+        rows = speedups.measure(self.lab, "without", lambda lab, program, shot: 3e9 if program == "without" else 2e9, lambda *_: 1.6)
+        self.assertEqual([row["scene"] for row in rows], list(speedups.QUICK))
+        self.assertIn("| 3.00 | 2.00 | 1.50 | 1.60 |", report.section("speedups", rows))
+
+    def test_speedups_are_compared_with_the_same_picture(self):
+        other = pathlib.Path(shutil.copy(PROGRAM, self.lab.work / "without"))
+        with unittest.mock.patch.object(speedups, "PAIRS", 1):
+            self.assertTrue(speedups.cpu_ratio(self.lab, SCENE.shot(TILT_LENS), other) > 0.0)
+            same = self.lab.run
+            changed = lambda program, *rest, **named: {**same(program, *rest, **named), "samples": 1.0 + (program == other)}
+            with unittest.mock.patch.object(self.lab, "run", changed), self.assertRaises(Failed):
+                speedups.cpu_ratio(self.lab, SCENE.shot(TILT_LENS), other)
 
     def test_inner_loops_are_timed(self):
         loops = instructions.inner_loops(self.lab)

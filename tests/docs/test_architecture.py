@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The library's #include lines obey the table of docs/architecture.md, README.md and docs/patching.md name every folder, and one class of
-some length joins the library to POV-Ray's tracing."""
+"""The library's #include lines obey the table of docs/architecture.md, the camera does not need the speedups, README.md and
+docs/patching.md name every folder, and one class of some length joins the library to POV-Ray's tracing."""
 
 import collections
 import pathlib
@@ -14,6 +14,7 @@ import unittest
 from tools.repository import ROOT
 
 LIBRARY = ROOT / "povray-src" / "tilt_lens"
+SPEEDUPS = ROOT / "povray-src" / "speedups"
 PAGE = ROOT / "docs" / "architecture.md"
 
 
@@ -44,13 +45,31 @@ class Includes(unittest.TestCase):
 
     def test_the_optics_do_not_depend_on_the_sampler(self):
         table = read_table(PAGE.read_text(encoding="utf-8"))
-        for folder in ("math", "hierarchy", "camera", "glass", "lens_camera"):
+        for folder in ("math", "camera", "glass", "lens_camera"):
             self.assertFalse({"sampling", "reconstruction", "settings.h"} & table[folder], folder)
 
     def test_thin_lens_and_glass_do_not_include_each_other(self):
         table = read_table(PAGE.read_text(encoding="utf-8"))
         self.assertNotIn("glass", table["camera"])
         self.assertNotIn("camera", table["glass"])
+
+
+def included(path):
+    return re.findall(r'^\s*#\s*include\s*"([^"]+)"', path.read_text(encoding="utf-8"), re.MULTILINE)
+
+
+class Speedups(unittest.TestCase):
+    def test_the_library_includes_itself_and_vector_registers(self):
+        headers = {header for path in SPEEDUPS.glob("*.*") for header in included(path)}
+        self.assertIn("speedups/box_ray.h", headers)
+        self.assertEqual({header for header in headers if not header.startswith("speedups/")}, {"tilt_lens/math/simd.h"})
+
+    def test_camera_and_glue_do_not_include_them(self):
+        names = {path.name for path in SPEEDUPS.rglob("*.h")}
+        self.assertGreater(len(names), 5)
+        paths = [path for folder in ("tilt_lens", "povray") for path in (ROOT / "povray-src" / folder).rglob("*.*")]
+        users = [path.name for path in paths for header in included(path) if header.split("/")[-1] in names]
+        self.assertEqual(users, [])
 
 
 class Checker(unittest.TestCase):
@@ -119,6 +138,16 @@ class Maps(unittest.TestCase):
 
     def test_patching(self):
         self.check("docs/patching.md", "# Patching POV-Ray", folders_of("povray-src") + folders_of("patches") + self.library())
+
+    def test_patching_tells_of_each_speedup_and_each_fix(self):
+        text = (ROOT / "docs" / "patching.md").read_text(encoding="utf-8")
+        for folder, heading, told in (
+            ("speedups", "### What the speedups are worth", r"^\| `([a-z0-9-]+)` \|"),
+            ("fixes", "## Defects of upstream", r"^\*\*([a-z0-9-]+): "),
+        ):
+            patches = [path.stem for path in (ROOT / "patches" / folder).glob("*.patch")]
+            section = re.split(r"^##+ ", text.split(heading + "\n", 1)[1], maxsplit=1, flags=re.MULTILINE)[0]
+            self.assertEqual(sorted(re.findall(told, section, re.MULTILINE)), sorted(patches), heading)
 
 
 def same_names(paths):

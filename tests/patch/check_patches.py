@@ -3,23 +3,32 @@
 """Checks a folder of patches against the rules of docs/patching.md.
 
 usage: check_patches.py list|headers|size|style FOLDER
+       check_patches.py tests FOLDER BUILD
 
 Prints each fault on a line; the exit code is not 0 if there is a fault.
 """
 
 import datetime
+import fnmatch
 import pathlib
 import re
+import subprocess
 import sys
 
-# a patch lies in the folder of its purpose
-FOLDERS = ("camera", "output", "speed", "fixes")
+# A patch lies in the folder of its purpose. The series has the folders in this order: fixes need no other patch, and without the
+# last folder the series is what -DSPEEDUPS=OFF applies.
+FOLDERS = ("fixes", "camera", "output", "speedups")
 
 REQUIRED_FIELDS = ("Description", "Author", "Origin", "Forwarded", "Last-Update", "Hooks", "Tests")
 
 # A hook is a line or two. A larger patch gives its reason in the header field "Size-Reason", up to a second limit.
 LINE_BUDGET = 40
 LINE_BUDGET_WITH_REASON = 80
+# A fix is complete in itself, so that it can be sent: more than some lines of code are a file that it adds.
+NEW_FILE_BUDGET = 250
+
+# words of the first sentence of a description, which is the reason
+SENTENCE_BUDGET = 32
 
 
 def series(folder):
@@ -52,6 +61,11 @@ def header_fields(text):
     return fields
 
 
+def new_files(text):
+    """Name and number of lines of each file that the patch creates."""
+    return [(name, int(lines)) for name, lines in re.findall(r"^\+\+\+ b/(\S+)\n@@ -0,0 \+1,(\d+) @@$", text, re.MULTILINE)]
+
+
 def changed_lines(text, sign):
     """The lines that the patch adds ("+") or removes ("-"), without the sign."""
     in_hunk = False
@@ -79,6 +93,9 @@ def check_list(folder):
                 f"{name}: a patch is named like camera/add-camera-item.patch (words, no number in front, in one of "
                 f"the folders {', '.join(FOLDERS)})"
             )
+    places = [FOLDERS.index(part) for part in (name.split("/")[0] for name in names) if part in FOLDERS]
+    if places != sorted(places):
+        yield f"series: the folders are not in the order {', '.join(FOLDERS)}"
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
         if path.is_file() and name != "series" and name not in names:
@@ -99,15 +116,26 @@ def check_headers(folder):
             yield f"{name}: Last-Update is {date!r}, expected a date such as 2025-01-31"
         if name.startswith("fixes/") and fields.get("Forwarded") == "not-needed":
             yield f"{name}: Forwarded is not-needed, but a defect of upstream's is to be reported: no, or where it was"
+        if name.startswith("fixes/") and not re.match(r"has (the defect|it no more)\b.*\(\S+ of ", fields.get("Upstream-Master", "")):
+            yield f"{name}: Upstream-Master says 'has the defect' or 'has it no more', and in brackets which commit of which date was read"
+        sentence = re.match(r".*?[.](?=\s|$)", fields.get("Description", ""))
+        if not sentence or len(sentence.group().split()) > SENTENCE_BUDGET:
+            yield f"{name}: Description does not begin with its reason in one sentence of at most {SENTENCE_BUDGET} words"
 
 
 def check_size(folder):
     for name, text in listed_patches(folder):
-        added = sum(1 for _ in changed_lines(text, "+"))
+        created = new_files(text)
+        added = sum(1 for _ in changed_lines(text, "+")) - sum(lines for _, lines in created)
         reason = header_fields(text).get("Size-Reason", "")
         budget = LINE_BUDGET_WITH_REASON if reason else LINE_BUDGET
         if added == 0:
             yield f"{name}: adds no line"
+        for path, lines in created:
+            if not name.startswith("fixes/"):
+                yield f"{name}: creates {path}, which belongs into povray-src/; only a fix brings its own files"
+            if lines > NEW_FILE_BUDGET:
+                yield f"{name}: {path} has {lines} lines, allowed are {NEW_FILE_BUDGET}"
         if added > budget:
             yield (
                 f"{name}: adds {added} lines, allowed are {budget}; move the logic into povray-src/, or "
@@ -126,17 +154,27 @@ def check_style(folder):
             if line.rstrip("\r") != line.rstrip():
                 yield f"{name}: white space at the end of an added line: {line!r}"
         for line in removed:
-            if line.split() and any(line.split() == other.split() for other in added):
+            if re.search(r"\w", line) and any(line.split() == other.split() for other in added):
                 yield f"{name}: changes white space alone: {line!r}"
 
 
-CHECKS = {"list": check_list, "headers": check_headers, "size": check_size, "style": check_style}
+def check_tests(folder, build):
+    """The tests that the headers name exist: names of CTest, with * for any letters."""
+    listed = subprocess.run(["ctest", "-N"], cwd=build, stdout=subprocess.PIPE, text=True, check=True).stdout
+    known = re.findall(r"^ *Test +#\d+: (\S+)", listed, re.MULTILINE)
+    for name, text in listed_patches(folder):
+        for test in re.findall(r"[\w.*/]+\.[\w.*/]+", header_fields(text).get("Tests", "")):
+            if not fnmatch.filter(known, test):
+                yield f"{name}: there is no test {test}, which the header field Tests names"
+
+
+CHECKS = {"list": check_list, "headers": check_headers, "size": check_size, "style": check_style, "tests": check_tests}
 
 
 def main(arguments):
-    if len(arguments) != 3 or arguments[1] not in CHECKS:
+    if len(arguments) < 3 or arguments[1] not in CHECKS or len(arguments) != (4 if arguments[1] == "tests" else 3):
         sys.exit(__doc__)
-    faults = list(CHECKS[arguments[1]](pathlib.Path(arguments[2])))
+    faults = list(CHECKS[arguments[1]](pathlib.Path(arguments[2]), *arguments[3:]))
     for fault in faults:
         print(fault)
     return 1 if faults else 0

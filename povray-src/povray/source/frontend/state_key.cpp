@@ -7,7 +7,6 @@
 #include "frontend/state_key.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -266,14 +265,6 @@ std::string StateKey(POVMS_Object& options)
         key += kFile + name + "=" + Hash(file) + "\n";
     }
     return key;
-}
-
-std::string CannotCreateState(const Path& file)
-{
-    const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
-    return "Cannot write '" + UCS2toASCIIString(file()) + "'" + reason + ". The picture needs this file beside it while it is "
-           "rendered, so that +C can continue it; nothing was rendered. Give another place for the picture (+O), or make this "
-           "one writable.";
 }
 
 void WriteStateKey(OStream& file, const std::string& key)

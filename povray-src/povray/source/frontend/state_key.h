@@ -32,9 +32,6 @@ enum
 /// Key of the render that is about to start; call after parsing.
 std::string StateKey(POVMS_Object& options);
 
-/// Error text for a state file that could not be created, with the reason from errno.
-std::string CannotCreateState(const pov_base::Path& file);
-
 /// Writes the key behind the header of a new state file.
 /// @throws pov_base::Exception  it could not be written
 void WriteStateKey(pov_base::OStream& file, const std::string& key);

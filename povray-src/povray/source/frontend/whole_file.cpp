@@ -103,29 +103,6 @@ void WholeFile::Fail(const pov_base::Exception& cause) const
                         "continue with +C: what is in the state file need not be rendered again.");
 }
 
-void WriteState(POVMS_Object& pixels, std::shared_ptr<OStream>& state, const pov_base::Path& name)
-{
-    bool failed = false;
-    errno = 0;
-    try
-    {
-        pixels.Write(*state);
-        state->seekg(0, pov_base::IOBase::seek_cur);  // flushes, and reports failure
-    }
-    catch (const pov_base::Exception&)
-    {
-        failed = true;
-    }
-    const int reason = errno;
-    if (!failed && *state)
-        return;
-    state.reset();
-    throw POV_EXCEPTION(pov_base::kFileDataErr,
-                        "Cannot write the state file '" + pov_base::UCS2toASCIIString(name()) + "' (" +
-                        (reason != 0 ? std::strerror(reason) : "only a part of it was written") + "). Make room there, then continue with +C: "
-                        "what it holds need not be rendered again.");
-}
-
 void RemoveState(std::shared_ptr<OStream>& file, const pov_base::Path& name)
 {
     if (!file)

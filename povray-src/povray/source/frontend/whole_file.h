@@ -15,7 +15,6 @@
 
 #include "base/fileinputoutput.h"
 #include "base/path.h"
-#include "base/povmscpp.h"
 #include "base/stringutilities.h"
 
 namespace pov_frontend
@@ -47,10 +46,6 @@ class WholeFile
 
 /// True for `-`, `stdout` and `stderr`, in any case.
 bool IsStandardStream(const std::string& name);
-
-/// Writes pixels to a render's state file. Closes it after a partial write, lest anything be appended.
-/// @throws Exception  with the file's name and the reason
-void WriteState(POVMS_Object& pixels, std::shared_ptr<pov_base::OStream>& state, const pov_base::Path& name);
 
 /// Closes and removes the state file of a finished picture; `file` may be null.
 void RemoveState(std::shared_ptr<pov_base::OStream>& file, const pov_base::Path& name);

@@ -3,11 +3,6 @@
 
 #include "vfe/unix/console_text.h"
 
-#include <cstdio>
-#include <cstdlib>
-
-#include <unistd.h>
-
 namespace vfePlatform
 {
 
@@ -18,27 +13,6 @@ const char* OwnOptionsHelp()
            "                                   beside the picture, as NAME.layers.exr\n"
            "    +FE32, Bits_Per_Color=32       write the picture as OpenEXR with 32-bit colours\n\n"
            "The camera's block tilt_lens { ... } is described in povray-tilt-lens(7) and in docs/manual.md.\n";
-}
-
-bool IsSaidAgain(bool isStatus, const std::string& text)
-{
-    static std::string lastMessage, lastStatus;
-    const bool again = !text.empty() && text == (isStatus ? lastMessage : lastStatus);
-    (isStatus ? lastStatus : lastMessage) = text;
-    return again;
-}
-
-void EndIfStuck(int hundredths)
-{
-    if (hundredths < 300)
-        return;
-    std::fputs("\nThe scene is still being read, and does not stop. The program ends without it; no picture was begun.\n", stderr);
-    _exit(2);  // as after any other stop by a signal
-}
-
-bool IsSomebodyThere()
-{
-    return isatty(STDIN_FILENO) || std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
 }
 
 } // namespace vfePlatform

@@ -1,0 +1,35 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""What all speedups together are worth: this program against the build without them (-DSPEEDUPS=OFF). Callgrind's instructions of whole
+runs, and CPU seconds, whose ratio is the median of pairs of runs that follow each other."""
+
+import statistics
+
+from benchmarks import instructions
+from benchmarks.lab import Failed
+from benchmarks.sample_cost import SHOTS
+
+PAIRS = 5
+QUICK = ("miniature_town", "glass")
+
+
+def cpu_ratio(lab, shot, without):
+    """CPU seconds without the speedups over those with them. Both must render the same picture: as many rays of the lens in all."""
+    pairs = [[lab.run(program, shot, repetition=i) for program in (lab.ours, without)] for i in range(PAIRS)]
+    if any(ours["samples"] != theirs["samples"] for ours, theirs in pairs):
+        raise Failed(f"{shot}: the programs with and without speedups took different numbers of samples")
+    return statistics.median(theirs["cpu"] / ours["cpu"] for ours, theirs in pairs)
+
+
+def measure(lab, without, count=instructions.count, ratio=cpu_ratio):
+    lab.say("this program with the speedups and without them")
+    shots = [shot for shot in SHOTS if not lab.quick or shot.scene in QUICK]
+    return [
+        {
+            "scene": shot.scene,
+            "with": count(lab, lab.ours, shot),
+            "without": count(lab, without, shot),
+            "seconds": ratio(lab, shot, without),
+        }
+        for shot in shots
+    ]

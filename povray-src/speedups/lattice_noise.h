@@ -1,0 +1,54 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file lattice_noise.h
+/// POV-Ray's scalar noise (generators 1 and 2) and vector noise for processors with AVX2: gradient noise on a lattice (K. Perlin, "An Image
+/// Synthesizer", 1985). Axes, components or corners are computed side by side, each with the operations of POV-Ray's own functions in their
+/// order, so that the values are equal to the last bit.
+
+#ifndef SPEEDUPS_LATTICE_NOISE_H
+#define SPEEDUPS_LATTICE_NOISE_H
+
+#include "tilt_lens/math/simd.h"
+
+namespace speedups
+{
+
+using namespace tilt_lens;  // vector registers: tilt_lens/math/simd.h
+
+class LatticeNoise
+{
+  public:
+    static constexpr int kHashes = 8192, kNumbers = 267;
+
+    /// Enables the noise if the processor has AVX2.
+    /// @param itsHashes  kHashes numbers up to 4095; must outlive this object
+    /// @param numbers    kNumbers numbers, `stride` apart
+    void SetTables(const unsigned short* itsHashes, const double* numbers, int stride);
+
+    /// If false, At() and VectorAt() must not be called.
+    bool Ready() const { return hashes != nullptr; }
+
+    /// Scalar noise in [0, 1].
+    /// @param point  three coordinates
+    /// @param wide   generator 2, which uses the whole range; else generator 1
+    double At(const double* point, bool wide) const;
+
+    /// Vector noise.
+    /// @param point, vector  three numbers each; may be the same array
+    void VectorAt(const double* point, double* vector) const;
+
+  private:
+    struct Cell;
+
+    /// Offset of a corner's gradient in `row`; each component has four numbers.
+    int Gradient(int hash, int z) const { return hashes[hash ^ z] & 0xFF; }
+
+    const unsigned short* hashes = nullptr;
+    double row[kNumbers];
+    Double4 components[kNumbers - 8];  ///< row[i], row[i + 4], row[i + 8]: the three components of a vector
+};
+
+} // namespace speedups
+
+#endif

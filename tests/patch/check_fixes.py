@@ -1,0 +1,122 @@
+# povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Each patch in patches/fixes stands alone: Debian's source takes it without our other patches, and compiles with it.
+
+usage: check_fixes.py apply|compile REPOSITORY WORK DOWNLOADS TARBALL [COMPILER COMPILE_COMMANDS]
+
+Prints each fault; the exit code is not 0 if there is a fault. "compile" checks the syntax of the files that a patch touches, or of a
+file that includes a header that it touches. COMPILE_COMMANDS is the build's list of commands, for the options.
+"""
+
+import json
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+# folders of the installation, which the build sets by files of ours
+FOLDERS = ['-DPOVLIBDIR="/usr/share/povray-3.7"', '-DPOVCONFDIR="/etc/povray/3.7"', '-DTILT_LENS_BUILD_NAME="a fix alone"']
+
+
+def run(*command, folder=None):
+    return subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
+
+
+def debian_source(repository, work, downloads, tarball):
+    """The source with Debian's patches and none of ours."""
+    shutil.rmtree(work, ignore_errors=True)
+    (work / "none").mkdir(parents=True)
+    (work / "none" / "series").write_text("", encoding="utf-8")
+    settings = {"REPOSITORY": repository, "SERIES": work / "none", "WORK": work, "DOWNLOADS": downloads, "POVRAY_TARBALL": tarball}
+    done = run("cmake", *(f"-D{name}={value}" for name, value in settings.items()), "-P", repository / "cmake" / "PrepareTree.cmake")
+    if done.returncode != 0:
+        sys.exit(done.stdout)
+    return work / "povray"
+
+
+def apply(patch, tree, *options):
+    """Its messages; empty if the patch applies without fuzz."""
+    done = run(
+        "patch", "-p1", "-F0", "-E", "--batch", "--no-backup-if-mismatch", "--reject-file=-", "--input", patch, *options, folder=tree
+    )
+    return done.stdout if done.returncode != 0 else ""
+
+
+def touched(patch):
+    text = patch.read_text(encoding="utf-8", errors="surrogateescape")
+    return sorted(set(re.findall(r"^\+\+\+ b/(\S+)", text, re.MULTILINE)))
+
+
+def to_compile(names, tree):
+    """Source files that show whether these files compile."""
+    sources = set()
+    for name in names:
+        path = tree / name
+        if path.suffix == ".h":
+            path = path.with_suffix(".cpp")
+            if not path.is_file():
+                users = (source for source in sorted(tree.rglob("*.cpp")) if f'/{pathlib.Path(name).name}"' in source.read_text("latin-1"))
+                path = next(users, None)
+        if path and path.suffix == ".cpp":
+            sources.add(path)
+    return sorted(sources)
+
+
+def options(commands, target, build, tree):
+    """Options of a target's compilation, for the tree instead of the build's source, without files of ours."""
+    command = next(entry["command"] for entry in commands if f"/{target}.dir/" in entry["command"])
+    words = iter(shlex.split(command))
+    found = []
+    for word in words:
+        if word in ("-include", "-o", "-c"):
+            next(words)
+        elif word in ("-isystem", "-I"):
+            found += [word, next(words)]
+        elif re.match(r"-(I|D|f|std|W|w|pipe)", word):
+            found.append(word)
+    found = [word.replace(str(build / "upstream" / "povray"), str(tree)) for word in found]
+    return [word for word in found if "povray-src" not in word and "prefix-map" not in word]
+
+
+def faults_of_compilation(patch, tree, compiler, settings):
+    for source in to_compile(touched(patch), tree):
+        target = "povray_vfe" if source.relative_to(tree).parts[0] in ("vfe", "unix") else "povray_core"
+        done = run(compiler, "-fsyntax-only", *settings[target], *FOLDERS, source, folder=tree)
+        if done.returncode != 0:
+            yield f"{patch.name}: {source.relative_to(tree)} does not compile:\n{done.stdout[-3000:]}"
+
+
+def faults(kind, repository, tree, compiler=None, commands_file=None):
+    settings = {}
+    if kind == "compile":
+        build = pathlib.Path(commands_file).parent
+        commands = json.loads(pathlib.Path(commands_file).read_text(encoding="utf-8"))
+        settings = {target: options(commands, target, build, tree) for target in ("povray_core", "povray_vfe")}
+    patches = sorted((repository / "patches" / "fixes").glob("*.patch"))
+    if not patches:
+        yield "there is no patch in patches/fixes"
+    for patch in patches:
+        refused = apply(patch, tree, "--forward", *([] if settings else ["--dry-run"]))
+        if refused:
+            yield f"{patch.name} does not apply to Debian's source alone:\n{refused}"
+        elif settings:
+            yield from faults_of_compilation(patch, tree, compiler, settings)
+            apply(patch, tree, "--reverse")
+
+
+def main(arguments):
+    if len(arguments) not in (6, 8) or arguments[1] not in ("apply", "compile"):
+        sys.exit(__doc__)
+    repository, work = pathlib.Path(arguments[2]), pathlib.Path(arguments[3])
+    tree = debian_source(repository, work, arguments[4], arguments[5])
+    found = list(faults(arguments[1], repository, tree, *arguments[6:]))
+    for fault in found:
+        print(fault)
+    shutil.rmtree(work)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))
