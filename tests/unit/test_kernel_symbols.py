@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Kernels that are compiled for AVX2 define no function that the linker might use in the rest of the program, where other processors run it:
-test_kernel_symbols COMPILER NM OBJECTS OBJECTS, the kernels as built and those built without optimisation."""
+test_kernel_symbols COMPILER NM OBJECTS OBJECTS, the kernels as built and those built without optimisation; empty: none."""
 
 import pathlib
 import subprocess
@@ -26,6 +26,8 @@ class KernelSymbols(unittest.TestCase):
     objects = ()
 
     def test_kernels_share_no_function(self):
+        if not self.objects:
+            self.skipTest("this build has no kernels for AVX2, or has sanitizers")
         for objects in self.objects:
             number, shared = shared_symbols(self.nm, objects)
             self.assertGreater(number, len(objects), "each file defines a kernel")
@@ -46,5 +48,5 @@ class KernelSymbols(unittest.TestCase):
 
 if __name__ == "__main__":
     *start, KernelSymbols.compiler, KernelSymbols.nm, built, unoptimised = sys.argv
-    KernelSymbols.objects = (built.split(";"), unoptimised.split(";"))
+    KernelSymbols.objects = [objects.split(";") for objects in (built, unoptimised) if objects]
     unittest.main(argv=start)
