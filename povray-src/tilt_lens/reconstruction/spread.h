@@ -71,9 +71,9 @@ class LensFootprint
   private:
     struct Axis
     {
-        double x, y, depth;  ///< components of a lens axis: along the film, in frame widths and heights, and along the camera's axis, in units of
-                             ///< `direction`
-        double focus;        ///< dot product with the lens's focus vector k
+        /// Components of a lens axis: along the film, in frame widths and heights; along the camera's axis, in units of `direction`.
+        double x, y, depth;
+        double focus;  ///< dot product with the lens's focus vector k
     } axisA, axisB;
     double width, height;
     float boundingRadius;

@@ -41,11 +41,13 @@ constexpr Directions MakeDirections(int dimension)
 
 /// The pixel pair is the lens pair in this order: bit i of the index toggles the bits kOrder[i] of its point's index, the highest of which
 /// is bit i, so that the first 2^m points stay the first 2^m.
+// clang-format off
 constexpr std::uint32_t kOrder[bits] = {
     0x1u, 0x3u, 0x6u, 0xdu, 0x11u, 0x22u, 0x44u, 0x89u,
     0x1b2u, 0x36eu, 0x67du, 0xdd6u, 0x1837u, 0x3f50u, 0x4ac5u, 0xf917u,
     0x19c80u, 0x20c2bu, 0x71ee5u, 0x8e386u, 0x14bfa5u, 0x3a2c59u, 0x4db1e9u, 0xe98bb7u,
     0x1c16e6fu, 0x2befe92u, 0x4539d5eu, 0x821da0fu, 0x103d246eu, 0x374e88b6u, 0x5327f921u, 0xc16c6c80u};
+// clang-format on
 
 constexpr Directions Ordered(const Directions& directions)
 {
