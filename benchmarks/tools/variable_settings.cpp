@@ -42,7 +42,8 @@ const std::map<std::string, Field> fields = {
     FIELD(spreadWeight),
     FIELD(missedWeight),
     FIELD(leastRowVariance),
-    FIELD(forecastCost)};
+    FIELD(forecastCost),
+};
 #undef FIELD
 
 } // namespace

@@ -55,6 +55,7 @@ void FocusTurn(Request& r, double tilt, double swing)
     r.given.focusSwing = swing;
 }
 
+// clang-format off
 const BadCase kBadCases[] = {
     {"LensTurnedBy90", [](Request& r) { r.given.tilt = 90; },
         {"lens is turned by 90", "tilt 90", "between", "turn it less"}},
@@ -188,6 +189,7 @@ const BadCase kBadCases[] = {
         },
         {"spans no picture", "direction <0, 0, 0>"}},
 };
+// clang-format on
 
 class BadStatement : public testing::TestWithParam<BadCase>
 {

@@ -18,6 +18,7 @@
 #include "random_cameras.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
 #include "tilt_lens/sampling/sequence.h"
+#include "with_kernels.h"
 
 namespace tilt_lens
 {
@@ -194,10 +195,10 @@ TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
     }
 }
 
-TEST(SpreadSums, AreTheSameWithAndWithoutAvx2)
+TEST(SpreadSums, AreTheSameWithAllKernels)
 {
-    if (!HasAvx2())
-        GTEST_SKIP() << "This processor has no AVX2.";
+    if (!HasSeveralVariants())
+        GTEST_SKIP() << "This processor knows one variant.";
     Random random(12);
     const Area block{0, std::uint32_t(kHeight) - kSide, kSide, kSide};
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
@@ -212,7 +213,7 @@ TEST(SpreadSums, AreTheSameWithAndWithoutAvx2)
             const CircleOfConfusion circle{column + 0.5f + part(), row + 0.5f + part(), part(), part(), part(), part(), &lens};
             const Radiance radiance{random(0.0, 1.0), random(0.0, 2.0), random(0.0, 30.0), 0.0, 0.0};
             sums->Add(column, row, circle, radiance);
-            plain->AddPlain(column, row, circle, radiance);
+            WithPlainKernels([&] { plain->Add(column, row, circle, radiance); });
         }
         EXPECT_TRUE(sums->IsSpread());
         for (int y = -kReach; y < kSide + kReach; y++)

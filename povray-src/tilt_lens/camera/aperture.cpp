@@ -11,7 +11,8 @@
 
 #include "tilt_lens/camera/aperture_picture.h"
 #include "tilt_lens/camera/blade_arc.h"
-#include "tilt_lens/math/simd.h"
+#include "tilt_lens/camera/concentric.h"
+#include "tilt_lens/math/kernels.h"
 
 namespace tilt_lens
 {
@@ -30,128 +31,12 @@ struct Overloaded : Functions...
 template<class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-/// @name Sine and cosine for |x| <= pi/4, of a number or a register of them.
-/// Taylor series; the first omitted term is below 3e-14. Faster than the C library's, and equal on every machine.
-/// @{
-template<class Number>
-TILT_LENS_INLINED Number SmallSin(const Number& x)
-{
-    const Number s = x * x;
-    return x * (1.0 + s * (-1.0 / 6 +
-                           s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 +
-                                                                    s * (-1.0 / 39916800 +
-                                                                         s * (1.0 / 6227020800)))))));
-}
-
-template<class Number>
-TILT_LENS_INLINED Number SmallCos(const Number& x)
-{
-    const Number s = x * x;
-    return 1.0 + s * (-1.0 / 2 +
-                      s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 +
-                                                             s * (-1.0 / 3628800 +
-                                                                  s * (1.0 / 479001600 +
-                                                                       s * (-1.0 / 87178291200)))))));
-}
-/// @}
-
-/// The concentric map in polar form. Concentric squares of [-1, 1]^2 become concentric circles. The diagonals divide the square into four
-/// quarters.
-template<class Number>
-struct Concentric
-{
-    decltype(Number() > Number()) sideways;  ///< the point lies in the left or right quarter
-    Number radius;  ///< signed as the quarter's main coordinate
-    Number slope;   ///< in [-1, 1]: 4/pi times the angle from the quarter's axis towards the other axis
-};
-
-template<class Number>
-TILT_LENS_INLINED Concentric<Number> ToConcentric(const Number& u, const Number& v)
-{
-    const Number x = 2.0 * u - 1.0, y = 2.0 * v - 1.0, one = Number() + 1.0;
-    const auto sideways = (x < 0.0 ? -x : x) > (y < 0.0 ? -y : y);
-    const Number main = sideways ? x : y, other = sideways ? y : x;
-    return {sideways, main, other / (main != 0.0 ? main : one)};
-}
-
-template<class Number>
-TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Number& b)
-{
-    const Concentric<Number> c = ToConcentric(u, v);
-    const Number angle = pi / 4 * c.slope;
-    const Number along = c.radius * SmallCos(angle), across = c.radius * SmallSin(angle);
-    a = c.sideways ? along : across;
-    b = c.sideways ? across : along;
-}
-
-inline AperturePoint OnDisc(double u, double v)
+inline AperturePoint PointOnDisc(double u, double v)
 {
     AperturePoint point;
     OnDisc(u, v, point.a, point.b);
     return point;
 }
-
-/// Polar position on a polygon.
-/// @param position  edges from the first corner, as a real number
-/// @param radius    0 at the centre, 1 on the edge
-template<class Number>
-TILT_LENS_INLINED void FindPosition(const Number& u, const Number& v, double edges, Number& position, Number& radius)
-{
-    const Concentric<Number> c = ToConcentric(u, v);
-    Number turns = c.sideways ? c.slope / 8.0 : 0.25 - c.slope / 8.0;
-    turns = c.radius < 0.0 ? turns + 0.5 : turns;
-    turns = turns < 0.0 ? turns + 1.0 : turns;
-    position = turns * edges;
-    radius = c.radius < 0.0 ? -c.radius : c.radius;
-}
-
-template<class Vector>
-TILT_LENS_INLINED void FindFourPositions(const double* u, const double* v, double edges, double* positions, double* radii)
-{
-    for (int i = 0; i < 4; i += kVectorWidth<Vector>)
-    {
-        Vector position, radius;
-        FindPosition(Load<Vector>(u + i), Load<Vector>(v + i), edges, position, radius);
-        Store(positions + i, position);
-        Store(radii + i, radius);
-    }
-}
-
-void FindFourPlainly(const double* u, const double* v, double edges, double* positions, double* radii)
-{
-    FindFourPositions<Double2>(u, v, edges, positions, radii);
-}
-
-TILT_LENS_FOR_AVX2 void FindFourByAvx2(const double* u, const double* v, double edges, double* positions, double* radii)
-{
-    FindFourPositions<Double4>(u, v, edges, positions, radii);
-}
-
-const auto findFourPositions = HasAvx2() ? FindFourByAvx2 : FindFourPlainly;
-
-template<class Vector>
-TILT_LENS_INLINED void MapToDisc(const double* u, const double* v, double* a, double* b, int count)
-{
-    for (int i = 0; i < count; i += kVectorWidth<Vector>)
-    {
-        Vector pointA, pointB;
-        OnDisc(Load<Vector>(u + i), Load<Vector>(v + i), pointA, pointB);
-        Store(a + i, pointA);
-        Store(b + i, pointB);
-    }
-}
-
-void MapToDiscPlain(const double* u, const double* v, double* a, double* b, int count)
-{
-    MapToDisc<Double2>(u, v, a, b, count);
-}
-
-TILT_LENS_FOR_AVX2 void MapToDiscByAvx2(const double* u, const double* v, double* a, double* b, int count)
-{
-    MapToDisc<Double4>(u, v, a, b, count);
-}
-
-const auto mapToDisc = HasAvx2() ? MapToDiscByAvx2 : MapToDiscPlain;
 
 }  // namespace
 
@@ -183,7 +68,7 @@ struct Aperture::Outline
         for (int i = 0; i < count; ++i)
         {
             if (i % 4 == 0)
-                findFourPositions(u + i, v + i, edges, positions, radii);
+                kernels->findPositions(u + i, v + i, edges, positions, radii);
             const AperturePoint point = PointAt(positions[i % 4], radii[i % 4]);
             a[i] = point.a;
             b[i] = point.b;
@@ -342,7 +227,7 @@ Aperture Aperture::Graded(const Aperture& shape, double amount)
 AperturePoint Aperture::operator()(double u, double v) const
 {
     const auto map = [&](const auto& table) { return table->Map(u, v); };
-    return std::visit(Overloaded{map, [&](Round) { return OnDisc(u, v); }}, shape);
+    return std::visit(Overloaded{map, [&](Round) { return PointOnDisc(u, v); }}, shape);
 }
 
 void Aperture::Map(const double* u, const double* v, double* a, double* b, int count) const
@@ -356,7 +241,7 @@ void Aperture::Map(const double* u, const double* v, double* a, double* b, int c
             b[i] = point.b;
         }
     };
-    std::visit(Overloaded{oneByOne, [&](Round) { mapToDisc(u, v, a, b, count); },
+    std::visit(Overloaded{oneByOne, [&](Round) { kernels->mapToDisc(u, v, a, b, count); },
                           [&](const Shared<Outline>& outline) { outline->Map(u, v, a, b, count); }}, shape);
 }
 

@@ -8,10 +8,10 @@
 #ifndef TILT_LENS_FRAME_TABLE_H
 #define TILT_LENS_FRAME_TABLE_H
 
-#include <algorithm>
 #include <cstddef>
 
 #include "tilt_lens/camera/film_point.h"
+#include "tilt_lens/math/simd.h"
 
 namespace tilt_lens
 {
@@ -31,12 +31,12 @@ inline FilmPoint FilmPointOfPlace(int side, int row, int column)
 }
 
 /// Film points beside the frame are clamped to it: the pretrace of radiosity looks a little past the frame.
-inline TablePlace PlaceOf(int side, const FilmPoint& film)
+TILT_LENS_INLINED TablePlace PlaceOf(int side, const FilmPoint& film)
 {
     const int last = side - 2;
     const double x = (film.x + 0.5) * (side - 1), y = (0.5 - film.y) * (side - 1);
-    const int column = std::clamp(int(x), 0, last), row = std::clamp(int(y), 0, last);
-    return {std::size_t(row) * side + column, std::clamp(x - column, 0.0, 1.0), std::clamp(y - row, 0.0, 1.0)};
+    const int column = Clamp(int(x), 0, last), row = Clamp(int(y), 0, last);
+    return {std::size_t(row) * side + column, Clamp(x - column, 0.0, 1.0), Clamp(y - row, 0.0, 1.0)};
 }
 
 } // namespace tilt_lens

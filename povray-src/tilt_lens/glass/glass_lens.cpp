@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/glass/paraxial.h"
+#include "tilt_lens/math/numbers.h"
 
 namespace tilt_lens
 {
@@ -146,84 +146,6 @@ Passage GlassLens::Trace(GlassRay& ray, StopPoint& stop, bool rims) const
 Passage GlassLens::TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims) const
 {
     return TraceAlong<false>(surfaces.rbegin(), surfaces.rend(), ray, stop, rims);
-}
-
-namespace
-{
-
-using Surfaces = std::vector<GlassSurface>;
-
-/// Several rays at a conic or an aspherical surface, one after the other.
-template<class Vector>
-TILT_LENS_INLINED MaskOf<Vector> CrossOneByOne(const GlassSurface& surface, bool rims, GlassRayOf<Vector>& rays)
-{
-    Vector passes{};
-    for (std::size_t i = 0; i < kVectorWidth<Vector>; i++)
-    {
-        GlassRay ray{{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]}, {rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]}};
-        const Crossing<double> crossing = CrossAsphere<true>(surface, ray);
-        passes[i] = crossing.met && (crossing.withinRim || !rims) && crossing.refracted;
-        rays.origin.x[i] = ray.origin.x, rays.origin.y[i] = ray.origin.y, rays.origin.z[i] = ray.origin.z;
-        rays.direction.x[i] = ray.direction.x, rays.direction.y[i] = ray.direction.y, rays.direction.z[i] = ray.direction.z;
-    }
-    return passes > 0.0;
-}
-
-template<class Vector>
-TILT_LENS_INLINED unsigned int TraceSideBySide(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays,
-                                              FourStopPoints& stop)
-{
-    unsigned int passed = 0;
-    for (std::size_t first = 0; first < 4; first += kVectorWidth<Vector>)
-    {
-        GlassRayOf<Vector> ray{LoadVectors<Vector>(rays.origin, first), LoadVectors<Vector>(rays.direction, first)};
-        MaskOf<Vector> passes = Vector() == Vector();
-        const MaskOf<Vector> beyondRims = rims ? Vector() != Vector() : passes;
-        for (const GlassSurface& surface : surfaces)
-        {
-            if (surface.stop)
-            {
-                passes &= CrossStop(surface, ray);
-                Store(stop.a + first, stopScale * ray.origin.x);
-                Store(stop.b + first, stopScale * ray.origin.y);
-            }
-            else if (surface.sphere)
-            {
-                const Crossing<Vector> crossing = CrossSphere<true>(surface, ray);
-                passes &= crossing.met & (crossing.withinRim | beyondRims) & crossing.refracted;
-            }
-            else
-                passes &= CrossOneByOne(surface, rims, ray);
-        }
-        StoreVectors(rays.origin, first, ray.origin);
-        StoreVectors(rays.direction, first, ray.direction);
-        passed |= SignBits(passes & (ray.direction.z > 0.0)) << first;
-    }
-    return passed;
-}
-
-unsigned int TracePlainly(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays, FourStopPoints& stop)
-{
-    return TraceSideBySide<Double2>(surfaces, stopScale, rims, rays, stop);
-}
-
-TILT_LENS_FOR_AVX2 unsigned int TraceByAvx2(const Surfaces& surfaces, double stopScale, bool rims, FourGlassRays& rays,
-                                            FourStopPoints& stop)
-{
-    return TraceSideBySide<Double4>(surfaces, stopScale, rims, rays, stop);
-}
-
-const auto traceSideBySide = HasAvx2() ? TraceByAvx2 : TracePlainly;
-
-} // namespace
-
-unsigned int GlassLens::Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims) const
-{
-    unsigned int passed = traceSideBySide(surfaces, StopScale(), rims, rays, stop);
-    for (int i = 0; i < 4 && opening; i++)
-        if ((passed >> i & 1u) != 0 && !opening({stop.a[i], stop.b[i]}))
-            passed &= ~(1u << i);
-    return passed;
 }
 
 double GlassLens::RearRadius() const { return std::sqrt(surfaces.front().squaredRim); }

@@ -55,7 +55,7 @@ TILT_LENS_INLINED PupilPointOf<Number> RadialAxis(const VecOf<Number>& film)
 template<class Number>
 TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points, const VecOf<Number>& film)
 {
-    if (!std::isfinite(points.exitPupil))
+    if (!IsFinite(points.exitPupil))
         return {Number(), Number()};
     const VecOf<Number> way{-film.x, -film.y, points.exitPupil - film.z};
     const Number distance = SquareRoot(Dot(way, way)), length = way.z < 0.0 ? -distance : distance;  // away from a pupil behind the film

@@ -4,23 +4,37 @@
 #include "tilt_lens/lens_camera/glass_camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "tilt_lens/camera/frame_table.h"
-#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/camera/partly_covered.h"
+#include "tilt_lens/math/kernels.h"
+#include "tilt_lens/math/numbers.h"
 
 namespace tilt_lens
 {
 
-GlassCamera::GlassCamera(std::shared_ptr<const SolvedLens> itsLens, const Aperture& aperture, double itsNatural) :
+namespace
+{
+
+void Copy(std::size_t i, const FourGlassRays& from, FourGlassRays& to)
+{
+    for (int axis = 0; axis < 3; axis++)
+    {
+        to.origin[axis][i] = from.origin[axis][i];
+        to.direction[axis][i] = from.direction[axis][i];
+    }
+}
+
+} // namespace
+
+GlassCamera::GlassCamera(std::shared_ptr<const SolvedLens> itsLens, const Aperture& aperture, double natural) :
     lens(std::move(itsLens)),
     glass(*lens->glass),
-    natural(itsNatural),
-    axisX(Normalized(lens->lensX)),
-    axisY(Normalized(lens->lensY))
+    frame{lens.get(), glass.Cardinal(), natural, Normalized(lens->lensX), Normalized(lens->lensY), {}, {}, {}}
 {
     if (!aperture.IsDisc())
         glass.ShapeStop([aperture](const StopPoint& stop) { return aperture.Density({stop.a, stop.b}) > 0.0; });
@@ -28,13 +42,13 @@ GlassCamera::GlassCamera(std::shared_ptr<const SolvedLens> itsLens, const Apertu
         colours.emplace(glass, *lens->dispersion);
     PlaceFilm();
     Tabulate();
-    const Node& middle = nodes[nodes.size() / 2];
+    const PupilNode& middle = nodes[nodes.size() / 2];
     if (!middle.seen || !(middle.open > kLeastOpen))
         throw std::invalid_argument("The lens of the prescription leaves " + Number(100.0 * middle.open) + " per cent of its stop open in the "
                                     "middle of the picture: its image circle ends before. More than 1 is needed; turn or shift the "
                                     "lens less, or stop it down.");
-    middleOpen = middle.open;
-    middleNatural = middle.natural;
+    frame.middleOpen = middle.open;
+    frame.middleNatural = middle.natural;
     FillUnseen();
 }
 
@@ -42,16 +56,16 @@ GlassCamera::GlassCamera(std::shared_ptr<const SolvedLens> itsLens, const Apertu
 void GlassCamera::PlaceFilm()
 {
     const double scale = -lens->filmDistance / (Dot(lens->direction, lens->axis) * lens->millimetre);
-    const auto inLens = [&](const Vec3& v) { return scale * Vec3{Dot(v, axisX), Dot(v, axisY), Dot(v, lens->normal)}; };
-    filmMiddle = inLens(lens->direction) - Vec3{0.0, 0.0, glass.Cardinal().separation};
-    filmRight = inLens(lens->right);
-    filmUp = inLens(lens->up);
+    const auto inLens = [&](const Vec3& v) { return scale * Vec3{Dot(v, frame.axisX), Dot(v, frame.axisY), Dot(v, lens->normal)}; };
+    frame.middle = inLens(lens->direction) - Vec3{0.0, 0.0, glass.Cardinal().separation};
+    frame.right = inLens(lens->right);
+    frame.up = inLens(lens->up);
 }
 
-GlassCamera::Node GlassCamera::NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const
+PupilNode GlassCamera::NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const
 {
     const Vec3 place = FilmInLens(film);
-    Node node;
+    PupilNode node;
     const std::optional<PupilView> view = ViewOf(glass, place, near);
     if (!view)
         return node;
@@ -65,7 +79,7 @@ GlassCamera::Node GlassCamera::NodeAt(const FilmPoint& film, std::optional<Pupil
     // the solid angle is projected on the lens's plane; the film is tilted against it
     if (const std::optional<GlassRay> ray = RayTowards(place, view->bounds.centre))
     {
-        const Vec3 filmNormal{Dot(lens->axis, axisX), Dot(lens->axis, axisY), Dot(lens->axis, lens->normal)};
+        const Vec3 filmNormal{Dot(lens->axis, frame.axisX), Dot(lens->axis, frame.axisY), Dot(lens->axis, lens->normal)};
         node.natural = view->stop * std::max(0.0, Dot(ray->direction, filmNormal)) / ray->direction.z;
     }
     node.seen = true;
@@ -74,26 +88,26 @@ GlassCamera::Node GlassCamera::NodeAt(const FilmPoint& film, std::optional<Pupil
 
 void GlassCamera::Tabulate()
 {
-    for (int row = 0; row < kTableSide; row++)
+    for (int row = 0; row < kPupilTableSide; row++)
     {
         std::optional<PupilPoint> near;
-        for (int column = 0; column < kTableSide; column++)
-            nodes.push_back(NodeAt(FilmPointOfPlace(kTableSide, row, column), near));
+        for (int column = 0; column < kPupilTableSide; column++)
+            nodes.push_back(NodeAt(FilmPointOfPlace(kPupilTableSide, row, column), near));
     }
 }
 
 /// Gives entries without any light the ellipse of the nearest lit entry, because points between the two may be lit.
 void GlassCamera::FillUnseen()
 {
-    const std::vector<Node> found = nodes;
-    for (int at = 0; at < kTableSide * kTableSide; at++)
+    const std::vector<PupilNode> found = nodes;
+    for (int at = 0; at < kPupilTableSide * kPupilTableSide; at++)
     {
         if (found[at].seen)
             continue;
-        int nearest = 0, least = 4 * kTableSide * kTableSide;
-        for (int other = 0; other < kTableSide * kTableSide; other++)
+        int nearest = 0, least = 4 * kPupilTableSide * kPupilTableSide;
+        for (int other = 0; other < kPupilTableSide * kPupilTableSide; other++)
         {
-            const int right = other % kTableSide - at % kTableSide, down = other / kTableSide - at / kTableSide;
+            const int right = other % kPupilTableSide - at % kPupilTableSide, down = other / kPupilTableSide - at / kPupilTableSide;
             if (found[other].seen && right * right + down * down < least)
             {
                 nearest = other;
@@ -105,7 +119,7 @@ void GlassCamera::FillUnseen()
     }
 }
 
-PupilEllipse GlassCamera::BoundsOf(const Node& node, const Vec3& place) const
+PupilEllipse GlassCamera::BoundsOf(const PupilNode& node, const Vec3& place) const
 {
     const PupilPoint aim = ParaxialAim(glass.Cardinal(), place);
     return {{aim.l + node.l, aim.m + node.m}, node.radial, node.tangential};
@@ -115,10 +129,89 @@ PupilEllipse GlassCamera::BoundsAt(const FilmPoint& film) const { return BoundsO
 
 double GlassCamera::Brightness(const FilmPoint& film) const
 {
-    const Node node = Between(film);
-    return BrightnessOf(node.open, node.natural);
+    const PupilNode node = Between(film);
+    return frame.Brightness(node.open, node.natural);
 }
 
 double GlassCamera::OpenShare(const FilmPoint& film) const { return Between(film).open; }
+
+PupilNode GlassCamera::Between(const FilmPoint& film) const
+{
+    const double x[] = {film.x, film.x}, y[] = {film.y, film.y};
+    const PupilInterpolation<Double2> mean(nodes.data(), x, y);
+    PupilNode node;
+    for (double PupilNode::*const number : {&PupilNode::l, &PupilNode::m, &PupilNode::radial, &PupilNode::tangential, &PupilNode::open,
+                                            &PupilNode::natural})
+        node.*number = mean(number)[0];
+    return node;
+}
+
+/// Draws directions until one of each film point passes the lens.
+/// @param waiting     one bit for each film point that needs a ray
+/// @param[out] drawn  the rays that leave the lens
+/// @return            one bit for each of them
+unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils,
+                                   unsigned int waiting, FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
+{
+    const unsigned int wanted = waiting;
+    std::array<double, 4> u, v, a, b;
+    std::copy(points.u, points.u + 4, u.begin());
+    std::copy(points.v, points.v + 4, v.begin());
+    UniformNumbers uniform[4] = {UniformNumbers(points.seed[0]), UniformNumbers(points.seed[1]), UniformNumbers(points.seed[2]),
+                                 UniformNumbers(points.seed[3])};
+    for (int tries = 0; waiting != 0 && tries <= kTries; tries++)
+    {
+        FourGlassRays rays;
+        disc.Map(u.data(), v.data(), a.data(), b.data(), 4);
+        FourStopPoints stop;
+        const unsigned int passed = kernels->aimAtPupils(pupils, a.data(), b.data(), rays) & colour.Trace(rays, stop);
+        for (int i = 0; i < 4; i++)
+        {
+            if ((waiting >> i & 1u) == 0)
+                continue;
+            if ((passed >> i & 1u) != 0)
+            {
+                Copy(i, rays, drawn);
+                waiting &= ~(1u << i);
+                continue;
+            }
+            refused[i]++;
+            u[i] = uniform[i]();
+            v[i] = uniform[i]();
+        }
+    }
+    return wanted & ~waiting;
+}
+
+void GlassCamera::DrawThrough(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const
+{
+    FourPupils pupils;
+    kernels->findPupils(frame, nodes.data(), points, pupils);
+    FourGlassRays drawn{};
+    std::fill(samples.refused, samples.refused + 4, 0u);
+    const unsigned int found = DrawRays(colour, points, pupils, points.wanted & pupils.seen, drawn, samples.refused);
+    kernels->leaveGlass(frame, points, drawn, samples);
+    for (std::size_t i = 0; i < 4; i++)
+        samples.weight[i] = (found >> i & 1u) != 0 ? pupils.brightness[i] : 0.0;
+}
+
+GlassSample GlassCamera::DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const
+{
+    FourGlassSamples samples;
+    DrawThrough(colour, {{film.x}, {film.y}, {u}, {v}, {seed}, 1}, samples);
+    const auto vector = [](const double (&from)[3][4]) { return Vec3{from[0][0], from[1][0], from[2][0]}; };
+    return {{vector(samples.origin), vector(samples.direction), samples.w[0]}, samples.weight[0], samples.refused[0]};
+}
+
+std::optional<LensRay> GlassCamera::MiddleRay(const FilmPoint& film) const
+{
+    const PupilNode node = Between(film);
+    const Vec3 place = FilmInLens(film);
+    std::optional<GlassRay> ray = RayTowards(place, BoundsOf(node, place).centre);
+    StopPoint stop;
+    if (!(node.open > 0.0) || !ray || glass.Trace(*ray, stop) != Passage::Passed)
+        return {};
+    return frame.ToWorld(film.x, film.y, *ray);
+}
 
 } // namespace tilt_lens

@@ -24,6 +24,7 @@
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/pupil_view.h"
+#include "tilt_lens/lens_camera/glass_film.h"
 #include "tilt_lens/lens_camera/solve.h"
 
 namespace tilt_lens
@@ -34,22 +35,6 @@ struct GlassSample
     LensRay ray;
     double weight;          ///< of the ray's radiance; 0: nothing to trace
     std::uint32_t refused;  ///< rays drawn before it that the lens blocked
-};
-
-/// Four film points and their random numbers, side by side.
-struct FourGlassPoints
-{
-    double x[4], y[4];      ///< film points, as FilmPoint
-    double u[4], v[4];      ///< in [0, 1)
-    std::uint32_t seed[4];  ///< for drawing blocked directions again
-    unsigned int wanted;    ///< one bit for each point that needs a sample, the lowest for the first
-};
-
-/// Fields as in GlassSample and LensRay.
-struct FourGlassSamples
-{
-    double origin[3][4], direction[3][4], w[4], weight[4];
-    std::uint32_t refused[4];
 };
 
 /// Immutable, and shared by threads.
@@ -87,63 +72,26 @@ class GlassCamera
     double OpenShare(const FilmPoint& film) const;
 
     /// Lens frame, mm.
-    Vec3 FilmInLens(const FilmPoint& film) const { return filmMiddle + film.x * filmRight + film.y * filmUp; }
+    Vec3 FilmInLens(const FilmPoint& film) const { return frame.Place(film.x, film.y); }
 
     PupilEllipse BoundsAt(const FilmPoint& film) const;
 
   private:
-    /// Entries in a row and in a column; odd, so that one is the centre. Linear interpolation of the open share errs by 1/8 of its second
-    /// derivative (up to 4 over the frame) over the squared number of steps: 1/2000.
-    static constexpr int kTableSide = 33;
-
-    /// Entry of the table. The ellipse's centre is relative to the paraxial aim, so that it varies little over the frame.
-    struct Node
-    {
-        double l = 0.0, m = 0.0, radial = 0.0, tangential = 0.0;
-        double open = 0.0;     ///< share that the rims leave open
-        double natural = 0.0;  ///< illumination of the film by the stop alone, relative
-        bool seen = false;
-    };
-
     std::shared_ptr<const SolvedLens> lens;
     GlassLens glass;                        ///< with the aperture's shape
     std::optional<GlassOfColours> colours;  ///< none: one wavelength
     Aperture disc = Aperture::Disc();
-    double natural;
-    Vec3 axisX, axisY;                      ///< of the lens, world, unit length
-    Vec3 filmMiddle, filmRight, filmUp;     ///< lens frame, mm
-    std::vector<Node> nodes;
-    double middleOpen = 1.0, middleNatural = 1.0;
+    GlassFilm frame;
+    std::vector<PupilNode> nodes;           ///< the table of views, row by row
 
     void PlaceFilm();
     void Tabulate();
     void FillUnseen();
-    Node NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const;
-    Node Between(const FilmPoint& film) const;
-    PupilEllipse BoundsOf(const Node& node, const Vec3& place) const;
-    template<class Number>
-    TILT_LENS_INLINED Number BrightnessOf(const Number& open, const Number& itsNatural) const
-    {
-        const Number even = Number() + 1.0, falloff = natural == 0.0 ? even : 1.0 - natural + natural * itsNatural / middleNatural;
-        return falloff * open / middleOpen;
-    }
-
-    template<class Number>
-    LensRayOf<Number> ToWorld(const Number& x, const Number& y, const GlassRayOf<Number>& ray) const;
-    struct FourPupils;
-    template<class Vector>
-    struct Interpolation;
-    template<class Vector>
-    void FindPupils(const FourGlassPoints& points, FourPupils& pupils) const;
-    template<class Vector>
-    static unsigned int Aim(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays);
-    template<class Vector>
+    PupilNode NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const;
+    PupilNode Between(const FilmPoint& film) const;
+    PupilEllipse BoundsOf(const PupilNode& node, const Vec3& place) const;
     unsigned int DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
                           FourGlassRays& drawn, std::uint32_t (&refused)[4]) const;
-    template<class Vector>
-    void DrawBy(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
-    void DrawPlainly(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
-    void DrawByAvx2(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
     void DrawThrough(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
     GlassSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
 };

@@ -4,9 +4,10 @@
 /// @file simd.h
 /// Vector registers of 16 and 32 bytes. Memory needs no alignment.
 ///
-/// A vectorised function is written once as an always-inlined template and compiled twice: for every processor with 16 bytes, and for AVX2
-/// with 32. Multiplications and additions are never contracted, so both give the same results. A function that takes or returns a 32-byte
-/// register must be inlined, because the two builds pass it differently.
+/// A vectorised function is compiled twice: for every processor with 16 bytes, and for AVX2 with 32. Those of the camera stand in the folder
+/// kernels/. Those that other files call for AVX2 are templates and always inlined. Multiplications and additions are never contracted, so
+/// both give the same results. A function that takes or returns a 32-byte register must be inlined, because the two builds pass it
+/// differently.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
@@ -44,6 +45,14 @@ constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector
 /// Marks functions that are compiled anew inside each caller, for the caller's kind of processor.
 #define TILT_LENS_INLINED inline __attribute__((always_inline))
 #define TILT_LENS_INLINED_LAMBDA __attribute__((always_inline))
+
+/// In files that are compiled for AVX2 as a whole, inlined like all else. Other files have callers that are not marked for AVX2, into which
+/// the compiler cannot inline it.
+#ifdef __AVX2__
+#define TILT_LENS_INLINED_FOR_AVX2 TILT_LENS_INLINED
+#else
+#define TILT_LENS_INLINED_FOR_AVX2 TILT_LENS_FOR_AVX2 inline
+#endif
 
 /// Costs two instructions: the processor was examined at program start.
 inline bool HasAvx2()
@@ -94,15 +103,27 @@ TILT_LENS_INLINED Vector Max(const Vector& a, const Vector& b)
 }
 /// @}
 
+template<class Number>
+TILT_LENS_INLINED Number Clamp(const Number& value, const Number& least, const Number& most)
+{
+    return value < least ? least : most < value ? most : value;
+}
+
+/// @name As those of the standard library, but never functions of their own (kernels/variant.h).
+/// @{
+TILT_LENS_INLINED float SquareRoot(float value) { return __builtin_sqrtf(value); }
+TILT_LENS_INLINED double SquareRoot(double value) { return __builtin_sqrt(value); }
+TILT_LENS_INLINED bool IsFinite(float value) { return __builtin_isfinite(value); }
+TILT_LENS_INLINED bool IsFinite(double value) { return __builtin_isfinite(value); }
+/// @}
+
 template<class Vector>
 TILT_LENS_INLINED Vector SquareRoot(Vector value)
 {
     for (std::size_t lane = 0; lane < kVectorWidth<Vector>; lane++)
-        value[lane] = std::sqrt(value[lane]);
+        value[lane] = SquareRoot(value[lane]);
     return value;
 }
-
-inline double SquareRoot(double value) { return std::sqrt(value); }
 
 /// One bit per lane, for processors without the instruction.
 template<class Mask>
@@ -125,7 +146,7 @@ TILT_LENS_INLINED unsigned int SignBits(const Mask4& mask)
 #endif
 }
 
-TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const Mask8& mask)
+TILT_LENS_INLINED_FOR_AVX2 unsigned int SignBits(const Mask8& mask)
 {
 #ifdef __SSE2__
     return __builtin_ia32_movmskps256(reinterpret_cast<const Float8&>(mask));
@@ -143,7 +164,7 @@ TILT_LENS_INLINED unsigned int SignBits(const Mask2& mask)
 #endif
 }
 
-TILT_LENS_FOR_AVX2 inline unsigned int SignBits(const LongMask4& mask)
+TILT_LENS_INLINED_FOR_AVX2 unsigned int SignBits(const LongMask4& mask)
 {
 #ifdef __SSE2__
     return __builtin_ia32_movmskpd256(reinterpret_cast<const Double4&>(mask));

@@ -62,7 +62,7 @@ class PaddedBlock
     using Plane = std::array<float, kRows * kColumns>;
 
     /// Index in a Plane of pixel (x, y), relative to the block's first pixel, -kBorder <= x, y < blockSide + kBorder.
-    static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
+    TILT_LENS_INLINED static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
     /// @param blocks  the block in the middle and its eight neighbours, row by row. For null (outside the picture or unknown) the nearest
     ///     block is mirrored.

@@ -35,6 +35,7 @@ struct FilterPair
 };
 
 /// The bank. Diagonals have the same filters as rows and columns, so that the remaining noise has no preferred direction.
+// clang-format off
 constexpr FilterPair kBank[] = {
     {kNone, kNone},
     {kFit5, kNone}, {kNone, kFit5}, {kNone, kFit5, 1}, {kNone, kFit5, -1},
@@ -42,6 +43,7 @@ constexpr FilterPair kBank[] = {
     {kMean9, kNone}, {kNone, kMean9}, {kNone, kMean9, 1}, {kNone, kMean9, -1},
     {kFit5, kFit5}, {kFit9, kFit9}, {kMean9, kMean9}, {kMean9, kFit5}, {kFit5, kMean9},
 };
+// clang-format on
 
 /// Filters neighbouring pixels with steps of 1 (a row), PaddedBlock::kColumns (a column), or one more or less (a diagonal). Plain loops over
 /// such short rows compile to code that takes three times as long.

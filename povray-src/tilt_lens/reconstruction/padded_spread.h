@@ -17,6 +17,13 @@
 namespace tilt_lens
 {
 
+/// Approximate number of samples that a pixel has received.
+/// @param samples, share, ownShare  as in PaddedSpread
+TILT_LENS_INLINED float ReceivedSamples(float samples, float share, float ownShare)
+{
+    return share > 0.0f && ownShare > 0.0f ? samples / ownShare : 0.0f;
+}
+
 /// The spread estimates of the pixels of a block and its border, before their own samples are added.
 class PaddedSpread
 {
@@ -37,8 +44,7 @@ class PaddedSpread
     Plane samples;   ///< sum of received shares
     Plane ownShare;  ///< share that a sample of the pixel keeps for it, on average, [0, 1]
 
-    /// Approximate number of received samples.
-    float SamplesAt(std::size_t at) const { return share[at] > 0.0f && ownShare[at] > 0.0f ? samples[at] / ownShare[at] : 0.0f; }
+    float SamplesAt(std::size_t at) const { return ReceivedSamples(samples[at], share[at], ownShare[at]); }
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;

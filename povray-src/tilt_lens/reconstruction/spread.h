@@ -34,7 +34,6 @@ namespace tilt_lens
 {
 
 class LensFootprint;
-struct CirclePixels;
 
 /// The pixels that see a point through some part of the lens, to first order: the pixel at (`x`, `y`) - M (a, b) sees it through the lens
 /// point (a, b), in aperture coordinates. Pixels to the right and down.
@@ -63,22 +62,23 @@ class LensFootprint
     CircleOfConfusion CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const;
 
     /// Radius of the aperture's bounding circle, in aperture coordinates.
-    float BoundingRadius() const { return boundingRadius; }
+    TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
     /// True if the aperture is the evenly bright unit disc.
-    bool IsDisc() const { return density.empty(); }
+    TILT_LENS_INLINED bool IsDisc() const { return isDisc; }
     /// Relative brightness, at `count` points, of an aperture that is not the unit disc.
     void FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const;
 
   private:
     struct Axis
     {
-        double x, y, depth;  ///< components of a lens axis: along the film, in frame widths and heights, and along the camera's axis, in units of
-                             ///< `direction`
-        double focus;        ///< dot product with the lens's focus vector k
+        /// Components of a lens axis: along the film, in frame widths and heights; along the camera's axis, in units of `direction`.
+        double x, y, depth;
+        double focus;  ///< dot product with the lens's focus vector k
     } axisA, axisB;
     double width, height;
     float boundingRadius;
-    std::vector<float> density;
+    bool isDisc;
+    std::vector<float> density;  ///< empty for a disc
 };
 
 /// The whole picture's range of columns or rows, relative to the block's first one.
@@ -90,10 +90,9 @@ struct PictureSpan
 /// True if the circle contains the centre of a pixel other than the sample's own.
 bool ServesOthers(const CircleOfConfusion& circle);
 
-/// Sums of the samples that a block's pixels spread to pixels at most kReach away.
-class SpreadSums
+/// The sums of SpreadSums, for the kernel that adds to them.
+struct SpreadPlanes
 {
-  public:
     /// Greatest distance along rows and columns, in pixels, to which a sample is spread.
     static constexpr int kReach = settings.spreadReach;
     static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
@@ -104,6 +103,27 @@ class SpreadSums
     /// shares alone.
     enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSamples, kSums };
 
+    struct Own
+    {
+        float share, weight;
+    };
+
+    PictureSpan columns, rows;
+    float sums[kSums][kSide * kSide + kMostLanes];  ///< one number per pixel, padded to a whole vector
+    Own own[settings.blockSide * settings.blockSide];
+    bool spread;
+
+    TILT_LENS_INLINED static constexpr int PlaceOf(int x, int y) { return (y + kReach) * kSide + x + kReach; }
+};
+
+/// Sums of the samples that a block's pixels spread to pixels at most kReach away.
+class SpreadSums : private SpreadPlanes
+{
+  public:
+    using SpreadPlanes::kReach, SpreadPlanes::kSide;
+    using SpreadPlanes::Sum, SpreadPlanes::kRed, SpreadPlanes::kGreen, SpreadPlanes::kBlue, SpreadPlanes::kShare, SpreadPlanes::kSquares,
+        SpreadPlanes::kSamples, SpreadPlanes::kSums;
+
     /// @param block  the sending block, in the whole picture
     /// @param width, height  of the whole picture, pixels
     SpreadSums(const Area& block, double width, double height);
@@ -112,8 +132,6 @@ class SpreadSums
     /// @param circle  with its centre relative to the block's upper left corner
     /// @param weight  of the sample; every pixel's weights have the same sum, because a surface is not brighter where more rays have hit it
     void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
-    /// The same without AVX2, with bit-identical sums.
-    void AddPlain(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
     /// Adds samples that serve their own pixel alone.
     void AddSharp(int column, int row, float weight);
 
@@ -125,32 +143,6 @@ class SpreadSums
     /// Sum of each pixel's sample weights.
     float PixelWeight() const { return own[0].weight; }
     bool IsSpread() const { return spread; }
-
-  private:
-    struct Own
-    {
-        float share = 0.0f, weight = 0.0f;
-    };
-
-    /// One number per pixel, padded to a whole vector.
-    using Plane = std::array<float, kSide * kSide + kMostLanes>;
-
-    PictureSpan columns, rows;
-    std::array<Plane, kSums> sums{};
-    std::array<Own, settings.blockSide * settings.blockSide> own{};
-    bool spread = false;
-
-    static constexpr int PlaceOf(int x, int y) { return (y + kReach) * kSide + x + kReach; }
-
-    // written once and compiled for each kind of processor
-    template<class Vector>
-    void AddBy(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight);
-    /// @param density  of the lens at each pixel; null: uniform
-    /// @param sum      of the densities
-    /// @param value    red, green, blue and 1
-    template<class Vector>
-    void Send(const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight, int column, int row);
-    TILT_LENS_FOR_AVX2 void AddByAvx2(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight);
 };
 
 } // namespace tilt_lens

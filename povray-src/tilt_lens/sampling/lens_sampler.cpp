@@ -3,43 +3,10 @@
 
 #include "tilt_lens/sampling/lens_sampler.h"
 
-#include "tilt_lens/math/simd.h"
+#include "tilt_lens/math/kernels.h"
 
 namespace tilt_lens
 {
-
-namespace
-{
-
-/// Film points, by FilmPointAt(), and weights 1.
-template<class Vector>
-TILT_LENS_INLINED void FindFilmPoints(double column, double row, double width, double height, const Quads& quads,
-                                      const SequencePoints& points, CameraSamples& samples)
-{
-    for (std::uint32_t i = quads.begin; i < quads.end; i += kVectorWidth<Vector>)
-    {
-        Store(samples.x + i, (column + Load<Vector>(points.pixelX + i)) / width - 0.5);
-        Store(samples.y + i, 0.5 - (row + Load<Vector>(points.pixelY + i)) / height);
-        Store(samples.weight + i, Vector() + 1.0);
-        Store(samples.expectedEmission + i, Vector());
-    }
-}
-
-void FindFilmPointsPlain(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
-                         CameraSamples& samples)
-{
-    FindFilmPoints<Double2>(column, row, width, height, quads, points, samples);
-}
-
-TILT_LENS_FOR_AVX2 void FindFilmPointsByAvx2(double column, double row, double width, double height, const Quads& quads,
-                                             const SequencePoints& points, CameraSamples& samples)
-{
-    FindFilmPoints<Double4>(column, row, width, height, quads, points, samples);
-}
-
-const auto findFilmPoints = HasAvx2() ? FindFilmPointsByAvx2 : FindFilmPointsPlain;
-
-} // namespace
 
 void LensSampler::Draw(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
 {
@@ -56,7 +23,7 @@ void LensSampler::Draw(const SampleRun& run, const SequencePoints& points, Camer
 
 void LensSampler::DrawFilmPoints(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const
 {
-    findFilmPoints(run.first.x, run.first.y, width, height, Quads(run), points, samples);
+    kernels->findFilmPoints(run.first.x, run.first.y, width, height, Quads(run), points, samples);
 }
 
 } // namespace tilt_lens

@@ -3,7 +3,8 @@
 
 #include "tilt_lens/sampling/sequence.h"
 
-#include "tilt_lens/math/simd.h"
+#include "tilt_lens/math/kernels.h"
+#include "tilt_lens/sampling/scramble.h"
 
 namespace tilt_lens
 {
@@ -19,14 +20,6 @@ struct alignas(16) Lanes
 {
     std::uint32_t value[dimensions];
 };
-
-constexpr std::uint32_t ReverseBits(std::uint32_t x)
-{
-    x = __builtin_bswap32(x);
-    x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
-    x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
-    return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
-}
 
 /// Direction numbers of the first two dimensions of Sobol's sequence, highest bit first: van der Corput's, and those of the polynomial x +
 /// 1.
@@ -48,11 +41,13 @@ constexpr Directions MakeDirections(int dimension)
 
 /// The pixel pair is the lens pair in this order: bit i of the index toggles the bits kOrder[i] of its point's index, the highest of which
 /// is bit i, so that the first 2^m points stay the first 2^m.
+// clang-format off
 constexpr std::uint32_t kOrder[bits] = {
     0x1u, 0x3u, 0x6u, 0xdu, 0x11u, 0x22u, 0x44u, 0x89u,
     0x1b2u, 0x36eu, 0x67du, 0xdd6u, 0x1837u, 0x3f50u, 0x4ac5u, 0xf917u,
     0x19c80u, 0x20c2bu, 0x71ee5u, 0x8e386u, 0x14bfa5u, 0x3a2c59u, 0x4db1e9u, 0xe98bb7u,
     0x1c16e6fu, 0x2befe92u, 0x4539d5eu, 0x821da0fu, 0x103d246eu, 0x374e88b6u, 0x5327f921u, 0xc16c6c80u};
+// clang-format on
 
 constexpr Directions Ordered(const Directions& directions)
 {
@@ -89,12 +84,6 @@ constexpr DigitTable MakeDigitTable()
 
 constexpr DigitTable digitTable = MakeDigitTable();
 
-/// Contribution of the lowest bits of the index: the points of a group relative to its first one.
-struct GroupTable
-{
-    std::uint32_t value[dimensions][settings.cameraRaysOfBatch];
-};
-
 constexpr GroupTable MakeGroupTable()
 {
     static_assert(16 % settings.cameraRaysOfBatch == 0, "a group lies within the first digit");
@@ -114,25 +103,6 @@ std::uint64_t PixelKey(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     return MixBits(pixel ^ MixBits((std::uint64_t{seed} + 1) * kGoldenStep));
 }
 
-/// Owen's nested uniform scrambling of a bit-reversed fraction: whether a bit is flipped depends on the seed and the bits below it
-/// (Vegdahl's hash).
-inline std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
-{
-    x ^= x * 0x3d20adeau;
-    x += seed;
-    x *= (seed >> 16) | 1u;
-    x ^= x * 0x05526c56u;
-    x ^= x * 0x53a22864u;
-    return x;
-}
-
-/// Maps a 32-bit fraction to the middle of its cell in (0, 1). It is read as a signed number, since processors convert those faster; that
-/// flips the highest bit, which the scrambling made random.
-inline double ToUnit(std::uint32_t x)
-{
-    return static_cast<std::int32_t>(x) * 0x1p-32 + (0.5 + 0x1p-33);
-}
-
 /// The Sobol point of an index, bits reversed.
 inline Lanes SobolPoint(std::uint32_t index)
 {
@@ -142,34 +112,6 @@ inline Lanes SobolPoint(std::uint32_t index)
             point.value[dim] ^= digitTable.entry[place][index & 15u].value[dim];
     return point;
 }
-
-/// One coordinate of a group of samples. A plain loop, which compilers vectorise.
-/// @param first  Sobol point of the first sample, as SobolPoint() gives it
-TILT_LENS_INLINED void FindCoordinates(std::uint32_t first, std::uint32_t seed, const std::uint32_t* steps, double* coordinates)
-{
-    for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; ++i)
-        coordinates[i] = ToUnit(ReverseBits(Scramble(first ^ steps[i], seed)));
-}
-
-TILT_LENS_INLINED void FindPoints(const Lanes& first, const std::uint32_t* seeds, SequencePoints& points)
-{
-    FindCoordinates(first.value[0], seeds[0], groupTable.value[0], points.lensU);
-    FindCoordinates(first.value[1], seeds[1], groupTable.value[1], points.lensV);
-    FindCoordinates(first.value[2], seeds[2], groupTable.value[2], points.pixelX);
-    FindCoordinates(first.value[3], seeds[3], groupTable.value[3], points.pixelY);
-}
-
-void FindPointsPlain(const Lanes& first, const std::uint32_t* seeds, SequencePoints& points)
-{
-    FindPoints(first, seeds, points);
-}
-
-TILT_LENS_FOR_AVX2 void FindPointsByAvx2(const Lanes& first, const std::uint32_t* seeds, SequencePoints& points)
-{
-    FindPoints(first, seeds, points);
-}
-
-const auto findPoints = HasAvx2() ? FindPointsByAvx2 : FindPointsPlain;
 
 }  // namespace
 
@@ -197,7 +139,7 @@ SequencePoint PixelSampler::operator()(std::uint32_t index) const
 
 void PixelSampler::FindGroup(std::uint32_t index, SequencePoints& points) const
 {
-    findPoints(SobolPoint(index - index % settings.cameraRaysOfBatch), scrambleSeed, points);
+    kernels->findPoints(SobolPoint(index - index % settings.cameraRaysOfBatch).value, scrambleSeed, groupTable, points);
 }
 
 Pair PixelSampler::PaddedPair(std::uint32_t index, std::uint32_t number) const

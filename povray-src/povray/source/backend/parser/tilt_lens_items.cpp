@@ -48,6 +48,7 @@ const NumberRange kFringe = Within(-100, 100, "millimetres between the images of
 
 } // namespace
 
+// clang-format off
 const std::vector<TiltLensItem> kTiltLensItems = {
     {"film_width", "MM", "36", {{kPositive, SET(statement.filmWidth)}}},
     {"focal_length", "MM", "50", {{kPositive, SET(statement.focalLength)}}},
@@ -91,6 +92,7 @@ const std::vector<TiltLensItem> kTiltLensItems = {
     {"focus_peaking", "COLOUR [, PIXELS]", "rgb <1, 0, 0>", {}, ReadFocusPeaking},
     {"focus_map", "", "", {}, [](ItemReader&, TiltLensCamera& lens) { lens.aids.map = true; }},
     {"show_planes", "", "", {}, [](ItemReader&, TiltLensCamera& lens) { lens.aids.planes = true; }}};
+// clang-format on
 
 #undef SET
 

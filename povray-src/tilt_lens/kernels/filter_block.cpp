@@ -1,0 +1,332 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include <iterator>
+#include <utility>
+
+#include "tilt_lens/kernels/variant.h"
+#include "tilt_lens/reconstruction/filter_input.h"
+#include "tilt_lens/reconstruction/filters.h"
+#include "tilt_lens/reconstruction/padded_spread.h"
+
+namespace tilt_lens::TILT_LENS_VARIANT
+{
+
+namespace
+{
+
+constexpr int kColumns = PaddedBlock::kColumns;
+constexpr int kSide = int(settings.blockSide);
+constexpr int kPixels = kSide * kSide;
+
+/// One number per pixel of a padded block.
+constexpr std::size_t kPlane = PaddedBlock::kRows * PaddedBlock::kColumns;
+using Plane = float[kPlane];
+
+constexpr int kWidth = kVectorWidth<Floats>;
+
+TILT_LENS_INLINED constexpr int At(int x, int y) { return PaddedBlock::At(x, y); }
+
+/// The wanted rows with a margin on all sides.
+struct Part
+{
+    int left, right, top, bottom;
+
+    Part(const FilterInput& input, int margin) :
+        left(-margin), right(kSide + margin), top(input.firstRow - margin), bottom(input.endRow + margin)
+    {
+    }
+
+    /// Calls `visit` with the index of the first of each vector of pixels; the last vector of a row may extend beyond it.
+    template<class Visit>
+    TILT_LENS_INLINED void ForEach(const Visit& visit) const
+    {
+        for (int y = top; y < bottom; y++)
+            for (int x = left; x < right; x += kWidth)
+                visit(At(x, y));
+    }
+};
+
+/// Means over a window of radius `kRadius` around each pixel of the wanted rows.
+template<int kRadius>
+TILT_LENS_INLINED void MeanAround(const float* values, const FilterInput& input, Plane& means)
+{
+    constexpr float share = 1.0f / ((2 * kRadius + 1) * (2 * kRadius + 1));
+    float column[kColumns];
+    for (int y = input.firstRow; y < input.endRow; y++)
+    {
+        for (int x = -kRadius; x < kSide + kRadius; x += kWidth)
+        {
+            Floats sum = Floats();
+            for (int dy = -kRadius; dy <= kRadius; dy++)
+                sum += Load<Floats>(&values[At(x, y + dy)]);
+            Store(column + x + kRadius, sum);
+        }
+        for (int x = 0; x < kSide; x += kWidth)
+        {
+            Floats sum = Floats();
+            for (int dx = 0; dx <= 2 * kRadius; dx++)
+                sum += Load<Floats>(column + x + dx);
+            Store(&means[At(x, y)], share * sum);
+        }
+    }
+}
+
+/// Results of the filters along rows, for all products with filters along columns.
+template<int kChannels>
+class FilteredRows
+{
+  public:
+    TILT_LENS_INLINED FilteredRows(const FilterInput& around, const Part& risky) : around(around)
+    {
+        FilterRows<kFit5>(risky);
+        FilterRows<kFit9>(risky);
+        FilterRows<kMean9>(risky);
+    }
+
+    TILT_LENS_INLINED const float* Mean(Filter across, int c) const
+    {
+        return across == kNone ? around.mean[c] : means[across - 1][c];
+    }
+
+  private:
+    const FilterInput& around;
+    Plane means[kFilters - 1][kChannels];
+
+    template<Filter kFilter>
+    TILT_LENS_INLINED void FilterRows(const Part& risky)
+    {
+        const auto filter = [](const Part& part, const float* from, float* to) TILT_LENS_INLINED_LAMBDA
+        {
+            Part higher = part;
+            higher.top -= settings.filterRadius;
+            higher.bottom += settings.filterRadius;
+            higher.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&to[i], Filtered<Floats, kFilter>(&from[i], 1)); });
+        };
+        for (int c = 0; c < kChannels; c++)
+            filter(risky, around.mean[c], means[kFilter - 1][c]);
+    }
+};
+
+/// Variance of filtered white noise of variance 1.
+constexpr float NoiseLeftBy(Filter filter)
+{
+    float sum = kTaps[filter][0] * kTaps[filter][0];
+    for (int i = 1; i <= settings.filterRadius; i++)
+        sum += 2.0f * kTaps[filter][i] * kTaps[filter][i];
+    return sum;
+}
+
+/// A candidate of the bank.
+template<int kChannels, Filter kAcross, Filter kDown, int kSlant>
+struct ProductFilter
+{
+    const FilteredRows<kChannels>& rows;
+
+    static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
+    static constexpr float Preference(int) { return 1.0f; }
+    static constexpr float NoiseLeft(int) { return NoiseLeftBy(kAcross) * NoiseLeftBy(kDown); }
+
+    TILT_LENS_INLINED Floats Mean(int c, int i) const { return Filtered<Floats, kDown>(&rows.Mean(kAcross, c)[i], kColumns + kSlant); }
+};
+
+template<int kChannels>
+class RiskWeightedMean
+{
+  public:
+    explicit TILT_LENS_INLINED RiskWeightedMean(const FilterInput& around) :
+        around(around), risky(around, settings.riskRadius), wanted(around, 0)
+    {
+        const Floats least = Floats() + 1e-30f, most = Floats() + 1e30f;
+        risky.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
+        {
+            const Floats variance = Min(Load<Floats>(&around.noise[i]), most);
+            const Floats unit = 1.0f / (variance + least);
+            Store(&units[i], unit);
+            Store(&noises[i], unit * variance);
+        });
+        MeanAround<settings.riskRadius>(noises, around, noiseAround);
+        MeanAround<settings.nearRiskRadius>(noises, around, noiseNear);
+    }
+
+    /// @param candidate  a linear estimate of the pixels from index i on: Mean(channel, i); CentreTap(i), its tap of the pixel itself;
+    ///     NoiseLeft(i), the fraction of the pixel's variance that it leaves; Preference(i), its weight relative to a filter with the same
+    ///     risk
+    template<class Candidate>
+    TILT_LENS_INLINED void Add(const Candidate& candidate)
+    {
+        FindRisk(candidate);
+        MeanAround<settings.riskRadius>(limited, around, riskAround);
+        MeanAround<settings.nearRiskRadius>(risk, around, riskNear);
+        wanted.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
+        {
+            const Floats weight = candidate.Preference(i) * WeightOf(i);
+            Store(&weights[i], Load<Floats>(&weights[i]) + weight);
+            Store(&noiseLeft[i], Load<Floats>(&noiseLeft[i]) + weight * candidate.NoiseLeft(i));
+            for (int c = 0; c < kChannels; c++)
+                Store(&means[c][i], Load<Floats>(&means[c][i]) + weight * candidate.Mean(c, i));
+        });
+    }
+
+    /// Result for a pixel of the block; unchanged if its surroundings have no noise.
+    float MeanOf(int c, int i) const
+    {
+        const float own = around.mean[c][i];
+        if (!(weights[i] > 0.0f))
+            return own;
+        // fitted parabolas overshoot: keep colours non-negative and transparency at most 1
+        const float mean = Max(Min(own, 0.0f), means[c][i] / weights[i]);
+        return c < 3 ? mean : Min(Max(own, 1.0f), mean);
+    }
+    /// Upper bound of the remaining fraction of a pixel's variance: the variance of a mean of estimates is at most the mean of their
+    /// variances.
+    float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
+
+    const Part& Risky() const { return risky; }
+
+  private:
+    const FilterInput& around;
+    const Part risky, wanted;
+    Plane units, noises, noiseAround, noiseNear, risk, limited, riskAround, riskNear;
+    Plane weights{}, noiseLeft{};
+    Plane means[kChannels]{};
+
+    template<class Candidate>
+    TILT_LENS_INLINED void FindRisk(const Candidate& candidate)
+    {
+        risky.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
+        {
+            const auto noiseTaken = 1.0f - 2.0f * candidate.CentreTap(i);
+            Floats squares = Floats();
+            for (int c = 0; c < kChannels; c++)
+            {
+                const Floats difference = candidate.Mean(c, i) - Load<Floats>(&around.mean[c][i]);
+                squares += difference * difference;
+            }
+            const Floats noise = Load<Floats>(&noises[i]), all = squares * Load<Floats>(&units[i]) - noiseTaken * noise;
+            const Floats whole = Min(all, Floats() + settings.greatestFiniteRisk);
+            Store(&risk[i], whole);
+            Store(&limited[i], Min(whole, settings.riskLimit * noise));
+        });
+    }
+
+    TILT_LENS_INLINED Floats WeightOf(int i) const
+    {
+        const Floats before = Load<Floats>(&noiseAround[i]);
+        const Floats near = Load<Floats>(&riskNear[i]) - settings.chanceRisk * Load<Floats>(&noiseNear[i]);
+        const Floats after = Max(Max(Load<Floats>(&riskAround[i]), near), 1.0f / settings.greatestRisk * before + 1e-30f);
+        const Floats root = Max(before / after - 1.0f / settings.greatestRisk, Floats());
+        return root * root;
+    }
+};
+
+/// Each pixel's spread estimate S = t q + (1 - t) o, with the mean o of received samples and the weight t of its own; corrected, S + F (q -
+/// S) with the mean F over 9 by 9 pixels.
+template<bool kCorrected>
+class SpreadCandidate
+{
+  public:
+    TILT_LENS_INLINED SpreadCandidate(const FilterInput& around, const Part& risky)
+    {
+        const SpreadInput& spread = *around.spread;
+        for (std::size_t i = 0; i < kPlane; i++)
+        {
+            const float share = spread.ownShare[i] * around.samples[i];
+            ownTap[i] = spread.share[i] > 0.0f ? share / (share + spread.share[i]) : 1.0f;
+            const float others = ReceivedSamples(spread.samples[i], spread.share[i], spread.ownShare[i]), noise = around.noise[i];
+            const float noiseOfOthers = others > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (others * noise), 1.0f) : 1.0f;
+            noiseLeft[i] = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
+            weight[i] = settings.spreadWeight * (1.0f + settings.missedWeight * around.missed[i]);
+        }
+        for (int c = 0; c < 3; c++)
+            Estimate(around.mean[c], spread.mean[c], risky, means[c]);
+    }
+
+    TILT_LENS_INLINED Floats Mean(int c, int i) const { return Load<Floats>(&means[c][i]); }
+    TILT_LENS_INLINED Floats CentreTap(int i) const
+    {
+        return Load<Floats>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
+    }
+    TILT_LENS_INLINED Floats NoiseLeft(int i) const
+    {
+        return Load<Floats>(&noiseLeft[i]) + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f);
+    }
+    /// Geometry favours S where it is made of other pixels' samples, and more where the pixel's own samples have missed something.
+    TILT_LENS_INLINED Floats Preference(int i) const
+    {
+        const Floats others = 1.0f - Load<Floats>(&ownTap[i]), square = others * others;
+        return Load<Floats>(&weight[i]) * square * square;
+    }
+
+  private:
+    Plane ownTap, noiseLeft, weight;
+    Plane means[3];
+
+    TILT_LENS_INLINED void Estimate(const float* own, const float* others, const Part& part, float* estimate) const
+    {
+        Plane missing, rows;
+        for (std::size_t i = 0; i < kPlane; i++)
+        {
+            missing[i] = (1.0f - ownTap[i]) * (own[i] - others[i]);
+            estimate[i] = own[i] - missing[i];
+        }
+        if (!kCorrected)
+            return;
+        Part higher = part;
+        higher.top -= settings.filterRadius;
+        higher.bottom += settings.filterRadius;
+        higher.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&rows[i], Filtered<Floats, kMean9>(&missing[i], 1)); });
+        part.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
+            { Store(&estimate[i], Load<Floats>(&estimate[i]) + Filtered<Floats, kMean9>(&rows[i], kColumns)); });
+    }
+};
+
+template<int kChannels, std::size_t... kNumber>
+TILT_LENS_INLINED void AddBank(RiskWeightedMean<kChannels>& mean, const FilteredRows<kChannels>& rows, std::index_sequence<kNumber...>)
+{
+    (mean.Add(ProductFilter<kChannels, kBank[kNumber].across, kBank[kNumber].down, kBank[kNumber].slant>{rows}), ...);
+}
+
+template<int kChannels>
+TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOutput& block)
+{
+    RiskWeightedMean<kChannels> mean(around);
+    const FilteredRows<kChannels> filteredRows(around, mean.Risky());
+    AddBank(mean, filteredRows, std::make_index_sequence<std::size(kBank)>());
+    if (kChannels == 3 && around.spread != nullptr)
+    {
+        mean.Add(SpreadCandidate<false>(around, mean.Risky()));
+        mean.Add(SpreadCandidate<true>(around, mean.Risky()));
+    }
+    for (int i = 0; i < kPixels; i++)
+    {
+        const int at = At(i % kSide, i / kSide);
+        for (int c = 0; c < kChannels; c++)
+            block.mean[c][i] = mean.MeanOf(c, at);
+        block.residualVarianceRatio[i] = Min(mean.NoiseLeftOf(at), 1.0f);
+    }
+}
+
+} // namespace
+
+void FilterBlock(const FilterInput& input, const FilterOutput& output)
+{
+    if (input.channels == 3)
+        FilterChannels<3>(input, output);
+    else
+        FilterChannels<5>(input, output);
+}
+
+void EstimateSpread(const FilterInput& input, const FilterOutput& output)
+{
+    const SpreadCandidate<false> estimate(input, Part(input, 0));
+    for (int i = 0; i < kPixels; i++)
+    {
+        const int at = At(i % kSide, i / kSide);
+        for (int c = 0; c < 5; c++)
+            output.mean[c][i] = c < 3 && input.channels == 3 ? estimate.Mean(c, at)[0] : input.mean[c][at];
+        output.residualVarianceRatio[i] = 1.0f;
+    }
+}
+
+} // namespace tilt_lens::TILT_LENS_VARIANT

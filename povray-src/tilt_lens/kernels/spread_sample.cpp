@@ -1,0 +1,270 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/kernels/variant.h"
+#include "tilt_lens/reconstruction/blur_ellipse.h"
+
+namespace tilt_lens::TILT_LENS_VARIANT
+{
+
+namespace
+{
+
+using Planes = SpreadPlanes;
+
+constexpr int kReach = Planes::kReach, kMostLanes = Planes::kMostLanes;
+
+/// Rows or columns within reach of a sample: kReach before its own to kReach behind it.
+constexpr int kRows = 2 * kReach + 1;
+/// kRows, padded to whole vectors.
+constexpr int kLanes = kRows + 1;
+static_assert(kLanes % kMostLanes == 0, "vectors hold them without a rest");
+
+/// Numbers with padding: a row's last vector may read beyond it.
+struct alignas(32) LaneNumbers
+{
+    float of[kLanes + kMostLanes]{};
+};
+
+constexpr LaneNumbers Numbered()
+{
+    LaneNumbers numbers{};
+    for (int i = 0; i < kLanes; i++)
+        numbers.of[i] = float(i - kReach);
+    return numbers;
+}
+
+constexpr LaneNumbers kOffsets = Numbered();
+
+/// Distance, in pixels, at which the window of a sample ends.
+constexpr float kWindowRadius = kReach + 1;
+
+/// Window along rows and columns, 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.
+constexpr LaneNumbers WindowOf(const LaneNumbers& offsets)
+{
+    LaneNumbers window{};
+    for (int i = 0; i < kLanes; i++)
+        window.of[i] = 1.0f - offsets.of[i] * offsets.of[i] / (kWindowRadius * kWindowRadius);
+    return window;
+}
+
+constexpr LaneNumbers kWindow = WindowOf(kOffsets);
+
+/// Integral of the window from 0 to each distance, at most its radius.
+TILT_LENS_INLINED Floats WindowUpTo(const Floats& distance)
+{
+    const Floats most = kWindowRadius - Floats(), limited = Max<Floats>(-most, Min<Floats>(most, distance));
+    return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
+}
+
+/// The difference for the end and the begin of a row of pixels, as distances from the middle of the sample's own, is the sum of the window
+/// over them.
+TILT_LENS_INLINED Floats WindowSumUpTo(const Floats& distance)
+{
+    constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
+    return distance * ((1.0f + inverse / 12.0f) - distance * distance * (inverse / 3.0f));
+}
+
+/// Mask of a row's last vector: loaded from index kMostLanes - count, it starts with `count` ones.
+constexpr float kInRow[2 * kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
+
+constexpr int kWidth = kVectorWidth<Floats>;
+
+/// Extent of a circle of confusion along one axis of the picture.
+struct Extent
+{
+    float middle, half;  ///< pixels
+
+    /// For each pixel within reach of a sample of pixel `own`: integral of its window over the part of the extent that lies in the picture.
+    TILT_LENS_INLINED void FindSenders(int own, const PictureSpan& picture, LaneNumbers& senders) const
+    {
+        const float from = Max(picture.begin, middle - half), to = Min(picture.end, middle + half);
+        for (int i = 0; i < kLanes; i += kWidth)
+        {
+            const Floats centre = Load<Floats>(kOffsets.of + i) + (float(own) + 0.5f);
+            const Floats integral = WindowUpTo(to - centre) - WindowUpTo(from - centre);
+            Store(senders.of + i, Max<Floats>(integral, 1.0f - Floats()));
+        }
+    }
+};
+
+/// The pixels of a circle of confusion at most kReach away from the sample's own, row by row.
+struct CirclePixels
+{
+    int begin[kLanes], end[kLanes], count = 0;
+    float windowOf[kLanes], windowed = 0.0f;  ///< sums of the window: along each row, over all pixels
+    unsigned int rows = 0;  ///< a bit for each row that is not empty
+    Extent across{}, down{};
+
+    TILT_LENS_INLINED void Find(const CircleOfConfusion& circle, int column, int row)
+    {
+        const BlurEllipse ellipse(circle);
+        if (!ellipse.IsWide())
+            return;
+        for (int i = 0; i < kLanes; i += kWidth)
+            FindRows(i, circle, column, float(row), ellipse);
+        begin[kRows] = end[kRows] = 0;
+        rows &= (1u << kRows) - 1;
+        for (int i = 0; i < kRows; i++)
+            count += end[i] - begin[i];
+        Float4 sums{};  // in the same order for all vectors
+        for (int i = 0; i < kLanes; i += 4)
+            sums += Load<Float4>(kWindow.of + i) * Load<Float4>(windowOf + i);
+        windowed = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        across = {circle.x, SquareRoot(ellipse.xx)};
+        down = {circle.y, SquareRoot(ellipse.yy)};
+    }
+
+  private:
+    TILT_LENS_INLINED void FindRows(int i, const CircleOfConfusion& circle, int column, float row, const BlurEllipse& ellipse)
+    {
+        const Floats none = Floats(), below = Load<Floats>(kOffsets.of + i) + row + 0.5f - circle.y;
+        const Floats open = 1.0f - below * below / ellipse.yy;  // remaining fraction of the squared half width
+        const Ints met = open > none;
+        const Floats middle = circle.x + ellipse.lean * below - 0.5f, half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? open : none));
+        const float left = float(column - kReach), right = float(column + kReach);
+        const Floats least = Clamp(middle - half, left, right + 1.0f), most = Clamp(middle + half, left - 1.0f, right);
+        Ints from = __builtin_convertvector(least, Ints), to = __builtin_convertvector(most, Ints);
+        // a true comparison is -1: round up, and down
+        from -= __builtin_convertvector(from, Floats) < least;
+        to += __builtin_convertvector(to, Floats) > most;
+        const Ints first = from & met, last = Max<Ints>(to + 1, from) & met;
+        const float own = float(column) + 0.5f;
+        Store(windowOf + i, WindowSumUpTo(__builtin_convertvector(last, Floats) - own) -
+                            WindowSumUpTo(__builtin_convertvector(first, Floats) - own));
+        rows |= SignBits(first < last) << i;
+        Store(begin + i, first);
+        Store(end + i, last);
+    }
+
+    static TILT_LENS_INLINED Floats Clamp(const Floats& value, float least, float most)
+    {
+        return Min<Floats>(most - Floats(), Max<Floats>(least - Floats(), value));
+    }
+};
+
+/// Densities of a lens that is not the unit disc, at the pixels of a circle, row by row.
+struct Densities
+{
+    float of[kRows * kRows + kMostLanes];  ///< padding: read, not used
+    float sum = 0.0f;  ///< over the pixels, times the window
+
+    void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
+    {
+        const float inverse = 1.0f / (circle.xa * circle.yb - circle.xb * circle.ya);
+        const AperturePoints step{-circle.yb * inverse, circle.ya * inverse};
+        float* to = of;
+        for (int i = 0; i < kRows; i++)
+        {
+            const float dx = circle.x - pixels.begin[i] - 0.5f, dy = circle.y - (row + i - kReach) - 0.5f;
+            const AperturePoints first{(circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse};
+            const int count = pixels.end[i] - pixels.begin[i];
+            circle.lens->FindDensities(first, step, count, to);
+            const int place = pixels.begin[i] - column + kReach;
+            for (int k = 0; k < count; k++)
+                sum += kWindow.of[i] * kWindow.of[place + k] * to[k];
+            to += count;
+        }
+        for (int k = 0; k < kMostLanes; k++)
+            to[k] = 0.0f;
+    }
+};
+
+/// Squared length of a colour.
+TILT_LENS_INLINED float SquareOf(const Float4& value) { return value[0] * value[0] + value[1] * value[1] + value[2] * value[2]; }
+
+/// One row of a circle's pixels, with their shares relative to the sample's own pixel.
+struct RowShares
+{
+    const float* ofColumns;
+    int begin, end;
+    const float* density;  ///< of the lens, from the first pixel on; null: uniform
+
+    float DensityAt(int column) const { return density != nullptr ? density[column - begin] : 1.0f; }
+
+    /// Shares of a vector of pixels; zero beyond the row.
+    TILT_LENS_INLINED Floats From(int column) const
+    {
+        const int count = Min(kMostLanes, end - column);
+        const Floats shares = Load<Floats>(kInRow + kMostLanes - count) * Load<Floats>(ofColumns + column);
+        return density != nullptr ? Load<Floats>(density + (column - begin)) * shares : shares;
+    }
+};
+
+/// @param first    index of column 0 in a plane
+/// @param value    red, green, blue and 1, times the sample's weight
+/// @param square   squared colour, summed over the channels
+/// @param samples  number of samples that this one counts for
+TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square, float samples)
+{
+    const auto add = [&planes, first](int sum, int x, const Floats& part) TILT_LENS_INLINED_LAMBDA
+    {
+        float* const to = planes.sums[sum] + first + x;
+        Store(to, Load<Floats>(to) + part);
+    };
+    for (int x = shares.begin; x < shares.end; x += kWidth)
+    {
+        const Floats share = shares.From(x);
+        for (int c = Planes::kRed; c <= Planes::kShare; c++)
+            add(c, x, share * value[c]);
+        add(Planes::kSquares, x, share * square);
+        add(Planes::kSamples, x, share * samples);
+    }
+}
+
+/// @param density  of the lens at each pixel; null: uniform
+/// @param sum      of the densities
+/// @param value    red, green, blue and 1
+TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
+                            int column, int row)
+{
+    LaneNumbers ofColumns, ofRows;  // shares: of columns relative to the sample's own, of rows absolute
+    pixels.across.FindSenders(column, planes.columns, ofColumns);
+    pixels.down.FindSenders(row, planes.rows, ofRows);
+    const float toColumn = ofColumns.of[kReach], toRow = ofRows.of[kReach];
+    for (int i = 0; i < kLanes; i += kWidth)
+    {
+        const Floats window = Load<Floats>(kWindow.of + i);
+        Store(ofColumns.of + i, toColumn * window / Load<Floats>(ofColumns.of + i));
+        Store(ofRows.of + i, toRow * window / (sum * Load<Floats>(ofRows.of + i)));
+    }
+    LaneNumbers ofOthers = ofColumns;  // nothing is sent to the sample's own pixel
+    ofOthers.of[kReach] = 0.0f;
+    for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
+    {
+        const int i = __builtin_ctz(rest);
+        const RowShares shares{(i == kReach ? ofOthers : ofColumns).of - (column - kReach), pixels.begin[i], pixels.end[i], density};
+        if (i == kReach && column >= shares.begin && column < shares.end)
+            planes.own[row * int(settings.blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
+        const float weighted = weight * ofRows.of[i];
+        AddRow(planes, Planes::PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value), ofRows.of[i]);
+        if (density != nullptr)
+            density += shares.end - shares.begin;
+    }
+}
+
+} // namespace
+
+bool SpreadSample(Planes& planes, int column, int row, const CircleOfConfusion& circle, const double* radiance, float weight)
+{
+    const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};
+    CirclePixels pixels;
+    if (IsFinite(SquareOf(value)))
+        pixels.Find(circle, column, row);
+    const bool shaped = pixels.count > 1 && !circle.lens->IsDisc();
+    float sum = pixels.windowed;
+    Densities densities;
+    if (shaped)
+    {
+        densities.Find(circle, pixels, column, row);
+        sum = densities.sum;
+    }
+    if (pixels.count <= 1 || !(sum > 0.0f))
+        return false;
+    planes.spread = true;
+    planes.own[row * int(settings.blockSide) + column].weight += weight;
+    Send(planes, pixels, shaped ? densities.of : nullptr, sum, value, weight, column, row);
+    return true;
+}
+
+} // namespace tilt_lens::TILT_LENS_VARIANT

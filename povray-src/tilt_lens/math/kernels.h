@@ -1,0 +1,119 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file kernels.h
+/// The functions that are worth vector registers of 32 bytes. The folder kernels/ is compiled twice: for every processor into the
+/// namespace `plain`, and on x86 for AVX2 into the namespace `avx2`. Both give the same results to the last bit.
+
+#ifndef TILT_LENS_KERNELS_H
+#define TILT_LENS_KERNELS_H
+
+#include <cstddef>
+#include <cstdint>
+
+namespace tilt_lens
+{
+
+struct CameraSamples;
+struct CircleOfConfusion;
+struct FilterInput;
+struct FilterOutput;
+struct FourGlassPoints;
+struct FourGlassRays;
+struct FourGlassSamples;
+struct FourPupils;
+struct FourStopPoints;
+struct GlassFilm;
+struct GlassSurface;
+struct GroupTable;
+struct Lens;
+struct PupilNode;
+struct Quads;
+struct RayArrays;
+struct SampleResult;
+struct SequencePoints;
+struct SpreadPlanes;
+
+struct Kernels
+{
+    /// @name Samples
+    /// @{
+
+    /// The points of a group, as PixelSampler gives them one by one.
+    /// @param first  Sobol point of the group's first sample, bits reversed
+    /// @param seeds  of the scrambling of each dimension
+    void (*findPoints)(const std::uint32_t* first, const std::uint32_t* seeds, const GroupTable& steps, SequencePoints& points);
+
+    /// Film points, by FilmPointAt(), and weights 1.
+    void (*findFilmPoints)(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
+                           CameraSamples& samples);
+
+    /// Adds the radiances of a run to a sum and to a sum of squares. Returns false, with nothing added, if any may be infinite or NaN.
+    /// @param sum, squares  of a Radiance's channels
+    bool (*addRadiances)(const SampleResult* results, std::uint32_t count, double* sum, double* squares, double& greatestEmission);
+    /// @}
+
+    /// @name Rays
+    /// @{
+
+    /// Maps points of the unit square to the unit disc.
+    /// @param count  a multiple of 4
+    void (*mapToDisc)(const double* u, const double* v, double* a, double* b, int count);
+
+    /// FindPosition() for four points.
+    void (*findPositions)(const double* u, const double* v, double edges, double* positions, double* radii);
+
+    /// Rays of a lens without distortion.
+    /// @param begin, end  multiples of 4
+    /// @return            false if the squared length of a ray may overflow or underflow; then the rays are invalid
+    bool (*makeRays)(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
+
+    /// GlassLens::Trace() through a round stop.
+    unsigned int (*traceGlass)(const GlassSurface* begin, const GlassSurface* end, double stopScale, bool rims, FourGlassRays& rays,
+                               FourStopPoints& stop);
+
+    /// The views of four film points, interpolated in the table.
+    void (*findPupils)(const GlassFilm& film, const PupilNode* nodes, const FourGlassPoints& points, FourPupils& pupils);
+
+    /// Rays from the film points through points of their ellipses.
+    /// @param a, b  points of the unit disc
+    /// @return      one bit for each ray that exists
+    unsigned int (*aimAtPupils)(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays);
+
+    /// Rays that have left the lens, in the world's frame.
+    void (*leaveGlass)(const GlassFilm& film, const FourGlassPoints& points, const FourGlassRays& rays, FourGlassSamples& samples);
+    /// @}
+
+    /// @name Reconstruction
+    /// @{
+
+    /// Sends a sample's radiance to the pixels of its circle of confusion.
+    /// @return  false, with nothing changed, if the circle holds no pixel but its own
+    bool (*spreadSample)(SpreadPlanes& planes, int column, int row, const CircleOfConfusion& circle, const double* radiance, float weight);
+
+    /// Means of all filters, and of the spread estimates if there are any, weighted by risk.
+    void (*filterBlock)(const FilterInput& input, const FilterOutput& output);
+
+    /// The spread estimates alone.
+    void (*estimateSpread)(const FilterInput& input, const FilterOutput& output);
+    /// @}
+};
+
+namespace plain
+{
+extern const Kernels kKernels;
+}
+
+#ifdef TILT_LENS_AVX2
+namespace avx2
+{
+extern const Kernels kKernels;
+}
+#endif
+
+/// The best for this processor, chosen at program start. Tests replace them.
+extern const Kernels* kernels;
+
+} // namespace tilt_lens
+
+#endif

@@ -1,0 +1,36 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file filter_input.h
+/// The planes that the kernels of the reconstruction read and write.
+
+#ifndef TILT_LENS_FILTER_INPUT_H
+#define TILT_LENS_FILTER_INPUT_H
+
+namespace tilt_lens
+{
+
+/// Planes of a PaddedSpread.
+struct SpreadInput
+{
+    const float *mean[3], *variance, *share, *samples, *ownShare;
+};
+
+/// Planes of a PaddedBlock, and the rows of its block to filter.
+struct FilterInput
+{
+    const float *mean[5], *noise, *missed, *samples;
+    int channels;               ///< 3, or 5 if a pixel is transparent
+    int firstRow, endRow;
+    const SpreadInput* spread;  ///< null: none
+};
+
+/// Planes of a ReconstructedBlock.
+struct FilterOutput
+{
+    float *mean[5], *residualVarianceRatio;
+};
+
+} // namespace tilt_lens
+
+#endif
