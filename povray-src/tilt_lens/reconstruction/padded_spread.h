@@ -34,11 +34,8 @@ class PaddedSpread
     std::array<Plane, 3> mean;  ///< mean radiance of received samples; 0: none
     Plane variance;  ///< variance of one received sample, summed over the channels
     Plane share;     ///< sum of received shares times weights
-    Plane samples;   ///< sum of received shares
+    Plane samples;   ///< received samples: number of equal shares whose mean has as much noise
     Plane ownShare;  ///< share that a sample of the pixel keeps for it, on average, [0, 1]
-
-    /// Approximate number of received samples.
-    float SamplesAt(std::size_t at) const { return share[at] > 0.0f && ownShare[at] > 0.0f ? samples[at] / ownShare[at] : 0.0f; }
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;

@@ -234,7 +234,7 @@ class SpreadCandidate
         {
             const float share = spread.ownShare[i] * around.Samples()[i];
             ownTap[i] = spread.share[i] > 0.0f ? share / (share + spread.share[i]) : 1.0f;
-            const float others = spread.SamplesAt(i), noise = around.Noise()[i];
+            const float others = spread.samples[i], noise = around.Noise()[i];
             const float noiseOfOthers = others > 0.0f && noise > 0.0f ? std::min(1.0f, spread.variance[i] / (others * noise)) : 1.0f;
             noiseLeft[i] = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
             weight[i] = settings.spreadWeight * (1.0f + settings.missedWeight * around.Missed()[i]);

@@ -280,19 +280,20 @@ struct RowShares
 /// @param first  index of column 0 in a plane
 /// @param value  red, green, blue and 1, times the sample's weight
 /// @param square  squared colour, summed over the channels
-/// @param samples  number of samples that this one counts for
 template<class Vector, class Planes>
-TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square, float samples)
+TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square)
 {
     const auto add = [first](auto& plane, int x, const Vector& part) TILT_LENS_INLINED_LAMBDA
         { Store(&plane[first + x], Load<Vector>(&plane[first + x]) + part); };
     for (int x = shares.begin; x < shares.end; x += kWidth<Vector>)
     {
         const Vector share = shares.From<Vector>(x);
-        for (int c = SpreadSums::kRed; c <= SpreadSums::kShare; c++)
+        for (int c = SpreadSums::kRed; c < SpreadSums::kShare; c++)
             add(planes[c], x, share * value[c]);
+        const Vector weighted = share * value[int(SpreadSums::kShare)];
+        add(planes[SpreadSums::kShare], x, weighted);
+        add(planes[SpreadSums::kSquaredShares], x, weighted * weighted);
         add(planes[SpreadSums::kSquares], x, share * square);
-        add(planes[SpreadSums::kSamples], x, share * samples);
     }
 }
 
@@ -349,7 +350,7 @@ TILT_LENS_INLINED void SpreadSums::Send(const CirclePixels& pixels, const float*
         if (i == kReach && column >= shares.begin && column < shares.end)
             own[row * int(settings.blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
         const float weighted = weight * ofRows.of[i];
-        AddRow<Vector>(sums, PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value), ofRows.of[i]);
+        AddRow<Vector>(sums, PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value));
         if (density != nullptr)
             density += shares.end - shares.begin;
     }

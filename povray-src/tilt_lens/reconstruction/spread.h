@@ -101,8 +101,8 @@ class SpreadSums
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
     /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the sum of
-    /// shares alone.
-    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSamples, kSums };
+    /// their squares.
+    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSquaredShares, kSums };
 
     /// @param block  the sending block, in the whole picture
     /// @param width, height  of the whole picture, pixels
