@@ -32,15 +32,9 @@ NEVER, ALWAYS = "1e30", "0"
 # Rule, section of docs/sampling.md, settings without the rule.
 RULES = (
     ("longer first rounds", 1, "farShare=2"),
-    ("shrinkage of the sample variance", 3, f"shrinkageSamples={ALWAYS}"),
+    ("rounds that end half-way between powers of two", 1, f"doubledSamples={2**31}"),
     ("prior of the variance ratio", 3, f"varianceRatioPrior={ALWAYS}"),
     ("outlying variance ratios", 3, f"outlyingRatio={NEVER}"),
-    ("decisions of pixels that see the same, together", 3, f"samplesToDecideTogether={NEVER}"),
-    ("variance target (all pixels keep V)", 3, "leastTarget=1,greatestTarget=1"),
-    ("target below V", 3, "leastTarget=1"),
-    ("target above V of pixels that stand out", 3, "greatestTarget=1"),
-    ("limit of the target of pixels that stand out", 3, f"greatestTarget={NEVER}"),
-    ("target in proportion to the samples", 3, f"typicalSampleVariance={ALWAYS}"),
     ("search for hidden emitters", 4, "hiddenEmitterSamples=0"),
     ("greatest and least risk", 5, f"greatestRisk={NEVER}"),
     ("limit of far risks", 5, f"riskLimit={NEVER}"),

@@ -30,8 +30,6 @@ struct Settings
     /// Radius of the 3 by 3 window whose sample variances are averaged (section 3).
     static constexpr int neighbourRadius = 1;
     static constexpr int neighbourhoodPixels = (2 * neighbourRadius + 1) * (2 * neighbourRadius + 1);
-    /// Radius of the 5 by 5 window over which local variance ratios are pooled (section 3).
-    static constexpr int ratioRadius = 2;
     /// Radius of the longest filters (section 5).
     static constexpr int filterRadius = 4;
     /// Radius of the 7 by 7 window over which risks are averaged, and of the 3 by 3 window in which they count in full (section 5).
@@ -52,7 +50,9 @@ struct Settings
     /// The first round of a block is doubled, up to mostFirstSamples (section 1), while at least farShare of its pixels need more than
     /// farFactor times the samples taken.
     static constexpr std::uint32_t mostFirstSamples = 16;
-    double farShare = 0.25, farFactor = 4.0;
+    double farShare = 0.25, farFactor = 8.0;
+    /// Rounds up to this number of samples double them (section 1).
+    std::uint32_t doubledSamples = 8;
     /// @}
 
     /// @name Steps and limits of computing
@@ -69,29 +69,12 @@ struct Settings
 
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
-    /// Number of samples at which a pixel's sample variance has the same weight as the mean of its 3 by 3 window.
-    double shrinkageSamples = 4.0;
-    /// Weight of the prior of a variance ratio, in equally noisy pixels. Prior of a quadrant: its ratio of the previous round. Prior of a 5
-    /// by 5 window: the ratio of the quadrant.
-    double varianceRatioPrior = 2.0;
-    /// A pixel keeps its own variance ratio if it exceeds that of its window by this factor: otherwise filters would take the pixel for
+    /// Weight of a quadrant's variance ratio of the previous round against that of this round, in equally noisy pixels. The first ratio is 1,
+    /// so quadrants with few noisy pixels keep a ratio on the safe side.
+    double varianceRatioPrior = 16.0;
+    /// A pixel keeps its own variance ratio if it exceeds that of its quadrant by this factor: otherwise filters would take the pixel for
     /// exact.
     double outlyingRatio = 4.0;
-    /// @}
-
-    /// @name Deciding together (section 3)
-    /// @{
-    /// Number of samples received from other pixels at which a pixel's own excess and the mean excess of its 3 by 3 window count alike in
-    /// the decision whether it has converged.
-    double samplesToDecideTogether = 8.0;
-    /// @}
-
-    /// @name Variance target (section 3)
-    /// @{
-    /// Variance of one sample for which a pixel's target is `variance`: between those of texture and of blurred edges.
-    double typicalSampleVariance = 0.003;
-    /// Least target over `variance`; greatest target over `variance`, for pixels with above-average deviation.
-    double leastTarget = 0.5, greatestTarget = 1.75;
     /// @}
 
     /// @name Emitter sampling (section 4)

@@ -233,7 +233,7 @@ class SpreadCandidate
         {
             const float share = spread.ownShare[i] * around.samples[i];
             ownTap[i] = spread.share[i] > 0.0f ? share / (share + spread.share[i]) : 1.0f;
-            const float others = ReceivedSamples(spread.samples[i], spread.share[i], spread.ownShare[i]), noise = around.noise[i];
+            const float others = spread.samples[i], noise = around.noise[i];
             const float noiseOfOthers = others > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (others * noise), 1.0f) : 1.0f;
             noiseLeft[i] = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
             weight[i] = settings.spreadWeight * (1.0f + settings.missedWeight * around.missed[i]);

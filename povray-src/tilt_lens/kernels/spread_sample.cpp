@@ -194,8 +194,7 @@ struct RowShares
 /// @param first    index of column 0 in a plane
 /// @param value    red, green, blue and 1, times the sample's weight
 /// @param square   squared colour, summed over the channels
-/// @param samples  number of samples that this one counts for
-TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square, float samples)
+TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square)
 {
     const auto add = [&planes, first](int sum, int x, const Floats& part) TILT_LENS_INLINED_LAMBDA
     {
@@ -205,10 +204,12 @@ TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares
     for (int x = shares.begin; x < shares.end; x += kWidth)
     {
         const Floats share = shares.From(x);
-        for (int c = Planes::kRed; c <= Planes::kShare; c++)
+        for (int c = Planes::kRed; c < Planes::kShare; c++)
             add(c, x, share * value[c]);
+        const Floats weighted = share * value[int(Planes::kShare)];
+        add(Planes::kShare, x, weighted);
+        add(Planes::kSquaredShares, x, weighted * weighted);
         add(Planes::kSquares, x, share * square);
-        add(Planes::kSamples, x, share * samples);
     }
 }
 
@@ -237,7 +238,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         if (i == kReach && column >= shares.begin && column < shares.end)
             planes.own[row * int(settings.blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
         const float weighted = weight * ofRows.of[i];
-        AddRow(planes, Planes::PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value), ofRows.of[i]);
+        AddRow(planes, Planes::PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value));
         if (density != nullptr)
             density += shares.end - shares.begin;
     }

@@ -62,6 +62,8 @@ inline bool IsNonZero(const Radiance& value)
 }
 
 /// The largest channel of variances or square errors, which are never negative.
+inline double MeanColour(const Radiance& value) { return (value[0] + value[1] + value[2]) / 3.0; }
+
 inline double LargestChannel(const Radiance& value)
 {
     double largest = 0.0;

@@ -45,7 +45,7 @@ PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t weight)
         const int begin = std::max(-kBorder, left - kReach), end = std::min(kSide + kBorder, left + kSide + kReach);
         for (int y = std::max(-kBorder, top - kReach); y < std::min(kSide + kBorder, top + kSide + kReach); y++)
             for (int sum = 0; sum < SpreadSums::kSums; sum++)
-                AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin, sum == SpreadSums::kSamples ? 1.0f : factor,
+                AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin, sum == SpreadSums::kSquaredShares ? factor * factor : factor,
                        &(*received)[sum][PaddedBlock::At(begin, y)]);
         for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
             for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
@@ -62,7 +62,7 @@ void PaddedSpread::Finish(const Received& received, std::size_t at)
     const Float4 none{}, shares = Load<Float4>(&received[SpreadSums::kShare][at]);
     const Mask4 known = shares > none;
     Store(&share[at], shares);
-    Store(&samples[at], Load<Float4>(&received[SpreadSums::kSamples][at]));
+    Store(&samples[at], known ? shares * shares / Load<Float4>(&received[SpreadSums::kSquaredShares][at]) : none);
     Float4 squares = known ? Load<Float4>(&received[SpreadSums::kSquares][at]) / shares : none;
     for (int c = 0; c < 3; c++)
     {

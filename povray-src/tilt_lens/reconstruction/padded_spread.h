@@ -17,13 +17,6 @@
 namespace tilt_lens
 {
 
-/// Approximate number of samples that a pixel has received.
-/// @param samples, share, ownShare  as in PaddedSpread
-TILT_LENS_INLINED float ReceivedSamples(float samples, float share, float ownShare)
-{
-    return share > 0.0f && ownShare > 0.0f ? samples / ownShare : 0.0f;
-}
-
 /// The spread estimates of the pixels of a block and its border, before their own samples are added.
 class PaddedSpread
 {
@@ -41,10 +34,8 @@ class PaddedSpread
     std::array<Plane, 3> mean;  ///< mean radiance of received samples; 0: none
     Plane variance;  ///< variance of one received sample, summed over the channels
     Plane share;     ///< sum of received shares times weights
-    Plane samples;   ///< sum of received shares
+    Plane samples;   ///< received samples: number of equal shares whose mean has as much noise
     Plane ownShare;  ///< share that a sample of the pixel keeps for it, on average, [0, 1]
-
-    float SamplesAt(std::size_t at) const { return ReceivedSamples(samples[at], share[at], ownShare[at]); }
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;

@@ -100,8 +100,8 @@ struct SpreadPlanes
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
     /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the sum of
-    /// shares alone.
-    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSamples, kSums };
+    /// their squares.
+    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSquaredShares, kSums };
 
     struct Own
     {
@@ -122,7 +122,7 @@ class SpreadSums : private SpreadPlanes
   public:
     using SpreadPlanes::kReach, SpreadPlanes::kSide;
     using SpreadPlanes::Sum, SpreadPlanes::kRed, SpreadPlanes::kGreen, SpreadPlanes::kBlue, SpreadPlanes::kShare, SpreadPlanes::kSquares,
-        SpreadPlanes::kSamples, SpreadPlanes::kSums;
+        SpreadPlanes::kSquaredShares, SpreadPlanes::kSums;
 
     /// @param block  the sending block, in the whole picture
     /// @param width, height  of the whole picture, pixels

@@ -4,6 +4,7 @@
 #include "tilt_lens/sampling/block.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/forecast.h"
@@ -34,7 +35,7 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
 /// Takes the missing samples of active pixels, up to number `until`. A reactivated pixel catches up round by round, so that its two buffers
 /// divide as those of other pixels.
 /// @param sent  receives the samples that serve other pixels; may be null
-void TakeSamples(BlockEstimate& estimate, std::uint32_t until, SentSamples* sent, const Tracer& trace)
+void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLimits& limits, SentSamples* sent, const Tracer& trace)
 {
     const Area& area = estimate.area;
     std::array<SampleResult, settings.cameraRaysOfBatch> results;
@@ -44,7 +45,7 @@ void TakeSamples(BlockEstimate& estimate, std::uint32_t until, SentSamples* sent
             PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
             PixelStatistics& own = pixel.statistics;
             while (pixel.active && own.Samples() < until)
-                TakeRound(own, x, y, own.Samples() == 0 ? until : std::min(2 * own.Samples(), until), sent, trace, results.data());
+                TakeRound(own, x, y, own.Samples() == 0 ? until : std::min(limits.NextRound(own.Samples()), until), sent, trace, results.data());
         }
 }
 
@@ -61,6 +62,14 @@ bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& l
         return pixel.varianceRatio * LargestChannel(RelativeTo(own.Mean(), own.Variance())) > far;
     });
     return pixels >= settings.farShare * estimate.pixels.size();
+}
+
+/// Samples received from the block's own rounds and its neighbours' first rounds.
+std::shared_ptr<const PaddedSpread> ReceivedSpread(const Neighbourhood& around, const SpreadSums* own)
+{
+    std::array<const SpreadSums*, 9> sent = EachOf<SpreadSums>(around.rounds, &FirstRound::spread);
+    sent[4] = own;
+    return PaddedSpread::Of(sent, around.rounds[4]->samples);
 }
 
 std::vector<std::uint32_t> SamplesOf(const BlockEstimate& estimate)
@@ -104,7 +113,7 @@ void Block::Look(const SamplingLimits& limits, const Tracer& trace)
     do
     {
         samples = samples == 0 ? limits.FirstRound() : 2 * samples;
-        TakeSamples(*first, samples, limits.variance > 0.0 ? &sent : nullptr, trace);
+        TakeSamples(*first, samples, limits, limits.variance > 0.0 ? &sent : nullptr, trace);
         UpdateVarianceRatios(*first, samples);
     }
     while (2 * samples <= std::min(limits.max, settings.mostFirstSamples) && IsFarFromConvergence(*first, limits));
@@ -121,8 +130,10 @@ void Block::TakeRounds(BlockEstimate& current, const Neighbourhood& around, cons
 {
     do
     {
-        samples = std::min(2 * samples, limits.max);
-        TakeSamples(current, samples, sent, trace);
+        samples = limits.NextRound(samples);
+        TakeSamples(current, samples, limits, sent, trace);
+        if (sent != nullptr && current.spread)
+            current.spread = ReceivedSpread(around, sent->Spread(SamplesOf(current), firstRound->samples).get());
         UpdateVarianceRatios(current, samples);
     }
     while (UpdateConvergence(current, around, limits, samples));
@@ -135,7 +146,7 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
     const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     auto converged = std::make_unique<BlockEstimate>(*estimate);
     const std::uint32_t samples = converged->firstSamples;
-    converged->spread = PaddedSpread::Of(EachOf<SpreadSums>(around.rounds, &FirstRound::spread), samples);
+    converged->spread = ReceivedSpread(around, firstRound->spread.get());
     spread = firstRound->spread;
     if (UpdateConvergence(*converged, around, limits, samples))
     {
@@ -156,27 +167,30 @@ void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, c
     std::shared_ptr<const PaddedSpread> received;
     if (limits.Denoises())
         received = PaddedSpread::Of(EachOf<SpreadSums>(neighbours, &Block::spread), firstRound->samples);
+    const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     BlockEstimate last = *estimate;
     if (const std::uint32_t samples = received ? ActivateWhereMissed(last, *received, limits) : 0)
     {
         last.spread = received;
         last.statisticsSamples = 0;
-        TakeRounds(last, Neighbourhood(EachOf<FirstRound>(neighbours, &Block::firstRound), limits), limits, samples, nullptr, trace);
+        TakeRounds(last, around, limits, samples, nullptr, trace);
     }
-    SetResults(last);
+    SetResults(last, around.loneVariance);
     if (last.statistics)
         ReconstructResults(neighbours, limits, last.statistics.get(), received.get());
     estimate.reset();
 }
 
-void Block::SetResults(const BlockEstimate& last)
+void Block::SetResults(const BlockEstimate& last, double loneVariance)
 {
     results.clear();
     results.reserve(last.pixels.size());
-    for (const PixelEstimate& pixel : last.pixels)
+    for (std::size_t i = 0; i < last.pixels.size(); i++)
     {
-        const PixelStatistics& own = pixel.statistics;
-        results.push_back({pixel.variance, own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
+        const PixelStatistics& own = last.pixels[i].statistics;
+        // n samples miss a feature of share 1/n with probability exp(-1)
+        const double missed = std::exp(-1.0) * LoneVariance(loneVariance, last.firstSamples, own.Samples());
+        results.push_back({std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed), own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
     }
 }
 

@@ -38,7 +38,7 @@ namespace tilt_lens
 /// A pixel after its last sample.
 struct PixelResult
 {
-    double variance = 0.0;  ///< variance of the mean, largest channel; above 1 relative to the square of the mean
+    double variance = 0.0;  ///< variance of the mean, averaged over the colours; above 1 relative to the square of the mean
     Radiance mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;
@@ -103,7 +103,7 @@ class Block
     /// @param samples  fewest samples of an active pixel
     void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
                     SentSamples* sent, const Tracer& trace) const;
-    void SetResults(const BlockEstimate& estimate);
+    void SetResults(const BlockEstimate& last, double loneVariance);
     void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own, const PaddedSpread* received);
     /// Rows whose noise is noticeable compared with `variance`; with one sample per pixel all rows.
     Rows NoisyRows(const SamplingLimits& limits) const;

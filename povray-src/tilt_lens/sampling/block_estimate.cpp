@@ -4,7 +4,6 @@
 #include "tilt_lens/sampling/block_estimate.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "tilt_lens/math/window.h"
 
@@ -21,11 +20,7 @@ FirstRound::FirstRound(const BlockEstimate& estimate) : samples(estimate.firstSa
     const Area& area = estimate.area;
     std::vector<double> variances;
     for (const PixelEstimate& pixel : estimate.pixels)
-    {
-        const PixelStatistics& own = pixel.statistics;
-        variances.push_back(LargestChannel(RelativeTo(own.Mean(), own.Variance())));
-        deviation += std::sqrt(variances.back()) / pixels;
-    }
+        variances.push_back(LargestChannel(RelativeTo(pixel.statistics.Mean(), pixel.statistics.Variance())));
     constexpr int radius = settings.neighbourRadius, around = settings.neighbourhoodPixels;
     const std::vector<double> means = WindowMeans<radius>(variances, area.width);
     const double inside = std::max(1.0, (area.width - 2.0 * radius) * (area.height - 2.0 * radius));
@@ -45,11 +40,9 @@ Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& li
     for (const FirstRound* round : rounds)
         if (round != nullptr)
         {
-            meanDeviation += round->deviation * round->pixels;
             loneVariance += round->loneVariance * round->pixels;
             pixels += round->pixels;
         }
-    meanDeviation /= pixels;
     loneVariance /= pixels;
 }
 

@@ -53,7 +53,8 @@ struct BlockEstimate
     {
         return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
     }
-    double SamplesReceivedBy(std::size_t pixel) const { return spread ? spread->SamplesAt(PlaceOf(pixel)) : 0.0; }
+    /// Share of a pixel's samples that serves other pixels, [0, 1): 0 if nothing is blurred, near 1 in wide circles of confusion.
+    double SharedPart(std::size_t pixel) const { return spread ? 1.0 - spread->ownShare[PlaceOf(pixel)] : 0.0; }
     /// Index of a pixel in a plane of `spread`.
     std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
     /// False if the samples of each pixel are all equal and none were received.
@@ -65,7 +66,6 @@ struct FirstRound
 {
     std::uint32_t samples;       ///< per pixel
     std::size_t pixels;
-    double deviation = 0.0;      ///< standard deviation of one sample, largest channel, relative to the mean above 1; mean over the pixels
     double loneVariance = 0.0;   ///< mean excess of a pixel's variance over the sum of its eight neighbours' variances; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
     std::shared_ptr<const SpreadSums> spread;           ///< samples spread to other pixels; null: none
@@ -76,11 +76,11 @@ struct FirstRound
 /// First rounds of a block and its eight neighbours, row by row; null outside the picture or if not needed.
 using FirstRounds = std::array<const FirstRound*, 9>;
 
-/// First rounds around a block, and their means over all pixels.
+/// First rounds around a block.
 struct Neighbourhood
 {
     const FirstRounds rounds;  ///< the block's own in the middle; they must outlive this object
-    double meanDeviation = 0.0, loneVariance = 0.0;  ///< as in FirstRound
+    double loneVariance = 0.0;  ///< as in FirstRound, mean over all pixels
 
     Neighbourhood(const FirstRounds& rounds, const SamplingLimits& limits);
 };

@@ -33,10 +33,9 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
         PixelEstimate& pixel = estimate.pixels[i];
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
-        const double others = estimate.SamplesReceivedBy(i), together = others / (others + settings.samplesToDecideTogether);
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target);
         // also of variances that are beyond a double
-        pixel.active = searching || !(pixel.excess + together * (around[i] - pixel.excess) <= 1.0);
+        pixel.active = searching || !(pixel.excess + estimate.SharedPart(i) * (around[i] - pixel.excess) <= 1.0);
     }
 }
 
@@ -70,23 +69,14 @@ std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t
 
 double ConfidenceFactor(std::uint32_t samples, double confidence)
 {
-    // sums of squared weights of the pixel's own variance and of its neighbours'
-    constexpr double pixels = settings.neighbourhoodPixels;
-    const double shrinkage = Shrinkage(samples);
-    const double own = 1.0 - shrinkage + shrinkage / pixels, others = (pixels - 1.0) * Square(shrinkage / pixels);
-    const double freedom = (samples - 1) / (Square(own) + others);
+    constexpr double pixels = settings.blockSide * settings.blockSide / 4;
+    const double freedom = pixels * (samples - 1);
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);
 }
 
-double VarianceTarget(double variance, std::uint32_t samples, double relativeDeviation)
+double LoneVariance(double loneVariance, std::uint32_t firstSamples, std::uint32_t samples)
 {
-    const double greatest = relativeDeviation > 1.0 ? std::min(relativeDeviation, settings.greatestTarget) : 1.0;
-    return variance * std::clamp(samples * variance / settings.typicalSampleVariance, settings.leastTarget, greatest);
-}
-
-double LoneVariance(const Neighbourhood& around, std::uint32_t firstSamples, std::uint32_t samples)
-{
-    return around.loneVariance * firstSamples / Square(samples);
+    return loneVariance * firstSamples / Square(samples);
 }
 
 bool HasSearchedEmitters(const PixelStatistics& own, double target)
@@ -104,15 +94,13 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     if (samples < 2)
         return samples < limits.max;  // one sample shows no error
     const std::vector<std::size_t> candidates = Candidates(estimate, samples);
-    const double confidence = ConfidenceFactor(samples, limits.confidence);
-    const double lone = LoneVariance(around, estimate.firstSamples, samples);
-    const std::vector<double> variances = MeanVariances(estimate);
+    const double target = limits.variance / ConfidenceFactor(samples, limits.confidence);
+    const double lone = LoneVariance(around.loneVariance, estimate.firstSamples, samples);
+    const std::vector<double> variances = VariancesToDecide(estimate);
     for (const std::size_t i : candidates)
     {
-        PixelEstimate& pixel = estimate.pixels[i];
-        pixel.variance = variances[i];
-        const double deviation = std::sqrt(std::max(pixel.variance, lone) / pixel.varianceRatio * samples);
-        pixel.target = VarianceTarget(limits.variance, samples, deviation / around.meanDeviation) / confidence;
+        estimate.pixels[i].variance = variances[i];
+        estimate.pixels[i].target = target;
     }
     if (limits.variance > 0.0)
     {
@@ -121,13 +109,10 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         for (const std::size_t i : candidates)
         {
             PixelEstimate& pixel = estimate.pixels[i];
-            pixel.excess = std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / pixel.target;
+            pixel.excess = std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / target;
         }
         DecideTogether(estimate, samples);
     }
-    // n samples miss a feature of share 1/n with probability exp(-1)
-    for (const std::size_t i : candidates)
-        estimate.pixels[i].variance = std::max(estimate.pixels[i].variance, std::exp(-1.0) * lone);
     return std::any_of(estimate.pixels.begin(), estimate.pixels.end(), [&limits](const PixelEstimate& pixel)
         { return pixel.active && pixel.statistics.Samples() < limits.max; });
 }

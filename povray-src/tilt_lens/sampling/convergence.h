@@ -25,20 +25,13 @@ namespace tilt_lens
 {
 
 /// Ratio of the upper confidence limit of the variance to its estimate, with probability `confidence`: chi-square, with the degrees of
-/// freedom of the samples of a 3 by 3 window, weighted as by Shrinkage.
+/// freedom of the samples of a quadrant, the smallest part of the picture whose error is meant.
 double ConfidenceFactor(std::uint32_t samples, double confidence);
-
-/// Variance target of a pixel after `samples` samples. A picture's mean square error is least, for a given number of rays, if each pixel's
-/// rays are proportional to the standard deviation of its samples; the variance of its mean is then proportional to the samples. The target
-/// exceeds `variance` only for deviations above the mean: if all pixels deviate alike, all keep about `variance`.
-/// @param variance  `variance` of the camera
-/// @param relativeDeviation  standard deviation of one sample over the mean of the neighbourhood; NaN (0/0) counts as 1
-/// Source: J. Neyman, "On the two different aspects of the representative method", J. R. Stat. Soc. 97(4), 1934.
-double VarianceTarget(double variance, std::uint32_t samples, double relativeDeviation);
 
 /// Variance assumed for the mean of `samples` samples because isolated pixels have hit something that others may have missed. A feature hit
 /// by one of firstSamples samples covers about 1 / firstSamples of the pixel; the missed share falls as samples grow.
-double LoneVariance(const Neighbourhood& around, std::uint32_t firstSamples, std::uint32_t samples);
+/// @param loneVariance  of the Neighbourhood
+double LoneVariance(double loneVariance, std::uint32_t firstSamples, std::uint32_t samples);
 
 /// True if the pixel needs no further search for its emitters: it has none, the error expected after its misses is below the target, or
 /// there are so many misses that the emitters are taken for hidden.

@@ -53,7 +53,7 @@ std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimat
     const Area& area = estimate.area;
     const bool uniform = !estimate.HasNoise();
     const std::vector<double> none(uniform ? area.Size() : 0);
-    const std::vector<double> ratio = uniform ? none : LocalVarianceRatios(estimate), variance = uniform ? none : VarianceAround(estimate);
+    const std::vector<double> ratio = uniform ? none : RatiosOrOutliers(estimate), variance = uniform ? none : VarianceAround(estimate);
     const auto made = std::make_shared<BlockStatistics>();
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {

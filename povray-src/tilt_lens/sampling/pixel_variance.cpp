@@ -14,7 +14,7 @@ namespace tilt_lens
 
 CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, double samples)
 {
-    const double others = spread != nullptr ? spread->SamplesAt(at) : 0.0;
+    const double others = spread != nullptr ? spread->samples[at] : 0.0;
     if (!(others > 0.0))
         return;
     total = spread->variance[at];
@@ -43,45 +43,32 @@ CircleVariance::CircleVariance(const BlockEstimate& estimate, std::size_t pixel)
 {
 }
 
-double Shrinkage(std::uint32_t samples)
+Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance)
 {
-    return Square(settings.shrinkageSamples) / (Square(settings.shrinkageSamples) + Square(samples));
+    const PixelEstimate& its = estimate.pixels[pixel];
+    Radiance ofMean = RelativeTo(its.statistics.Mean(), CircleVariance(estimate, pixel).Blend(variance));
+    for (double& channel : ofMean)
+        channel *= its.varianceRatio / its.statistics.Samples();
+    return ofMean;
 }
 
-std::vector<double> MeanVariances(const BlockEstimate& estimate)
+std::vector<double> VariancesToDecide(const BlockEstimate& estimate)
 {
+    std::vector<double> variances(estimate.pixels.size());
     if (!estimate.HasNoise())
-        return std::vector<double>(estimate.pixels.size());
+        return variances;
     std::vector<Radiance> own;
     for (const PixelEstimate& pixel : estimate.pixels)
         own.push_back(pixel.statistics.Variance());
     const std::vector<Radiance> around = WindowMeans<settings.neighbourRadius>(own, estimate.area.width);
-    std::vector<double> variances;
     for (std::size_t i = 0; i < own.size(); i++)
     {
-        const PixelEstimate& pixel = estimate.pixels[i];
-        const double shrinkage = Shrinkage(pixel.statistics.Samples());
-        Radiance variance;
-        for (std::size_t c = 0; c < variance.size(); c++)
-            variance[c] = (1.0 - shrinkage) * own[i][c] + shrinkage * around[i][c];
-        variance = RelativeTo(pixel.statistics.Mean(), CircleVariance(estimate, i).Blend(variance));
-        variances.push_back(pixel.varianceRatio * LargestChannel(variance) / pixel.statistics.Samples());
+        Radiance greater;
+        for (std::size_t c = 0; c < greater.size(); c++)
+            greater[c] = std::max(own[i][c], around[i][c]);
+        variances[i] = LargestChannel(VarianceOfMean(estimate, i, greater));
     }
     return variances;
-}
-
-void AddTo(VarianceRatioTerms& sum, const VarianceRatioTerms& terms)
-{
-    sum.dualBuffer += terms.dualBuffer;
-    sum.independent += terms.independent;
-    sum.squaredIndependent += terms.squaredIndependent;
-}
-
-void DivideBy(VarianceRatioTerms& terms, double divisor)
-{
-    terms.dualBuffer /= divisor;
-    terms.independent /= divisor;
-    terms.squaredIndependent /= divisor;
 }
 
 void VarianceRatioTerms::Add(const PixelStatistics& pixel)
@@ -99,57 +86,56 @@ void VarianceRatioTerms::Add(const PixelStatistics& pixel)
     squaredIndependent += Square(ofPixel);
 }
 
-double VarianceRatioTerms::Ratio(double before, double pixels) const
+double VarianceRatioTerms::Ratio(double before) const
 {
     if (!(squaredIndependent > 0.0))
         return before;
-    const double noisyPixels = pixels * Square(independent) / squaredIndependent;
+    const double noisyPixels = Square(independent) / squaredIndependent;
     const double prior = settings.varianceRatioPrior;
     return (noisyPixels * dualBuffer / independent + prior * before) / (noisyPixels + prior);
 }
 
-double RatioOfMean(double dualBufferRatio, double samples)
+double RatioOfMean(double dualBufferRatio, double samples, double growth)
 {
     double ratio = std::min(1.0, dualBufferRatio);
     for (int i = 0; i < settings.ratioIterations && ratio > 0.0; i++)
-        ratio = std::min(1.0, dualBufferRatio / (std::exp2(1.0 - std::log(ratio) / std::log(samples)) - 1.0));
+        ratio = std::min(1.0, dualBufferRatio * (growth - 1.0) / (std::pow(growth, 1.0 - std::log(ratio) / std::log(samples)) - 1.0));
     return ratio;
 }
 
 void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples)
 {
     std::array<VarianceRatioTerms, 4> terms;
+    double growth = 2.0;
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
-        if (estimate.pixels[i].active && estimate.pixels[i].statistics.Samples() > 1)
-            terms[estimate.QuadrantOf(i)].Add(estimate.pixels[i].statistics);
+    {
+        const PixelStatistics& pixel = estimate.pixels[i].statistics;
+        if (!estimate.pixels[i].active || pixel.Samples() < 2)
+            continue;
+        terms[estimate.QuadrantOf(i)].Add(pixel);
+        growth = double(pixel.Samples()) / pixel.FirstBufferSamples();
+    }
     Quadrants ratio;
     for (std::size_t q = 0; q < ratio.size(); q++)
     {
         double& dualBufferRatio = estimate.dualBufferRatio[q];
-        dualBufferRatio = std::min(1.0, terms[q].Ratio(dualBufferRatio, 1.0));
-        ratio[q] = RatioOfMean(dualBufferRatio, std::max(2u, samples));
+        dualBufferRatio = std::min(1.0, terms[q].Ratio(dualBufferRatio));
+        ratio[q] = RatioOfMean(dualBufferRatio, std::max(2u, samples), growth);
     }
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
         if (estimate.pixels[i].active)
             estimate.pixels[i].varianceRatio = ratio[estimate.QuadrantOf(i)];
 }
 
-std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate)
+std::vector<double> RatiosOrOutliers(const BlockEstimate& estimate)
 {
-    std::vector<VarianceRatioTerms> own(estimate.pixels.size());
-    for (std::size_t i = 0; i < own.size(); i++)
-        own[i].Add(estimate.pixels[i].statistics);
-    const std::vector<VarianceRatioTerms> around = WindowMeans<settings.ratioRadius>(own, estimate.area.width);
     std::vector<double> ratios;
-    for (std::size_t i = 0; i < own.size(); i++)
+    for (const PixelEstimate& pixel : estimate.pixels)
     {
-        const double ofQuadrant = estimate.dualBufferRatio[estimate.QuadrantOf(i)];
-        const double local = around[i].Ratio(ofQuadrant, Square(2 * settings.ratioRadius + 1));
-        // the dual buffers overestimate all ratios of a quadrant by the same factor
-        const double ratio = ofQuadrant > 0.0 ? estimate.pixels[i].varianceRatio * std::min(1.0, local) / ofQuadrant : 0.0;
-        // an outlier: nearly all pixels fill the strata evenly, this one does not
-        const double itself = own[i].independent > 0.0 ? std::min(1.0, own[i].dualBuffer / own[i].independent) : 0.0;
-        ratios.push_back(itself > settings.outlyingRatio * ratio ? itself : ratio);
+        VarianceRatioTerms own;
+        own.Add(pixel.statistics);
+        const double itself = own.independent > 0.0 ? std::min(1.0, own.dualBuffer / own.independent) : 0.0;
+        ratios.push_back(itself > settings.outlyingRatio * pixel.varianceRatio ? itself : pixel.varianceRatio);
     }
     return ratios;
 }

@@ -46,27 +46,29 @@ class CircleVariance
     Radiance share{};     ///< share of each channel in `total`
 };
 
-/// Weight of the mean variance of the 3 by 3 window against the pixel's own, which is unreliable from few samples: 1/2 after
-/// settings.shrinkageSamples, then falling with the square of the samples, so that flat pixels beside noise stop earlier.
-double Shrinkage(std::uint32_t samples);
+/// Variance of a pixel's mean, per channel, relative to its SquaredScale.
+/// @param variance  of one sample, by the pixel's own samples or those around
+Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance);
 
-/// Variance of each pixel's mean, for the stop rule: the worst channel, relative to its SquaredScale.
-std::vector<double> MeanVariances(const BlockEstimate& estimate);
+/// Variance of each pixel's mean, for the stop rule: the worst channel. A pixel's variance of one sample is at least the mean of its 3 by 3
+/// window, since from few samples its own is unreliable, and zero where a feature was missed.
+std::vector<double> VariancesToDecide(const BlockEstimate& estimate);
 
 /// After a round, updates the variance ratios of the block's active pixels, one per quadrant.
 /// @param samples  of an active pixel
 void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples);
 
-/// Variance ratio of each pixel from the window around it, for the reconstruction: overestimated noise would make filters blur texture. An
-/// outlier keeps its own ratio.
-std::vector<double> LocalVarianceRatios(const BlockEstimate& estimate);
+/// Variance ratio of each pixel for the reconstruction: of its quadrant; an outlier's own, where nearly all pixels fill the strata evenly and
+/// this one does not.
+std::vector<double> RatiosOrOutliers(const BlockEstimate& estimate);
 
 /// Variance ratio of the mean of both buffers, from the ratio measured between them. If the variance falls as n^-a, a >= 1, the buffers of
-/// a prefix of n samples differ by 2^a - 1 times the variance of their mean, and a ratio that began at 1 is n^(1 - a). Both equations have
-/// one solution, found by iteration.
-double RatioOfMean(double dualBufferRatio, double samples);
+/// a prefix of n = g n_A samples differ by (g^a - 1) / (g - 1) times the variance of their mean, and a ratio that began at 1 is n^(1 - a).
+/// Both equations have one solution, found by iteration.
+/// @param growth  g, all samples over those of the first buffer, above 1
+double RatioOfMean(double dualBufferRatio, double samples, double growth);
 
-/// Sums or means over pixels, each summed over the channels.
+/// Sums over pixels and channels.
 struct VarianceRatioTerms
 {
     double dualBuffer = 0.0;          ///< variance of the mean by the dual buffers
@@ -75,12 +77,8 @@ struct VarianceRatioTerms
 
     void Add(const PixelStatistics& pixel);
     /// dualBuffer / independent, shrunk towards the prior `before` (settings.varianceRatioPrior).
-    /// @param pixels  number of pixels if the terms are means; 1 if they are sums
-    double Ratio(double before, double pixels) const;
+    double Ratio(double before) const;
 };
-
-void AddTo(VarianceRatioTerms& sum, const VarianceRatioTerms& terms);
-void DivideBy(VarianceRatioTerms& terms, double divisor);
 
 } // namespace tilt_lens
 

@@ -32,6 +32,14 @@ struct SamplingLimits
         return std::min(power, max);
     }
 
+    /// Samples after the round that follows the one with `samples`: twice as many up to settings.doubledSamples, then alternately 3/2 and
+    /// 4/3 times as many, so that every second round ends at a power of two.
+    std::uint32_t NextRound(std::uint32_t samples) const
+    {
+        const bool power = (samples & (samples - 1)) == 0;
+        return std::min(max, samples < settings.doubledSamples ? 2 * samples : samples + samples / (power ? 2 : 3));
+    }
+
     /// Sets the minimum to its default.
     /// @param aims  samples may be aimed at emitters (SampledCamera)
     void SetUsualMinimum(bool aims) { min = std::min(max, aims && Denoises() ? settings.firstSamples : settings.firstSamplesAlone); }
