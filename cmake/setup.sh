@@ -170,8 +170,8 @@ configure()
         || die "the configuration failed (see above)."
 }
 
-# Passes on what ninja says, without its remarks on having nothing to do and CMake's lists of source files that came or went;
-# on a terminal its progress lines overwrite each other.
+# Passes on what ninja says. Its remarks on having nothing to do are left out, and so are CMake's lists of source files that came
+# or went. On a terminal the lines of progress overwrite each other.
 show_progress()
 {
     local line columns=0
