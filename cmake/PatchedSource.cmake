@@ -47,21 +47,6 @@ function(patched_source_apply tree folder record)
     endforeach()
 endfunction()
 
-# Unpacks upstream's source, ARCHIVE, into the new folder FRESH.
-function(patched_source_unpack archive fresh)
-    file(REMOVE_RECURSE "${fresh}")
-    file(MAKE_DIRECTORY "${fresh}")
-    execute_process(
-        COMMAND tar --extract --no-same-owner --file "${archive}"
-        WORKING_DIRECTORY "${fresh}"
-        RESULT_VARIABLE result ERROR_VARIABLE said)
-    if(NOT result EQUAL 0)
-        file(REMOVE_RECURSE "${fresh}")
-        message(FATAL_ERROR "${archive} could not be unpacked into ${fresh} (is the disk "
-            "full?):\n${said}")
-    endif()
-endfunction()
-
 # Makes the parts of TREE equal to those of FRESH; only files whose content differs are written. Their
 # time becomes now (never the archive's), or a build would take a file of 2018 for older than its object.
 function(patched_source_update tree fresh)
@@ -135,7 +120,10 @@ function(patched_source_prepare work downloads pin series_folder use_patches)
     upstream_obtain(tarball "${downloads}" "${packaging}")
     file(REMOVE "${work}/key")
     set(fresh "${work}/fresh")
-    patched_source_unpack("${tarball}" "${fresh}")
+    upstream_unpack(fault "${tarball}" "${fresh}")
+    if(fault)
+        message(FATAL_ERROR "POV-Ray's source:\n${fault}")
+    endif()
     set(record "${fresh}/applied-patches")
     set(tree "${fresh}/${UPSTREAM_SOURCE_FOLDER}")
     patched_source_apply("${tree}" "${packaging}/debian/patches" "${record}" ${UPSTREAM_PATCHES})

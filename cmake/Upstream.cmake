@@ -56,21 +56,32 @@ function(upstream_tarball_fault out folder)
     set(${out} "${fault}" PARENT_SCOPE)
 endfunction()
 
+# Unpacks ARCHIVE into FOLDER, which is made anew. Sets OUT to "", or to what went wrong; then there is no FOLDER.
+function(upstream_unpack out archive folder)
+    file(REMOVE_RECURSE "${folder}")
+    file(MAKE_DIRECTORY "${folder}")
+    execute_process(
+        COMMAND tar --extract --no-same-owner --file "${archive}"
+        WORKING_DIRECTORY "${folder}"
+        RESULT_VARIABLE result ERROR_VARIABLE said)
+    set(fault "")
+    if(NOT result EQUAL 0)
+        file(REMOVE_RECURSE "${folder}")
+        get_filename_component(archive_name "${archive}" NAME)
+        set(fault "  ${archive_name} could not be unpacked into ${folder} (is it damaged, or the disk full?): ${said}\n")
+    endif()
+    set(${out} "${fault}" PARENT_SCOPE)
+endfunction()
+
 # Unpacks ARCHIVE, a packaging, into the new folder SCRATCH. Sets OUT to its faults, or to "" where SCRATCH/debian holds every
 # pinned patch.
 function(upstream_packaging_faults out archive scratch)
-    get_filename_component(archive_name "${archive}" NAME)
-    file(REMOVE_RECURSE "${scratch}")
-    file(MAKE_DIRECTORY "${scratch}")
-    execute_process(
-        COMMAND tar --extract --no-same-owner --file "${archive}"
-        WORKING_DIRECTORY "${scratch}"
-        RESULT_VARIABLE result ERROR_VARIABLE said)
-    if(NOT result EQUAL 0)
-        set(${out} "  ${archive_name} could not be unpacked (is it damaged, or the disk full?): ${said}\n" PARENT_SCOPE)
+    upstream_unpack(faults "${archive}" "${scratch}")
+    if(faults)
+        set(${out} "${faults}" PARENT_SCOPE)
         return()
     endif()
-    set(faults "")
+    get_filename_component(archive_name "${archive}" NAME)
     if(NOT EXISTS "${scratch}/debian/copyright")
         string(APPEND faults "  ${archive_name}: debian/copyright is missing\n")
     endif()

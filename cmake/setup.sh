@@ -170,8 +170,8 @@ configure()
         || die "the configuration failed (see above)."
 }
 
-# Passes on what ninja says, without its remarks on having nothing to do; on a terminal its progress
-# lines overwrite each other.
+# Passes on what ninja says. Its remarks on having nothing to do are left out, and so are CMake's lists of source files that came
+# or went. On a terminal the lines of progress overwrite each other.
 show_progress()
 {
     local line columns=0
@@ -181,6 +181,7 @@ show_progress()
     while IFS= read -r line; do
         case $line in
             'ninja: no work to do.'|*'Re-checking globbed directories...'|'ninja: Entering directory'*) ;;
+            '-- GLOB mismatch!'|'The following files were '*:|'  '[+-]/*) ;;
             '['[0-9]*) if [ "$columns" -gt 0 ]; then
                            printf '\r\033[K%s' "${line:0:columns - 1}" >&2
                        else

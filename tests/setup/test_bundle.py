@@ -11,6 +11,7 @@ import subprocess
 import unittest
 
 from tests.setup.scratch import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
+from tests.waiting import PATIENCE
 
 GLIBC = re.compile(r"(linux-vdso|ld-linux[\w-]*|libc|libm|libdl|librt|libpthread)\.so\.\d")
 
@@ -51,7 +52,7 @@ class Bundle(SetupTest):
         return subprocess.run(
             [str(word) for word in command],
             cwd=self.here,
-            timeout=60,
+            timeout=PATIENCE,
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,

@@ -13,7 +13,7 @@ import shutil
 import subprocess
 import unittest
 
-from tests.setup.scratch import REPOSITORY, SetupTest
+from tests.setup.scratch import CMAKE, REPOSITORY, SetupTest
 from tests.waiting import PATIENCE
 
 STAND_IN = r"""#!/bin/bash
@@ -97,6 +97,20 @@ class RenderCommand(BuiltProgram):
         self.assertIn("+W1280", arguments)
         self.assertIn("+H720", arguments)
         self.assertIn("-D", arguments)
+
+    def test_source_files_that_came_or_went_are_not_listed(self):
+        (self.copy / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.22)\nproject(parts LANGUAGES NONE)\n"
+            'file(GLOB parts CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/*.part")\nmessage(STATUS "Parts: ${parts}")\nadd_custom_target(povray)\n',
+            encoding="utf-8",
+        )
+        (self.copy / "old.part").touch()
+        self.assert_succeeds(self.run_command(CMAKE, "-G", "Ninja", "-S", self.copy, "-B", self.copy / "build"))
+        (self.copy / "old.part").rename(self.copy / "new.part")
+        process = self.render()
+        self.assert_succeeds(process)
+        self.assertRegex(process.stderr, r"(?m)^-- Parts: .*new\.part$")
+        self.assertNotRegex(process.stderr, r"GLOB|following files|(?m:^  [+-])")
 
     def test_options_alone_are_for_the_town_and_come_last(self):
         arguments = self.arguments(self.render("+W320"))

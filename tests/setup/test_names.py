@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Tests are found by the names of their files, test_*.py and *_test.cpp, and CTest runs all of them."""
 
+import ast
 import json
 import re
 import unittest
@@ -16,6 +17,17 @@ TESTS = REPOSITORY / "tests"
 def misnamed(paths, pattern, has_tests):
     """The files whose name says otherwise than their contents."""
     return [str(path) for path in sorted(paths) if bool(re.search(pattern, path.name)) != bool(has_tests.search(path.read_text()))]
+
+
+def left_out_classes(path, calls):
+    """The classes of the module with tests that none of CALLS names, where these name classes."""
+    classes = [
+        node.name
+        for node in ast.parse(path.read_text()).body
+        if isinstance(node, ast.ClassDef) and any(getattr(part, "name", "").startswith("test_") for part in node.body)
+    ]
+    named = {word.split(".")[0] for words in calls for word in words}
+    return [name for name in classes if name not in named] if all(calls) and named.intersection(classes) else []
 
 
 class Names(SetupTest):
@@ -38,14 +50,35 @@ class Names(SetupTest):
         found = misnamed(self.folder.glob("*.py"), r"^test_\w+\.py$", PYTHON)
         self.assertEqual(found, [str(self.folder / "good.py"), str(self.folder / "test_x.py")])
 
-    def test_ctest_runs_each_module(self):
+    def called(self):
+        """For each module of tests, its arguments in each of the calls that CTest makes."""
         told = self.run_command("ctest", "--show-only=json-v1", cwd=BUILD)
         self.assert_succeeds(told)
-        called = {word for test in json.loads(told.stdout)["tests"] for word in test.get("command", ())}
+        calls = {}
+        for test in json.loads(told.stdout)["tests"]:
+            words = test.get("command", [])
+            for place, word in enumerate(words):
+                if word.startswith("tests."):
+                    calls.setdefault(word, []).append(words[place + 1 :])
+        return calls
+
+    def test_ctest_runs_each_module(self):
         modules = {
             ".".join(path.relative_to(REPOSITORY).with_suffix("").parts) for path in self.python_files() if path.name.startswith("test_")
         }
-        self.assertEqual(sorted(modules - called), [])
+        self.assertEqual(sorted(modules - set(self.called())), [])
+
+    def test_ctest_runs_each_class(self):
+        left_out = []
+        for module, calls in self.called().items():
+            left_out += [f"{module}.{name}" for name in left_out_classes(REPOSITORY.joinpath(*module.split(".")).with_suffix(".py"), calls)]
+        self.assertEqual(left_out, [])
+
+    def test_a_class_that_is_left_out_is_found(self):
+        module = self.folder / "test_z.py"
+        module.write_text("class A:\n    def test_a(self): pass\nclass B(A):\n    async def test_b(self): pass\nclass Base:\n    pass\n")
+        for calls, expected in (([["A"]], ["B"]), ([["A"], ["B.test_b"]], []), ([["B"], []], []), ([["0"], ["1"]], [])):
+            self.assertEqual(left_out_classes(module, calls), expected, calls)
 
 
 if __name__ == "__main__":

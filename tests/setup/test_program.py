@@ -3,6 +3,8 @@
 """The program finds its include files, fonts, ini and permissions: built, installed, and moved."""
 
 import hashlib
+import json
+import re
 import shutil
 import unittest
 
@@ -99,6 +101,18 @@ class Hardening(SetupTest):
         self.assertRegex(symbols, r"__(memcpy|strcpy|snprintf|vsnprintf)_chk")
         self.assertIn("BIND_NOW", self.said("--dynamic"))
         self.assertIn("GNU_RELRO", self.said("--program-headers", "--wide"))
+
+
+class Arithmetic(SetupTest):
+    """Products and sums are rounded one by one, also on processors that could fuse them: all give the same pixels."""
+
+    COMPUTING = re.compile(r" -o CMakeFiles/(?:tilt_lens|povray|povray_core|povray_own|povray_vfe)\.dir/")
+
+    def test_no_file_is_compiled_with_fused_multiply_add(self):
+        commands = [entry["command"] for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))]
+        commands = [command for command in commands if self.COMPUTING.search(command)]
+        self.assertGreater(len(commands), 100)
+        self.assertEqual([command for command in commands if "-ffp-contract=off" not in command], [])
 
 
 class Install(ProgramTest):
