@@ -111,19 +111,23 @@ void TilePerSample(benchmark::State& state)
     {
         BlockCache store(limits, edge, edge, {0, 0, edge, edge});
         TileSampler tile(store);
-        tile.Run({0, 0, edge, edge},
-                 [](const SampleId& id, SampleResult& traced)
-                 {
-                     const double light = id.index * 0x9e3779b9u > 0x7fffffffu ? 1.0 : 0.1 * (id.x & 3);
-                     traced = Radiance{light, light, 0.5 * light, 0.0, 0.0};
-                 });
+        tile.Run({0, 0, edge, edge}, [](const SampleId& id, SampleResult& traced)
+        {
+            const double light = id.index * 0x9e3779b9u > 0x7fffffffu ? 1.0 : 0.1 * (id.x & 3);
+            traced = Radiance{light, light, 0.5 * light, 0.0, 0.0};
+        });
         benchmark::DoNotOptimize(tile.Mean(3, 3));
     }
-    state.counters["per_sample"] =
-        benchmark::Counter(double(state.iterations()) * edge * edge * limits.max,
-                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    state.counters["per_sample"] = benchmark::Counter(double(state.iterations()) * edge * edge * limits.max,
+                                                      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(TilePerSample)->ArgNames({"samples", "denoise"})->Args({64, 0})->Args({64, 1})->Args({1024, 0})->Args({1024, 1})->Unit(benchmark::kMillisecond);
+BENCHMARK(TilePerSample)
+    ->ArgNames({"samples", "denoise"})
+    ->Args({64, 0})
+    ->Args({64, 1})
+    ->Args({1024, 0})
+    ->Args({1024, 1})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -18,7 +18,7 @@
 /// References of the scene with lamps and without. Lights are sums of the three channels.
 class LampLight
 {
-public:
+  public:
     struct Kept
     {
         double share;       ///< of all lamps' light
@@ -26,8 +26,8 @@ public:
         int discPixels;
     };
 
-    LampLight(const witness::Picture& with, witness::Picture without)
-        : m_without(std::move(without)), m_light(Light(with)), m_brightest(Brightest(m_light, with.width, with.height))
+    LampLight(const witness::Picture& with, witness::Picture without) :
+        m_without(std::move(without)), m_light(Light(with)), m_brightest(Brightest(m_light, with.width, with.height))
     {
     }
 
@@ -49,7 +49,7 @@ public:
         return {kept / all, disc == 0 ? 0.0 : double(dark) / disc, disc};
     }
 
-private:
+  private:
     /// `leastLight` is several times the error of the default settings.
     static constexpr double leastLight = 0.06, leastShare = 0.7;
     static constexpr int reach = 8;

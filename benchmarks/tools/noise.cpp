@@ -69,9 +69,9 @@ Picture Inner(const Picture& picture, int width, int height, const std::vector<i
     const int left = at.empty() ? border : at.at(0), top = at.empty() ? border : at.at(1);
     if (at.empty() ? border < 0 || picture.width - width != 2 * border || picture.height - height != 2 * border
                    : left < 0 || top < 0 || left + width > picture.width || top + height > picture.height)
-        throw std::runtime_error("a picture of " + std::to_string(picture.width) + " x " +
-                                 std::to_string(picture.height) + " is no " + std::to_string(width) + " x " +
-                                 std::to_string(height) + (at.empty() ? " with a border" : " from there on"));
+        throw std::runtime_error("a picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) + " is no " +
+                                 std::to_string(width) + " x " + std::to_string(height) +
+                                 (at.empty() ? " with a border" : " from there on"));
     Picture inner{width, height, {}};
     inner.values.reserve(3 * std::size_t(width) * height);
     for (int y = top; y < top + height; ++y)
@@ -100,17 +100,15 @@ json Errors(const Picture& picture, const Reference& reference)
         squares += off * off;
         sum += off;
     }
-    return {{"mse", std::max(0.0, squares / picture.Size() - own)},
-            {"mean", sum / picture.Size()},
-            {"reference_mse", own}};
+    return {{"mse", std::max(0.0, squares / picture.Size() - own)}, {"mean", sum / picture.Size()}, {"reference_mse", own}};
 }
 
 /// Reported and true errors of pictures of one scene.
 class Claims
 {
-public:
-    Claims(const Reference& reference, double variance, double moreThan)
-        : m_reference(reference), m_variance(variance), m_moreThan(moreThan), m_squares(2, std::vector<double>(reference.mean.Size()))
+  public:
+    Claims(const Reference& reference, double variance, double moreThan) :
+        m_reference(reference), m_variance(variance), m_moreThan(moreThan), m_squares(2, std::vector<double>(reference.mean.Size()))
     {
     }
 
@@ -151,7 +149,7 @@ public:
                 {"true", PerPixel(TrueSquares())}};
     }
 
-private:
+  private:
     /// Errors above white are clipped, and the standard error there is relative to the brightness.
     bool IsBelowWhite(std::size_t pixel) const
     {
@@ -297,10 +295,15 @@ int main(int argc, char** argv)
     Arguments arguments;
     CLI::App* reference = app.add_subcommand("reference", "mean and standard error of independent pictures");
     reference->add_option("out", arguments.out)->required();
-    reference->add_option("--size", [&](const std::vector<std::string>& size)
-                          { arguments.width = std::stoi(size[0]), arguments.height = std::stoi(size[1]); return true; },
-                          "width and height of the inner part")
-        ->expected(2)->required();
+    reference
+        ->add_option("--size",
+                     [&](const std::vector<std::string>& size)
+    {
+        arguments.width = std::stoi(size[0]), arguments.height = std::stoi(size[1]);
+        return true;
+    }, "width and height of the inner part")
+        ->expected(2)
+        ->required();
     reference->add_option("pictures", arguments.pictures)->required();
     reference->add_flag("--unclipped", arguments.unclipped, "keep what is above white");
     CLI::App* errors = app.add_subcommand("errors", "each picture against the reference");

@@ -75,8 +75,7 @@ Picture Blur(const Picture& picture, const Picture& white, const Picture& black,
         for (int column = 0; column < picture.width; ++column)
         {
             const std::size_t red = 3 * (std::size_t(row) * picture.width + column);
-            const double radius =
-                Radius(camera, picture, column, row, white.values[red] - black.values[red]);
+            const double radius = Radius(camera, picture, column, row, white.values[red] - black.values[red]);
             Spread(picture, column, row, std::max(0.5, radius), gathered);
         }
     Picture blurred = picture;

@@ -24,7 +24,10 @@ struct RecordedSample
 
     RecordedSample() = default;
     RecordedSample(const SampleId& id, const SampleResult& result) :
-        x(id.x), y(id.y), index(id.index), expectedEmission(result.expectedEmission),
+        x(id.x),
+        y(id.y),
+        index(id.index),
+        expectedEmission(result.expectedEmission),
         circle{result.circle.x, result.circle.y, result.circle.xa, result.circle.xb, result.circle.ya, result.circle.yb}
     {
         std::copy(result.radiance.begin(), result.radiance.end(), radiance);

@@ -46,8 +46,7 @@ struct Recording
     std::vector<std::array<double, 3>> truth;  ///< of each pixel, clipped
 
     Recording(const std::string& path, std::uint32_t width, std::uint32_t height, std::uint32_t samples) :
-        width(width), height(height), samples(samples), taken(std::size_t(width) * height * samples),
-        truth(std::size_t(width) * height)
+        width(width), height(height), samples(samples), taken(std::size_t(width) * height * samples), truth(std::size_t(width) * height)
     {
         std::ifstream file(path, std::ios::binary);
         std::uint16_t left = 65535, top = 65535;
@@ -81,10 +80,7 @@ struct Recording
             }
     }
 
-    std::size_t At(std::uint32_t x, std::uint32_t y, std::uint32_t index) const
-    {
-        return (std::size_t(y) * width + x) * samples + index;
-    }
+    std::size_t At(std::uint32_t x, std::uint32_t y, std::uint32_t index) const { return (std::size_t(y) * width + x) * samples + index; }
 };
 
 /// A portable float map: rows from below.
@@ -115,7 +111,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
     BlockCache cache(limits, recording.width, recording.height, all);
     TileSampler sampler(cache);
     sampler.Run(all, [&](const SampleId& id, SampleResult& result)
-        { result = recording.taken[recording.At(id.x, id.y, id.index)].Result(footprint); });
+    { result = recording.taken[recording.At(id.x, id.y, id.index)].Result(footprint); });
     double error = 0.0, beyond = 0.0, samples = 0.0;
     for (std::uint32_t y = 0; y < all.height; y++)
         for (std::uint32_t x = 0; x < all.width; x++)
@@ -137,8 +133,8 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
             return std::array<double, 3>{mean[0], mean[1], mean[2]};
         });
     const double pixels = all.Size();
-    return {{"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels},
-            {"samples", samples / pixels}};
+    return {
+        {"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels}, {"samples", samples / pixels}};
 }
 
 } // namespace
@@ -171,8 +167,8 @@ int main(int count, char** values)
             throw std::runtime_error("--most is more than the recorded samples");
         int made = 0;
         if (!picture.empty())
-            Write(picture + "true.pfm", width, height, [&](std::uint32_t x, std::uint32_t y)
-                { return recording.truth[std::size_t(y) * width + x]; });
+            Write(picture + "true.pfm", width, height,
+                  [&](std::uint32_t x, std::uint32_t y) { return recording.truth[std::size_t(y) * width + x]; });
         for (std::string line; std::getline(std::cin, line);)
         {
             Vary(line);

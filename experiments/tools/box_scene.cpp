@@ -30,10 +30,7 @@ double FloorDistance(const Ray& ray)
 
 }  // namespace
 
-BoxScene::BoxScene()
-    : mSun(Unit(Vector{-600.0, 1000.0, -700.0})), mCosine(std::cos(kTurn)), mSine(std::sin(kTurn))
-{
-}
+BoxScene::BoxScene() : mSun(Unit(Vector{-600.0, 1000.0, -700.0})), mCosine(std::cos(kTurn)), mSine(std::sin(kTurn)) {}
 
 double BoxScene::Distance(const Ray& ray) const
 {
@@ -47,14 +44,12 @@ Vector BoxScene::Seen(const Ray& ray) const
     if (box.distance < floor)
     {
         const Vector at = Local(ray.origin + box.distance * ray.direction) - Vector{0.5, 0.5, 0.5};
-        return Lit(ray, box.distance, box.normal,
-                   Odd(at) ? Vector{0.12, 0.06, 0.05} : Vector{0.9, 0.72, 0.4});
+        return Lit(ray, box.distance, box.normal, Odd(at) ? Vector{0.12, 0.06, 0.05} : Vector{0.9, 0.72, 0.4});
     }
     if (floor == HUGE_VAL)
         return {0.35, 0.45, 0.6};
     const Vector at = 0.25 * (ray.origin + floor * ray.direction);
-    return Lit(ray, floor, {0.0, 1.0, 0.0},
-               Odd({at.x, 0.0, at.z}) ? Vector{0.05, 0.05, 0.06} : Vector{0.85, 0.83, 0.78});
+    return Lit(ray, floor, {0.0, 1.0, 0.0}, Odd({at.x, 0.0, at.z}) ? Vector{0.05, 0.05, 0.06} : Vector{0.85, 0.83, 0.78});
 }
 
 Vector BoxScene::Local(const Vector& v) const
@@ -76,8 +71,7 @@ BoxScene::Hit BoxScene::HitBox(const Ray& ray) const
     Vector normal;
     for (int i = 0; i < 3; ++i)
     {
-        double a = (low[i] - origin[i]) / direction[i],
-               b = (high[i] - origin[i]) / direction[i];
+        double a = (low[i] - origin[i]) / direction[i], b = (high[i] - origin[i]) / direction[i];
         const double side = a < b ? -1.0 : 1.0;
         if (a > b)
             std::swap(a, b);
@@ -93,8 +87,7 @@ BoxScene::Hit BoxScene::HitBox(const Ray& ray) const
     return {enter, World(normal)};
 }
 
-Vector BoxScene::Lit(const Ray& ray, double distance, const Vector& normal,
-                     const Vector& pigment) const
+Vector BoxScene::Lit(const Ray& ray, double distance, const Vector& normal, const Vector& pigment) const
 {
     const Vector at = ray.origin + distance * ray.direction;
     double light = std::max(0.0, Dot(normal, mSun));

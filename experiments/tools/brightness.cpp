@@ -33,8 +33,7 @@ double LevelAt(const witness::Picture& picture, Point at)
     const int row = std::clamp(static_cast<int>(std::floor(y)), 0, picture.height - 2);
     const double u = std::clamp(x - column, 0.0, 1.0), v = std::clamp(y - row, 0.0, 1.0);
     const auto level = [&](int i, int j) { return Level(Luminance(picture, column + i, row + j)); };
-    return (1.0 - v) * ((1.0 - u) * level(0, 0) + u * level(1, 0)) +
-           v * ((1.0 - u) * level(0, 1) + u * level(1, 1));
+    return (1.0 - v) * ((1.0 - u) * level(0, 0) + u * level(1, 0)) + v * ((1.0 - u) * level(0, 1) + u * level(1, 1));
 }
 
 bool Inside(const witness::Picture& picture, Point at)
@@ -54,8 +53,7 @@ std::vector<double> Profile(const witness::Picture& picture, Point from, Point t
     for (int i = 0; i < count; ++i)
     {
         const double t = static_cast<double>(i) / (count - 1);
-        levels.push_back(
-            LevelAt(picture, {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}));
+        levels.push_back(LevelAt(picture, {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}));
     }
     return levels;
 }
@@ -72,8 +70,7 @@ double AverageDifference(const std::vector<double>& a, const std::vector<double>
 
 Moments MomentsIn(const witness::Picture& picture, int left, int top, int width, int height)
 {
-    if (left < 0 || top < 0 || width < 1 || height < 1 || left + width > picture.width ||
-        top + height > picture.height)
+    if (left < 0 || top < 0 || width < 1 || height < 1 || left + width > picture.width || top + height > picture.height)
         throw std::invalid_argument("the window leaves the picture");
     Moments m;
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;

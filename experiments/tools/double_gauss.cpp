@@ -112,8 +112,7 @@ void GlassLens::PlaceStop()
             for (Paraxial* ray : {&axial, &rim})
             {
                 ray->y += ray->slope * (s.z - z);
-                const double from = fromScene ? s.after : s.before,
-                             to = fromScene ? s.before : s.after;
+                const double from = fromScene ? s.after : s.before, to = fromScene ? s.before : s.after;
                 ray->slope = (from * ray->slope + ray->y * (to - from) / s.radius) / to;
             }
             z = s.z;

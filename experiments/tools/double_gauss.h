@@ -45,15 +45,9 @@ class GlassLens
     GlassLens(double focalLength, double fStop, double moved = 0.0);
 
     double FocalLength() const { return mFocalLength; }
-    double Separation() const
-    {
-        return mSeparation;
-    }  ///< from H to H', mm, positive toward the film
+    double Separation() const { return mSeparation; }  ///< from H to H', mm, positive toward the film
     double PupilRadius() const { return mPupilRadius; }  ///< of the exit pupil, mm
-    double ExitPupil() const
-    {
-        return mExitPupil;
-    }  ///< its z, mm; H' where the stop could be put so
+    double ExitPupil() const { return mExitPupil; }  ///< its z, mm; H' where the stop could be put so
     double EntrancePupil() const { return mEntrancePupil; }  ///< its z, mm
 
     double PrintedFocalLength() const { return mPrintedFocal; }  ///< of the rows as they are, mm

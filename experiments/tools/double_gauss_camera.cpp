@@ -44,14 +44,13 @@ std::array<double, 3> FitPlane(const std::vector<Vector>& points)
     }
     const Vector &a = rows[0], &b = rows[1], &c = rows[2];  // symmetric: rows are columns
     const double whole = Dot(a, Cross(b, c));
-    return {Dot(right, Cross(b, c)) / whole, Dot(a, Cross(right, c)) / whole,
-            Dot(a, Cross(b, right)) / whole};
+    return {Dot(right, Cross(b, c)) / whole, Dot(a, Cross(right, c)) / whole, Dot(a, Cross(b, right)) / whole};
 }
 
 }  // namespace
 
-GlassCamera::GlassCamera(const Setting& setting, bool thinOnly)
-    : mSetting(setting), mGlass(setting.focalLength, setting.fStop, setting.moved)
+GlassCamera::GlassCamera(const Setting& setting, bool thinOnly) :
+    mSetting(setting), mGlass(setting.focalLength, setting.fStop, setting.moved)
 {
     mAxis = Unit(Vector{0.0, 3.0, 0.0} - mLocation);
     mRight = Unit(Cross({0.0, 1.0, 0.0}, mAxis));
@@ -67,8 +66,7 @@ GlassCamera::GlassCamera(const Setting& setting, bool thinOnly)
 Vector GlassCamera::Chief(double x, double y) const
 {
     const double s = mSetting.filmDistance, height = kFilmWidth * mSetting.height / mSetting.width;
-    return {kFilmWidth / s * (x / mSetting.width - 0.5), height / s * (0.5 - y / mSetting.height),
-            1.0};
+    return {kFilmWidth / s * (x / mSetting.width - 0.5), height / s * (0.5 - y / mSetting.height), 1.0};
 }
 
 Vector GlassCamera::FromLens(const Vector& v) const
@@ -90,8 +88,7 @@ Ray GlassCamera::ToWorld(const Vector& origin, const Vector& direction) const
 /// From the film toward a point of the exit pupil; lens frame.
 Ray GlassCamera::FilmRay(double x, double y, double a, double b) const
 {
-    const Vector film =
-        ToLens(-mSetting.filmDistance * Chief(x, y)) - Vector{0.0, 0.0, mGlass.Separation()};
+    const Vector film = ToLens(-mSetting.filmDistance * Chief(x, y)) - Vector{0.0, 0.0, mGlass.Separation()};
     const double radius = kAim * mGlass.PupilRadius();
     const Vector direction = Unit(Vector{radius * a, radius * b, mGlass.ExitPupil()} - film);
     return {film, direction.z < 0.0 ? -1.0 * direction : direction};
@@ -109,15 +106,13 @@ Ray GlassCamera::ThinRay(const Vector& chief, double a, double b) const
 
 Vector GlassCamera::Bundle::Direction(double x, double y) const
 {
-    return {slopes[0] + slopes[1] * x + slopes[2] * y, slopes[3] + slopes[4] * x + slopes[5] * y,
-            1.0};
+    return {slopes[0] + slopes[1] * x + slopes[2] * y, slopes[3] + slopes[4] * x + slopes[5] * y, 1.0};
 }
 
 Ray GlassCamera::FieldRay(const Bundle& bundle, double a, double b) const
 {
     const double radius = 0.5 * mSetting.focalLength / mSetting.fStop;
-    return ToWorld(FromLens({radius * a, radius * b, 0.0}),
-                   FromLens(bundle.Direction(radius * a, radius * b)));
+    return ToWorld(FromLens({radius * a, radius * b, 0.0}), FromLens(bundle.Direction(radius * a, radius * b)));
 }
 
 Ray GlassCamera::PupilRay(const Bundle& bundle, const Ray& out) const
@@ -135,8 +130,7 @@ GlassCamera::Bundle GlassCamera::FitBundle(double x, double y) const
         {
             const double radius = std::sqrt((i + 0.5) / rings) / kAim;
             const double angle = 2.0 * kPi * (j + 0.5 * (i % 2)) / spokes;
-            const auto passage = mGlass.Trace(
-                FilmRay(x, y, radius * std::cos(angle), radius * std::sin(angle)), false);
+            const auto passage = mGlass.Trace(FilmRay(x, y, radius * std::cos(angle), radius * std::sin(angle)), false);
             if (!passage)
                 continue;
             const Ray& out = passage->out;
@@ -192,8 +186,7 @@ Ray GlassCamera::Through(Model model, double x, double y, const Passage& passage
     return ThinRay((1.0 / chief.z) * chief, p, q);
 }
 
-std::optional<std::array<Ray, kModels>> GlassCamera::ShootAll(double x, double y, double a,
-                                                              double b) const
+std::optional<std::array<Ray, kModels>> GlassCamera::ShootAll(double x, double y, double a, double b) const
 {
     const auto passage = mGlass.Trace(FilmRay(x, y, a, b));
     if (!passage)
@@ -315,7 +308,8 @@ Character GlassCamera::Fitted() const
     for (int i = 0; i <= kPlaces; ++i)
         for (int j = 0; j <= kPlaces; ++j)
         {
-            const Bundle bundle = BundleAt(static_cast<double>(mSetting.width) * i / kPlaces, static_cast<double>(mSetting.height) * j / kPlaces);
+            const Bundle bundle = BundleAt(static_cast<double>(mSetting.width) * i / kPlaces,
+                                           static_cast<double>(mSetting.height) * j / kPlaces);
             const double seen = std::hypot(bundle.slopes[0], bundle.slopes[3]);
             const double image = mSetting.filmDistance / FromLens(bundle.Direction(0.0, 0.0)).z;
             const double w = -0.5 * (bundle.slopes[1] + bundle.slopes[5]), f = mSetting.focalLength;
@@ -324,8 +318,12 @@ Character GlassCamera::Fitted() const
         }
     const double half = 0.5 * kFilmWidth, unit = half / mSetting.filmDistance;
     const Distortion bend = FittedDistortion(true);
-    return {bend.factors[0] * unit * unit, bend.factors[1] * std::pow(unit, 4), bend.factors[2] * unit * unit, bent / most * half * half,
-            bend.left, FittedDistortion(false).left};
+    return {bend.factors[0] * unit * unit,
+            bend.factors[1] * std::pow(unit, 4),
+            bend.factors[2] * unit * unit,
+            bent / most * half * half,
+            bend.left,
+            FittedDistortion(false).left};
 }
 
 double GlassCamera::Depth(const Vector& point) const
@@ -338,8 +336,7 @@ std::array<double, 2> GlassCamera::PixelAt(const Ray& ray, double depth) const
     const double step = (depth - Depth(ray.origin)) / Dot(ray.direction, mAxis);
     const Vector d = ray.origin + step * ray.direction - mLocation;
     const double scale = mSetting.filmDistance / kFilmWidth * mSetting.width / Dot(d, mAxis);
-    return {0.5 * mSetting.width + scale * Dot(d, mRight),
-            0.5 * mSetting.height - scale * Dot(d, mUp)};
+    return {0.5 * mSetting.width + scale * Dot(d, mRight), 0.5 * mSetting.height - scale * Dot(d, mUp)};
 }
 
 }  // namespace paper

@@ -28,11 +28,8 @@ using paper::Model;
 using paper::Ray;
 using paper::Vector;
 
-const std::map<std::string, Model> kModelNames = {{"thin", Model::Thin},
-                                                  {"distortion", Model::Distortion},
-                                                  {"field", Model::Field},
-                                                  {"pupil", Model::Pupil},
-                                                  {"glass", Model::Glass}};
+const std::map<std::string, Model> kModelNames = {
+    {"thin", Model::Thin}, {"distortion", Model::Distortion}, {"field", Model::Field}, {"pupil", Model::Pupil}, {"glass", Model::Glass}};
 
 /// True if a pixel lies within `reach` of one of the lines x y x y ...
 bool Near(const std::vector<double>& lines, double reach, double x, double y)
@@ -49,8 +46,8 @@ bool Near(const std::vector<double>& lines, double reach, double x, double y)
 }
 
 /// The whole picture, or only the surroundings of the lines within `reach`, black elsewhere.
-witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& camera, Model model,
-                            int samples, const std::vector<double>& lines, double reach)
+witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& camera, Model model, int samples,
+                            const std::vector<double>& lines, double reach)
 {
     const paper::BoxScene scene;
     witness::Picture picture{setting.width, setting.height, {}};
@@ -66,8 +63,7 @@ witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& ca
             int arrived = 0;
             const auto seed = static_cast<std::uint32_t>(row * setting.width + column + 1);
             for (const witness::LensPoint& p : witness::LensPoints(samples, seed, 0, 0.0))
-                if (const auto ray = camera.Shoot(model, column + 0.5 + p.jitterX,
-                                                  row + 0.5 + p.jitterY, p.a, p.b))
+                if (const auto ray = camera.Shoot(model, column + 0.5 + p.jitterX, row + 0.5 + p.jitterY, p.a, p.b))
                 {
                     sum = sum + scene.Seen(*ray);
                     ++arrived;
@@ -101,8 +97,7 @@ json MeasureLine(const GlassCamera& camera, const paper::Character& character, d
         const auto chief = camera.Shoot(Model::Thin, x, y, 0.0, 0.0);
         if (!chief)
             throw std::runtime_error("a line that leaves what the lens shows");
-        const double depth =
-            camera.Depth(chief->origin + scene.Distance(*chief) * chief->direction);
+        const double depth = camera.Depth(chief->origin + scene.Distance(*chief) * chief->direction);
         for (const witness::LensPoint& p : witness::LensPoints(rays, i + 1, 0, 0.0))
         {
             vignetted += camera.Vignetted(x, y, p.a, p.b);
@@ -122,8 +117,11 @@ json MeasureLine(const GlassCamera& camera, const paper::Character& character, d
     }
     for (double& step : steps)
         step /= passed;
-    return {{"distortion", steps[0]}, {"field", steps[1]}, {"pupil", steps[2]},
-            {"rest", steps[3]},       {"all", steps[4]},
+    return {{"distortion", steps[0]},
+            {"field", steps[1]},
+            {"pupil", steps[2]},
+            {"rest", steps[3]},
+            {"all", steps[4]},
             {"character", fromCharacter / passed},
             {"vignetted", static_cast<double>(vignetted) / (passed + vignetted)}};
 }
@@ -143,17 +141,13 @@ int main(int argc, char** argv)
     app.add_option("output", output, "OpenEXR picture")->required();
     app.add_option("--width", setting.width)->capture_default_str()->check(CLI::Range(2, 4096));
     app.add_option("--height", setting.height)->capture_default_str()->check(CLI::Range(2, 4096));
-    app.add_option("--samples", samples, "rays a pixel")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 65536));
+    app.add_option("--samples", samples, "rays a pixel")->capture_default_str()->check(CLI::Range(1, 65536));
     app.add_option("--focal-length", setting.focalLength, "mm")->capture_default_str();
     app.add_option("--f-stop", setting.fStop)->capture_default_str();
     app.add_option("--tilt", setting.tilt, "degrees, positive forward")->capture_default_str();
     app.add_option("--moved", setting.moved, "mm of the file by which the first element stands farther forward");
-    app.add_option("--film-distance", setting.filmDistance, "mm, from H', on the camera's axis")
-        ->required();
-    app.add_option("--model", model, "thin, distortion, field, pupil or glass")
-        ->transform(CLI::CheckedTransformer(kModelNames));
+    app.add_option("--film-distance", setting.filmDistance, "mm, from H', on the camera's axis")->required();
+    app.add_option("--model", model, "thin, distortion, field, pupil or glass")->transform(CLI::CheckedTransformer(kModelNames));
     app.add_option("--line", lines, "x y x y ...: lines of the film, pixels");
     app.add_option("--reach", reach, "photograph only so many pixels on both sides of the lines");
     app.add_flag("--measure", measure, "how far aside the rays of the lines go");
@@ -161,14 +155,11 @@ int main(int argc, char** argv)
     try
     {
         const GlassCamera camera(setting, model == Model::Thin && !measure);
-        witness::WriteReference(
-            output,
-            witness::Average({Photograph(setting, camera, model, samples, lines, reach)}));
+        witness::WriteReference(output, witness::Average({Photograph(setting, camera, model, samples, lines, reach)}));
         const paper::Character character = measure ? camera.Fitted() : paper::Character{};
         json measured = json::array();
         for (std::size_t i = 0; measure && i + 3 < lines.size(); i += 4)
-            measured.push_back(
-                MeasureLine(camera, character, lines[i], lines[i + 1], lines[i + 2], lines[i + 3]));
+            measured.push_back(MeasureLine(camera, character, lines[i], lines[i + 1], lines[i + 2], lines[i + 3]));
         std::cout << json{{"lines", measured},
                           {"character",
                            {{"distortion", {character.distortion1, character.distortion2, character.distortionNear}},

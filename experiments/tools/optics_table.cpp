@@ -52,8 +52,7 @@ double Relative(long double value, long double truth)
 Row Solve(double focusTilt, double distance, double filmDistance)
 {
     Row row{focusTilt, distance, filmDistance, 0, 0, 0, 0, 0, 0};
-    const long double tangent = filmDistance * std::tan(focusTilt * kDegree) /
-                                (static_cast<long double>(distance) + filmDistance);
+    const long double tangent = filmDistance * std::tan(focusTilt * kDegree) / (static_cast<long double>(distance) + filmDistance);
     row.equation = static_cast<double>(std::atan(tangent) / kDegree);
 
     Statement plane;
@@ -78,9 +77,8 @@ Row Solve(double focusTilt, double distance, double filmDistance)
 void WriteLine(std::ostream& out, const Row& row)
 {
     char line[256];
-    std::snprintf(line, sizeof line, "%.6g,%.6g,%.6g,%.12f,%.12f,%.12f,%.9g,%.2f,%.2f\n",
-                  row.focusTilt, row.distance, row.filmDistance, row.equation, row.solved,
-                  row.reversed, row.focalLength, row.error, row.reverseError);
+    std::snprintf(line, sizeof line, "%.6g,%.6g,%.6g,%.12f,%.12f,%.12f,%.9g,%.2f,%.2f\n", row.focusTilt, row.distance, row.filmDistance,
+                  row.equation, row.solved, row.reversed, row.focalLength, row.error, row.reverseError);
     out << line;
 }
 
@@ -92,8 +90,7 @@ int main(int argc, char** argv)
     std::string csv;
     double limit = 8.0;  // a dozen roundings, at angles up to 85 degrees
     app.add_option("--csv", csv, "table to write")->required();
-    app.add_option("--limit", limit, "largest relative error, in units of 2^-52")
-        ->capture_default_str();
+    app.add_option("--limit", limit, "largest relative error, in units of 2^-52")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     std::ofstream out(csv);
     out << "theta_F,U,f_p,theta_L by equation (1),theta_L solved,theta_F in reverse,f,"
@@ -115,7 +112,6 @@ int main(int argc, char** argv)
         std::cerr << "optics_table: cannot write " << csv << '\n';
         return 1;
     }
-    std::cout << "{\"rows\": " << rows << ", \"worst\": " << worst
-              << ", \"worst_reverse\": " << worstReverse << "}\n";
+    std::cout << "{\"rows\": " << rows << ", \"worst\": " << worst << ", \"worst_reverse\": " << worstReverse << "}\n";
     return worst <= limit && worstReverse <= limit ? 0 : 2;
 }

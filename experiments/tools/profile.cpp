@@ -77,9 +77,8 @@ void WritePlot(const LineOptions& options, const std::vector<Curve>& curves, dou
     for (std::size_t i = 0; i < curves.size(); ++i)
     {
         const std::string colour = i < options.colours.size() ? options.colours[i] : "#000000";
-        script << (i ? ", " : "") << Quoted(options.csv) << " using 1:" << i + 2
-               << " skip 1 with lines lw " << (i ? 1.2 : 3) << " lc rgb " << Quoted(colour)
-               << " title " << Quoted(curves[i].name);
+        script << (i ? ", " : "") << Quoted(options.csv) << " using 1:" << i + 2 << " skip 1 with lines lw " << (i ? 1.2 : 3) << " lc rgb "
+               << Quoted(colour) << " title " << Quoted(curves[i].name);
     }
     script << '\n';
     std::FILE* gnuplot = popen("gnuplot", "w");
@@ -114,9 +113,7 @@ bool RunLine(const LineOptions& options)
         WriteCsv(options.csv, curves, length);
     if (!options.plot.empty())
         WritePlot(options, curves, length);
-    std::cout
-        << json{{"points", count}, {"against", curves.front().name}, {"curves", report}}.dump()
-        << '\n';
+    std::cout << json{{"points", count}, {"against", curves.front().name}, {"curves", report}}.dump() << '\n';
     return within;
 }
 
@@ -126,15 +123,9 @@ void RunMoments(const std::string& path)
     json result = json::array();
     for (const json& window : json::parse(std::cin))
     {
-        const paper::Moments m =
-            paper::MomentsIn(picture, window.at(0).get<int>(), window.at(1).get<int>(),
-                             window.at(2).get<int>(), window.at(3).get<int>());
-        result.push_back({{"sum", m.sum},
-                          {"x", m.centroid.x},
-                          {"y", m.centroid.y},
-                          {"xx", m.xx},
-                          {"xy", m.xy},
-                          {"yy", m.yy}});
+        const paper::Moments m = paper::MomentsIn(picture, window.at(0).get<int>(), window.at(1).get<int>(), window.at(2).get<int>(),
+                                                  window.at(3).get<int>());
+        result.push_back({{"sum", m.sum}, {"x", m.centroid.x}, {"y", m.centroid.y}, {"xx", m.xx}, {"xy", m.xy}, {"yy", m.yy}});
     }
     std::cout << result.dump() << '\n';
 }
@@ -153,16 +144,12 @@ void RunEdges(const std::string& path, int inside, int first, int last)
 
 void RunBlur(const std::string& sharpPath, const std::string& blurredPath, double widest)
 {
-    const witness::Picture sharp = witness::ReadPicture(sharpPath),
-                           blurred = witness::ReadPicture(blurredPath);
+    const witness::Picture sharp = witness::ReadPicture(sharpPath), blurred = witness::ReadPicture(blurredPath);
     json result = json::array();
     for (const json& window : json::parse(std::cin))
     {
         const paper::Blur blur = paper::BlurBetween(
-            sharp, blurred,
-            {window.at(0).get<int>(), window.at(1).get<int>(), window.at(2).get<int>(),
-             window.at(3).get<int>()},
-            widest);
+            sharp, blurred, {window.at(0).get<int>(), window.at(1).get<int>(), window.at(2).get<int>(), window.at(3).get<int>()}, widest);
         result.push_back({{"diameter", blur.diameter}, {"residual", blur.residual}});
     }
     std::cout << result.dump() << '\n';
@@ -170,17 +157,12 @@ void RunBlur(const std::string& sharpPath, const std::string& blurredPath, doubl
 
 CLI::App* AddLine(CLI::App& app, LineOptions& options)
 {
-    CLI::App* line =
-        app.add_subcommand("line", "brightness along a line; exit code 2 past the limit");
-    line->add_option("pictures", options.pictures, "the first is what the others are compared with")
-        ->required();
-    line->add_option("--from-to", options.line, "x y x y in pixels from the upper left corner")
-        ->required()
-        ->expected(4);
+    CLI::App* line = app.add_subcommand("line", "brightness along a line; exit code 2 past the limit");
+    line->add_option("pictures", options.pictures, "the first is what the others are compared with")->required();
+    line->add_option("--from-to", options.line, "x y x y in pixels from the upper left corner")->required()->expected(4);
     line->add_option("--name", options.names, "one for each picture");
     line->add_option("--colour", options.colours, "of each curve, #rrggbb");
-    line->add_option("--points", options.points, "on the line; default: one a pixel")
-        ->check(CLI::Range(2, 1000000));
+    line->add_option("--points", options.points, "on the line; default: one a pixel")->check(CLI::Range(2, 1000000));
     line->add_option("--csv", options.csv, "table to write");
     line->add_option("--plot", options.plot, "SVG to write; needs --csv")->needs("--csv");
     line->add_option("--title", options.title, "of the plot");
@@ -200,18 +182,15 @@ int main(int argc, char** argv)
     double widest = 0.0, reach = 0.0;
     std::vector<double> steepLine;
     int inside = 0, first = 0, last = 0;
-    CLI::App* moments = app.add_subcommand(
-        "moments", "second moments in windows: JSON [[left, top, width, height], ...] on stdin");
+    CLI::App* moments = app.add_subcommand("moments", "second moments in windows: JSON [[left, top, width, height], ...] on stdin");
     moments->add_option("picture", picture)->required();
-    CLI::App* edges =
-        app.add_subcommand("edges", "left and right edge of a bright thing, row by row");
+    CLI::App* edges = app.add_subcommand("edges", "left and right edge of a bright thing, row by row");
     edges->add_option("picture", picture)->required();
     edges->add_option("--inside", inside, "a column inside of it")->required();
     edges->add_option("--first", first, "row")->required();
     edges->add_option("--last", last, "row")->required();
-    CLI::App* blur = app.add_subcommand(
-        "blur", "diameter of the disc that makes the second picture of the first, in windows on "
-                "stdin as for moments");
+    CLI::App* blur = app.add_subcommand("blur", "diameter of the disc that makes the second picture of the first, in windows on "
+                                                "stdin as for moments");
     blur->add_option("sharp", picture)->required();
     blur->add_option("blurred", blurred)->required();
     blur->add_option("--widest", widest, "pixels")->required();
@@ -229,9 +208,8 @@ int main(int argc, char** argv)
         else if (*blur)
             RunBlur(picture, blurred, widest);
         else if (*steep)
-            std::cout << paper::MeanSteepness(witness::ReadPicture(picture),
-                                              {steepLine[0], steepLine[1]},
-                                              {steepLine[2], steepLine[3]}, reach)
+            std::cout << paper::MeanSteepness(witness::ReadPicture(picture), {steepLine[0], steepLine[1]}, {steepLine[2], steepLine[3]},
+                                              reach)
                       << '\n';
         else
             RunEdges(picture, inside, first, last);

@@ -32,8 +32,7 @@ struct Disc
                 double inside = 0.0;
                 for (int k = 0; k < fine * fine; ++k)
                 {
-                    const double distance = std::hypot(x + (k % fine + 0.5) / fine - 0.5,
-                                                       y + (k / fine + 0.5) / fine - 0.5);
+                    const double distance = std::hypot(x + (k % fine + 0.5) / fine - 0.5, y + (k / fine + 0.5) / fine - 0.5);
                     inside += std::clamp(fine * (radius - distance) + 0.5, 0.0, 1.0);
                 }
                 weights.push_back(inside);
@@ -75,9 +74,8 @@ Disc Spread(const Disc& disc, int n)
 class Match
 {
   public:
-    Match(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window)
-        : mWidth(sharp.width), mHeight(sharp.height), mFiner(sharp.width / blurred.width),
-          mWindow(window)
+    Match(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window) :
+        mWidth(sharp.width), mHeight(sharp.height), mFiner(sharp.width / blurred.width), mWindow(window)
     {
         for (int row = 0; row < mHeight; ++row)
             for (int column = 0; column < mWidth; ++column)
@@ -98,10 +96,7 @@ class Match
     }
 
     double Contrast() const { return mContrast; }
-    double TrueDiameter(double diameter) const
-    {
-        return Disc(mFiner * diameter).TrueDiameter() / mFiner;
-    }
+    double TrueDiameter(double diameter) const { return Disc(mFiner * diameter).TrueDiameter() / mFiner; }
 
     /// RMS difference with a disc of this diameter.
     double Error(double diameter) const
@@ -116,8 +111,7 @@ class Match
                 double sum = 0.0;
                 for (int y = -disc.reach; y <= disc.reach; ++y)
                     for (int x = -disc.reach; x <= disc.reach; ++x)
-                        sum += *weight++ * At(Fine(mWindow.left + column) + x,
-                                              Fine(mWindow.top + row) + y);
+                        sum += *weight++ * At(Fine(mWindow.left + column) + x, Fine(mWindow.top + row) + y);
                 const double off = sum - mWanted[next++];
                 squares += off * off;
             }
@@ -130,8 +124,7 @@ class Match
 
     double At(int column, int row) const
     {
-        return mSharp[static_cast<std::size_t>(std::clamp(row, 0, mHeight - 1)) * mWidth +
-                      std::clamp(column, 0, mWidth - 1)];
+        return mSharp[static_cast<std::size_t>(std::clamp(row, 0, mHeight - 1)) * mWidth + std::clamp(column, 0, mWidth - 1)];
     }
 
     int mWidth, mHeight, mFiner, mStep = 1;
@@ -142,15 +135,12 @@ class Match
 
 }  // namespace
 
-Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
-                 const Window& window, double widest)
+Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window, double widest)
 {
     const int finer = blurred.width > 0 ? sharp.width / blurred.width : 0;
-    if (finer % 2 == 0 || sharp.width != finer * blurred.width ||
-        sharp.height != finer * blurred.height)
+    if (finer % 2 == 0 || sharp.width != finer * blurred.width || sharp.height != finer * blurred.height)
         throw std::invalid_argument("the sharp picture must be 1, 3, 5 ... times as wide and high");
-    if (window.left < 0 || window.top < 0 || window.width < 2 || window.height < 2 ||
-        window.left + window.width > blurred.width ||
+    if (window.left < 0 || window.top < 0 || window.width < 2 || window.height < 2 || window.left + window.width > blurred.width ||
         window.top + window.height > blurred.height)
         throw std::invalid_argument("the window leaves the picture");
     const Match match(sharp, blurred, window);
@@ -192,8 +182,7 @@ double MeanSteepness(const witness::Picture& picture, Point from, Point to, doub
             const double along = x * dx + y * dy, across = x * dy - y * dx;
             if (along < 0.0 || along > length || std::fabs(across) > reach)
                 continue;
-            const auto level = [&](int i, int j)
-            { return Level(Luminance(picture, column + i, row + j)); };
+            const auto level = [&](int i, int j) { return Level(Luminance(picture, column + i, row + j)); };
             sum += 0.5 * std::hypot(level(1, 0) - level(-1, 0), level(0, 1) - level(0, -1));
             ++count;
         }

@@ -29,8 +29,7 @@ struct Blur
 /// least squares of linear luminance. The sharp picture may be 3, 5 ... times as wide and high. Beyond its edge its
 /// last pixels go on.
 /// @throws std::invalid_argument pictures of unfit sizes, a window outside, or one without contrast.
-Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
-                 const Window& window, double widest);
+Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window, double widest);
 
 /// Mean steepness in levels of an 8-bit sRGB file per pixel, of the pixels not farther than
 /// `reach` from a line between two points.

@@ -43,7 +43,10 @@ struct Bounds
 };
 
 /// Twice the centre of a box on an axis.
-double Middle(const BoxItem& item, int axis) { return double(item.lower[axis]) + item.upper[axis]; }
+double Middle(const BoxItem& item, int axis)
+{
+    return double(item.lower[axis]) + item.upper[axis];
+}
 
 /// Consecutive items and their bounds.
 struct Range
@@ -194,8 +197,8 @@ class HierarchyBuilder
             {
                 return part.Size() < 2 ? -1.0 : even ? double(part.Size()) : part.bounds.Area();
             };
-            Range& largest =
-                *std::max_element(parts.begin(), parts.end(), [&](const Range& a, const Range& b) { return weight(a) < weight(b); });
+            Range& largest = *std::max_element(parts.begin(), parts.end(),
+                                               [&](const Range& a, const Range& b) { return weight(a) < weight(b); });
             if (largest.Size() < 2)
                 break;
             const Range whole = largest;
@@ -221,7 +224,8 @@ class HierarchyBuilder
             }
             if (i >= parts.size())
                 continue;
-            const std::int32_t child = parts[i].Size() == 1 ? ~std::int32_t(parts[i].begin - items.begin()) : BuildNode(parts[i], level + 1);
+            const std::int32_t child = parts[i].Size() == 1 ? ~std::int32_t(parts[i].begin - items.begin())
+                                                            : BuildNode(parts[i], level + 1);
             hierarchy.nodes[number].children[i] = child;
         }
         return number;

@@ -140,10 +140,11 @@ TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, c
             if (top == waiting)
                 return count;
             next = *--top;
-        } while (next.begin > farthest);
+        }
+        while (next.begin > farthest);
     }
 }
 
-} // namespace speedups
+}  // namespace speedups
 
 #endif

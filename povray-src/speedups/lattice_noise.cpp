@@ -107,8 +107,8 @@ TILT_LENS_FOR_AVX2 void LatticeNoise::VectorAt(const double* point, double* vect
         return cell.weights[level][i] * (numbers[0] * 0.5 + numbers[1] * x + numbers[2] * y + numbers[3] * z);
     };
     // POV-Ray's order of addition
-    const Double4 sum = corner(0, 0) + corner(0, 1) + corner(0, 3) + corner(0, 2) +
-                        corner(1, 2) + corner(1, 3) + corner(1, 1) + corner(1, 0);
+    const Double4 sum = corner(0, 0) + corner(0, 1) + corner(0, 3) + corner(0, 2) + corner(1, 2) + corner(1, 3) + corner(1, 1) +
+                        corner(1, 0);
     for (int i = 0; i < 3; i++)
         vector[i] = sum[i];
 }

@@ -130,6 +130,6 @@ extern Settings settings;  // varied by the ablation's programs (benchmarks/tool
 constexpr Settings settings;
 #endif
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -71,7 +71,8 @@ Request WithSharpPoints(const Request& other, Random& random)
     {
         const Vec3 point = s.points[0] + random(-0.5, 0.5) * u + narrow * random(-0.5, 0.5) * v;
         const bool again = i > 0 && random(0.0, 1.0) < 0.1;
-        s.sharpPoints.push_back((again ? s.sharpPoints.back() : point) + off * random(-1.0, 1.0) * Dot(point - request.camera.location, axis) * axis);
+        s.sharpPoints.push_back((again ? s.sharpPoints.back() : point) +
+                                off * random(-1.0, 1.0) * Dot(point - request.camera.location, axis) * axis);
     }
     s.family = FocusFamily::SharpPoints;
     return request;
@@ -127,8 +128,8 @@ void PrintBlur(std::ostream& out, const Lens& lens, Random& random)
         const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
         const double T = i < 4 && w > 0.0 ? random(0.5, 2.0) / w : random.Power(0.0, 5.0);
         const Vec3 point = T * chief;
-        out << (i ? ", " : "") << "[" << x << ", " << y << ", " << T << ", " << BlurDiameter(lens, chief, T, kWidth)
-            << ", " << Dot(point, lens.axis) << "]";
+        out << (i ? ", " : "") << "[" << x << ", " << y << ", " << T << ", " << BlurDiameter(lens, chief, T, kWidth) << ", "
+            << Dot(point, lens.axis) << "]";
     }
     out << "]";
 }

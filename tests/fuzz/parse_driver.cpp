@@ -90,13 +90,12 @@ std::string BrokenRay(const tilt_lens::Lens& lens)
 
 // the linker redirects the parser's calls of these four functions here (--wrap); the scene is the only file
 int Send(POVMSContext, POVMSObjectPtr message, POVMSObjectPtr, int) __asm__("__wrap__Z10POVMS_SendPvP9POVMSDataS1_i");
-pov_base::UCS2String FindFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, unsigned int)
-    __asm__("__wrap__ZN3pov9SceneData8FindFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEEj");
-pov_base::IStream* ReadFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, const pov_base::UCS2String&,
-                            unsigned int)
-    __asm__("__wrap__ZN3pov9SceneData8ReadFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEES9_j");
-pov_base::OStream* CreateFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, unsigned int, bool)
-    __asm__("__wrap__ZN3pov9SceneData10CreateFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEEjb");
+pov_base::UCS2String FindFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, unsigned int) __asm__(
+    "__wrap__ZN3pov9SceneData8FindFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEEj");
+pov_base::IStream* ReadFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, const pov_base::UCS2String&, unsigned int) __asm__(
+    "__wrap__ZN3pov9SceneData8ReadFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEES9_j");
+pov_base::OStream* CreateFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, unsigned int, bool) __asm__(
+    "__wrap__ZN3pov9SceneData10CreateFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEEjb");
 
 int Send(POVMSContext, POVMSObjectPtr message, POVMSObjectPtr, int)
 {
@@ -110,8 +109,7 @@ pov_base::UCS2String FindFile(pov::SceneData*, POVMSContext, const pov_base::UCS
     return kind == pov_base::POV_File_Text_POV ? name : pov_base::UCS2String();
 }
 
-pov_base::IStream* ReadFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, const pov_base::UCS2String&,
-                            unsigned int kind)
+pov_base::IStream* ReadFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, const pov_base::UCS2String&, unsigned int kind)
 {
     const std::string path = "/proc/self/fd/" + std::to_string(sceneFile);
     pov_base::IStream* stream = new pov_base::IStream(kind);

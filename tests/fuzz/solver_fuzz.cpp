@@ -26,7 +26,7 @@ class Bytes
   public:
     Bytes(const std::uint8_t* itsData, std::size_t itsSize) : data(itsData), size(itsSize) {}
 
-    template <typename T>
+    template<typename T>
     T Take()
     {
         T value{};
@@ -123,7 +123,7 @@ void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
     }
 }
 
-} // namespace
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -32,8 +32,7 @@ TEST(LensPoints, EachCoordinateIsStratified)
 
 TEST(LensPoints, SeedsAreDifferentAndRepeatable)
 {
-    const std::vector<LensPoint> a = LensPoints(64, 1, 0, 0.0), b = LensPoints(64, 2, 0, 0.0),
-                                 again = LensPoints(64, 1, 0, 0.0);
+    const std::vector<LensPoint> a = LensPoints(64, 1, 0, 0.0), b = LensPoints(64, 2, 0, 0.0), again = LensPoints(64, 1, 0, 0.0);
     int equal = 0;
     for (int i = 0; i < 64; ++i)
     {
@@ -77,8 +76,7 @@ TEST(LensPoints, PolygonIsFilledEvenly)
             for (int edge = 0; edge < blades; ++edge)
             {
                 const double normal = 20.0 * pi / 180.0 + (2 * edge + 1) * pi / blades;
-                outermost =
-                    std::max(outermost, point.a * std::cos(normal) + point.b * std::sin(normal));
+                outermost = std::max(outermost, point.a * std::cos(normal) + point.b * std::sin(normal));
             }
         }
         const double cosine = std::cos(pi / blades), moment = (1.0 + 2.0 * cosine * cosine) / 12.0;

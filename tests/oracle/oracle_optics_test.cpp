@@ -50,10 +50,8 @@ TEST(OracleOptics, EveryLensPointMeetsInThePlaneOfFocus)
             const CameraSolved camera = SolveCase(AlongZ(Focus::Lens, tilt, swing), 4.0 / 3.0);
             for (const double x : {-0.5, 0.1, 0.5})
             {
-                const Vector centre = Crossing(camera, 0.0, 0.0, x, 0.3),
-                             edge = Crossing(camera, 0.6, -0.8, x, 0.3);
-                EXPECT_LT(Length(edge - centre), 1e-9 * Length(centre))
-                    << tilt << ' ' << swing << ' ' << x;
+                const Vector centre = Crossing(camera, 0.0, 0.0, x, 0.3), edge = Crossing(camera, 0.6, -0.8, x, 0.3);
+                EXPECT_LT(Length(edge - centre), 1e-9 * Length(centre)) << tilt << ' ' << swing << ' ' << x;
             }
         }
 }
@@ -72,8 +70,7 @@ TEST(OracleOptics, ObeysEquationOneOfThePaper)
         const CameraSolved camera = SolveCase(AlongZ(Focus::PlaneTurn, focusTilt, 0.0), 4.0 / 3.0);
         const double axial = 1.0 / camera.focus.z, s = camera.filmDistance;
         const double lensTilt = std::atan2(-camera.lensNormal.y, camera.lensNormal.z);
-        EXPECT_NEAR(std::tan(lensTilt), s * std::tan(focusTilt * kDegree) / (axial + s), 1e-12)
-            << focusTilt;
+        EXPECT_NEAR(std::tan(lensTilt), s * std::tan(focusTilt * kDegree) / (axial + s), 1e-12) << focusTilt;
     }
 }
 
@@ -140,23 +137,15 @@ TEST(OracleOptics, TransformationsCarryThePlaneWithTheCamera)
     const CameraSolved after = SolveCase(given, 4.0 / 3.0);
     // POV-Ray rotates z to x with rotate 90*y
     EXPECT_LT(Length(after.direction - Vector{2.0 * before.direction.z, 0.0, 0.0}), 1e-14);
-    const Vector point = Crossing(before, 0.0, 0.0, 0.2, 0.1),
-                 image = Crossing(after, 0.3, 0.4, 0.2, 0.1);
-    EXPECT_LT(Length(image - Vector{2.0 * point.z, 2.0 * point.y, -2.0 * point.x}),
-              1e-9 * Length(image));
+    const Vector point = Crossing(before, 0.0, 0.0, 0.2, 0.1), image = Crossing(after, 0.3, 0.4, 0.2, 0.1);
+    EXPECT_LT(Length(image - Vector{2.0 * point.z, 2.0 * point.y, -2.0 * point.x}), 1e-9 * Length(image));
 }
 
 TEST(OracleCaseFile, WrongItemsAreNamed)
 {
-    nlohmann::json text = {{"name", "x"},
-                           {"scene", "s.inc"},
-                           {"picture", {4, 3}},
-                           {"camera", nlohmann::json::object()}};
-    text["camera"] = {{"location", {0, 0, 0}},
-                      {"look_at", {0, 0, 1}},
-                      {"angle", 40},
-                      {"aperture", 1},
-                      {"focus", {{"tilt", 1}, {"through", {0, 0, 3}}}}};
+    nlohmann::json text = {{"name", "x"}, {"scene", "s.inc"}, {"picture", {4, 3}}, {"camera", nlohmann::json::object()}};
+    text["camera"] = {
+        {"location", {0, 0, 0}}, {"look_at", {0, 0, 1}}, {"angle", 40}, {"aperture", 1}, {"focus", {{"tilt", 1}, {"through", {0, 0, 3}}}}};
     EXPECT_NO_THROW(ReadCase(text));
     nlohmann::json unknown = text;
     unknown["camera"]["tlit"] = 3;

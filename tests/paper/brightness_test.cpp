@@ -17,7 +17,7 @@ using paper::Point;
 using witness::Picture;
 
 /// Grey pixels of linear values from a function of column and row.
-template <typename Value>
+template<typename Value>
 Picture Make(int width, int height, Value value)
 {
     Picture picture{width, height, {}};
@@ -60,8 +60,7 @@ TEST(Profile, AveragesAbsoluteDifferences)
 TEST(Moments, MatchARectangle)
 {
     // 5 by 3 pixels: variances (n^2 - 1)/12 of the pixels' centres
-    const Picture picture =
-        Make(20, 20, [](int x, int y) { return x >= 4 && x < 9 && y >= 7 && y < 10 ? 0.25 : 0.0; });
+    const Picture picture = Make(20, 20, [](int x, int y) { return x >= 4 && x < 9 && y >= 7 && y < 10 ? 0.25 : 0.0; });
     const paper::Moments m = paper::MomentsIn(picture, 2, 2, 15, 15);
     EXPECT_NEAR(m.centroid.x, 6.5, 1e-12);
     EXPECT_NEAR(m.centroid.y, 8.5, 1e-12);
@@ -74,11 +73,7 @@ TEST(Moments, MatchARectangle)
 
 TEST(Edges, FindFractionsOfAPixel)
 {
-    const Picture picture =
-        Make(10, 1,
-             [](int x, int) {
-                 return x == 2 ? 0.2 : x > 2 && x < 7 ? 0.8 : x == 7 ? 0.4 : 0.0;
-             });
+    const Picture picture = Make(10, 1, [](int x, int) { return x == 2 ? 0.2 : x > 2 && x < 7 ? 0.8 : x == 7 ? 0.4 : 0.0; });
     const paper::Edges edges = paper::EdgesIn(picture, 0, 4);
     EXPECT_NEAR(edges.left, 2.75, 1e-12);
     EXPECT_NEAR(edges.right, 7.5, 1e-12);

@@ -57,8 +57,7 @@ TEST(GlassLens, PassesItsPrincipalPointsUnbent)
     ASSERT_NEAR(lens.ExitPupil(), -lens.Separation(), 0.05);
     ASSERT_NEAR(lens.EntrancePupil(), 0.0, 0.05);
     const paper::Vector film{0.2, 0.1, -lens.Separation() - 55.0};
-    const paper::Vector direction =
-        witness::Unit(paper::Vector{0.0, 0.0, -lens.Separation()} - film);
+    const paper::Vector direction = witness::Unit(paper::Vector{0.0, 0.0, -lens.Separation()} - film);
     const auto ray = lens.Trace({film, direction});
     ASSERT_TRUE(ray.has_value());
     const paper::Ray& out = ray->out;
@@ -74,8 +73,7 @@ TEST(GlassLens, HasItsFNumber)
     const paper::Vector focus{0.0, 0.0, -lens.Separation() - 50.0};
     double widest = 0.0;
     for (double x = 0.0; x < 2.0 * lens.PupilRadius(); x += 0.001)
-        if (const auto ray =
-                lens.Trace({focus, witness::Unit(paper::Vector{x, 0.0, lens.ExitPupil()} - focus)}))
+        if (const auto ray = lens.Trace({focus, witness::Unit(paper::Vector{x, 0.0, lens.ExitPupil()} - focus)}))
             widest = std::fabs(ray->out.origin.x);
     EXPECT_NEAR(2.0 * widest, 50.0 / 8.0, 0.03);
 }

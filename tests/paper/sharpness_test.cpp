@@ -36,7 +36,8 @@ Picture Checkers(double diameter, int finer = 1)
                 {
                     u = even(random);
                     v = even(random);
-                } while (std::hypot(u, v) > 0.5);
+                }
+                while (std::hypot(u, v) > 0.5);
                 const double x = (column + 0.5 + even(random)) / finer + diameter * u,
                              y = (row + 0.5 + even(random)) / finer + diameter * v;
                 const double a = 0.17 * x + 0.06 * y, b = 0.17 * y - 0.06 * x;
@@ -52,8 +53,7 @@ TEST(Blur, IsRecovered)
     const Picture sharp = Checkers(0.0);
     for (const double diameter : {1.5, 3.0, 5.0, 9.0})
     {
-        const paper::Blur blur =
-            paper::BlurBetween(sharp, Checkers(diameter), {15, 15, 30, 20}, 20.0);
+        const paper::Blur blur = paper::BlurBetween(sharp, Checkers(diameter), {15, 15, 30, 20}, 20.0);
         // the grid contributes up to a pixel's own variance, 1/12; a disc's is d^2/16
         EXPECT_NEAR(blur.diameter * blur.diameter, diameter * diameter, 16.0 / 12);
         EXPECT_LT(blur.residual, 0.1);
@@ -64,15 +64,12 @@ TEST(Blur, IsMorePreciseOnAFinerGrid)
 {
     const Picture sharp = Checkers(0.0, 3);
     for (const double diameter : {1.5, 3.0})
-        EXPECT_NEAR(
-            paper::BlurBetween(sharp, Checkers(diameter), {15, 15, 30, 20}, 9.0).diameter,
-            diameter, 0.1);
+        EXPECT_NEAR(paper::BlurBetween(sharp, Checkers(diameter), {15, 15, 30, 20}, 9.0).diameter, diameter, 0.1);
 }
 
 TEST(Blur, SharpPictureHasLessThanAPixel)
 {
-    EXPECT_LT(
-        paper::BlurBetween(Checkers(0.0), Checkers(0.0), {15, 15, 30, 20}, 20.0).diameter, 0.3);
+    EXPECT_LT(paper::BlurBetween(Checkers(0.0), Checkers(0.0), {15, 15, 30, 20}, 20.0).diameter, 0.3);
 }
 
 TEST(Blur, RefusesUnmeasurablePictures)
@@ -80,9 +77,7 @@ TEST(Blur, RefusesUnmeasurablePictures)
     const Picture sharp = Checkers(0.0), grey{60, 50, std::vector<double>(60 * 50 * 3, 0.5)};
     EXPECT_THROW(paper::BlurBetween(sharp, sharp, {50, 0, 20, 20}, 9.0), std::invalid_argument);
     EXPECT_THROW(paper::BlurBetween(grey, sharp, {15, 15, 9, 9}, 9.0), std::invalid_argument);
-    EXPECT_THROW(
-        paper::BlurBetween(Picture{2, 2, std::vector<double>(12)}, sharp, {0, 0, 2, 2}, 9.0),
-        std::invalid_argument);
+    EXPECT_THROW(paper::BlurBetween(Picture{2, 2, std::vector<double>(12)}, sharp, {0, 0, 2, 2}, 9.0), std::invalid_argument);
 }
 
 TEST(Steepness, MatchesAStep)

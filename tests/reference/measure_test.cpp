@@ -19,8 +19,7 @@ using namespace witness;
 
 Picture Grey(int width, int height, double value)
 {
-    return {width, height,
-            std::vector<double>(static_cast<std::size_t>(width) * height * 3, value)};
+    return {width, height, std::vector<double>(static_cast<std::size_t>(width) * height * 3, value)};
 }
 
 Picture Noisy(int width, int height, double deviation, unsigned seed)
@@ -73,8 +72,7 @@ TEST(Measure, LimitsFollowSidak)
     EXPECT_NEAR(SidakLimit(0.05, 1.0), 1.959964, 1e-5);
     EXPECT_NEAR(SidakLimit(0.01, 1.0), 2.575829, 1e-5);
     // 1 - (1 - 0.05)^(1/1000) = 5.12920e-5, two-sided
-    EXPECT_NEAR(std::erfc(SidakLimit(0.05, 1000.0) / std::sqrt(2.0)),
-                -std::expm1(std::log1p(-0.05) / 1000.0), 1e-12);
+    EXPECT_NEAR(std::erfc(SidakLimit(0.05, 1000.0) / std::sqrt(2.0)), -std::expm1(std::log1p(-0.05) / 1000.0), 1e-12);
 }
 
 TEST(Measure, AverageGivesTheStandardErrorOfTheMean)
@@ -110,8 +108,7 @@ TEST(ZTest, ABiasUnderTheNoiseFails)
     Picture picture = Noisy(64, 48, 0.01, 1);
     for (int y = 16; y < 24; ++y)
         for (int x = 32; x < 40; ++x)
-            picture.values[(y * 64 + x) * 3] +=
-                0.01;  // one standard deviation, in one box and channel
+            picture.values[(y * 64 + x) * 3] += 0.01;  // one standard deviation, in one box and channel
     const ZTest test = TestNoisy(picture, reference, Floor(0.005));
     EXPECT_GE(test.passing, 0.9975);
     EXPECT_FALSE(test.passed);
@@ -139,8 +136,7 @@ TEST(PictureFile, ReferenceSurvivesItsFile)
     for (std::size_t i = 0; i < written.mean.Size(); ++i)
     {
         EXPECT_NEAR(read.mean.values[i], written.mean.values[i], 1e-7);
-        EXPECT_NEAR(read.error.values[i], written.error.values[i],
-                    1e-3 * written.error.values[i] + 1e-7);
+        EXPECT_NEAR(read.error.values[i], written.error.values[i], 1e-3 * written.error.values[i] + 1e-7);
     }
     std::filesystem::remove(path);
 }

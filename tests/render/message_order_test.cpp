@@ -44,8 +44,8 @@ TEST(MessageOrder, WarningFollowsItsPlaceAndProgressFollowsBoth)
     session.Text("Render Warning: a text\n of two lines");
     session.Status("Rendered 48 of 48 pixels");
     session.Text("Render Statistics");
-    EXPECT_EQ(session.Printed(), (Texts{"File: scene.pov  Line: 2", "Render Warning: a text", " of two lines",
-                                        "Rendered 48 of 48 pixels", "Render Statistics"}));
+    EXPECT_EQ(session.Printed(), (Texts{"File: scene.pov  Line: 2", "Render Warning: a text", " of two lines", "Rendered 48 of 48 pixels",
+                                        "Render Statistics"}));
 }
 
 TEST(MessageOrder, KindsOfMessagesKeepTheirOrder)

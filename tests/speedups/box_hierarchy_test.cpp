@@ -60,10 +60,8 @@ class Scene
     double Nearest(const RayOfTest& ray) const
     {
         double nearest = std::numeric_limits<double>::infinity();
-        hierarchy.Walk<Float4>(ray.origin.data(), ray.direction.data(), nearest, [&](const void* what)
-        {
-            nearest = std::min(nearest, double(EntryOf(items[NumberOf(what)], ray)));
-        });
+        hierarchy.Walk<Float4>(ray.origin.data(), ray.direction.data(), nearest,
+                               [&](const void* what) { nearest = std::min(nearest, double(EntryOf(items[NumberOf(what)], ray))); });
         return nearest;
     }
 

@@ -113,8 +113,9 @@ TEST_F(LatticeNoiseTest, EqualsPovRaysNoiseAtCornersFacesAndExtremes)
 {
     const double tiny = std::numeric_limits<double>::denorm_min(), huge = std::numeric_limits<double>::max();
     const double infinite = std::numeric_limits<double>::infinity();
-    const double all[] = {0.0, -0.0, 1.0, -1.0, 2.0, -10000.0, -10001.0, 4095.0, 4096.0, 0.5, -0.5, 1.0 - 1e-11, -1e-11, -1e-9, 1e-10,
-                          tiny, -tiny, 2147473647.0, -2147483648.0, 1e300, -1e300, huge, -huge, infinite, -infinite, std::nan("")};
+    const double all[] = {0.0,           -0.0,  1.0,         -1.0,   2.0,   -10000.0, -10001.0,  4095.0,      4096.0,
+                          0.5,           -0.5,  1.0 - 1e-11, -1e-11, -1e-9, 1e-10,    tiny,      -tiny,       2147473647.0,
+                          -2147483648.0, 1e300, -1e300,      huge,   -huge, infinite, -infinite, std::nan("")};
     for (const double x : all)
         for (const double y : all)
             for (const double z : all)

@@ -28,8 +28,8 @@ TEST(Spread, FilesByPowersOfTen)
 
 TEST(Spread, InfinityAndNaNAreTheWorst)
 {
-    for (double value : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(),
-                         std::numeric_limits<double>::max()})
+    for (double value :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::max()})
     {
         Spread spread;
         spread.Add(value);

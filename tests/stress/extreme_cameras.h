@@ -46,8 +46,7 @@ inline void SetPlane(Request& r, const Vec3& normal, const Vec3& point)
 inline void PullTilt(Random& random, Request& r, FilmPoint&)
 {
     r.given.family = FocusFamily::LensTurn;
-    (random.Coin() ? r.given.tilt : r.given.swing) =
-        Sign(random) * (random.Coin() ? 89.9 : random(75.0, 89.9));
+    (random.Coin() ? r.given.tilt : r.given.swing) = Sign(random) * (random.Coin() ? 89.9 : random(75.0, 89.9));
     // on the axis: a point aside would be behind the lens
     r.given.focalPoint = r.camera.location + DistanceToFocus(r) * AxisOf(r.camera);
 }
@@ -82,8 +81,7 @@ inline void PullBehind(Random& random, Request& r, FilmPoint&)
 {
     const Vec3 axis = AxisOf(r.camera);
     const Vec3 across = Normalized(Cross(axis, random.Direction()));
-    SetPlane(r, Normalized(axis + random(-1.0, 1.0) * across),
-             r.camera.location - DistanceToFocus(r) * random.Power(-1.0, 6.0) * axis);
+    SetPlane(r, Normalized(axis + random(-1.0, 1.0) * across), r.camera.location - DistanceToFocus(r) * random.Power(-1.0, 6.0) * axis);
 }
 
 inline void PullFarFocus(Random& random, Request& r, FilmPoint&)
@@ -104,15 +102,21 @@ inline void MoveAway(Random& random, Request& r, double distance)
     r.given.planeDistance += Dot(Normalized(r.given.planeNormal), offset);
 }
 
-inline void PullFarCamera(Random& random, Request& r, FilmPoint&) { MoveAway(random, r, 1e7); }
-inline void PullFartherCamera(Random& random, Request& r, FilmPoint&) { MoveAway(random, r, 1e12); }
+inline void PullFarCamera(Random& random, Request& r, FilmPoint&)
+{
+    MoveAway(random, r, 1e7);
+}
+inline void PullFartherCamera(Random& random, Request& r, FilmPoint&)
+{
+    MoveAway(random, r, 1e12);
+}
 
 /// The whole world larger or smaller, with or without the scene unit.
 inline void PullScale(Random& random, Request& r, FilmPoint&)
 {
     const double scale = random.Power(-9.0, 9.0);
-    for (Vec3* v : {&r.camera.location, &r.camera.direction, &r.camera.right, &r.camera.up, &r.given.focalPoint,
-                    &r.given.points[0], &r.given.points[1], &r.given.points[2]})
+    for (Vec3* v : {&r.camera.location, &r.camera.direction, &r.camera.right, &r.camera.up, &r.given.focalPoint, &r.given.points[0],
+                    &r.given.points[1], &r.given.points[2]})
         *v = scale * *v;
     r.given.planeDistance *= scale;
     r.given.aperture *= scale;
@@ -120,7 +124,10 @@ inline void PullScale(Random& random, Request& r, FilmPoint&)
         r.given.sceneUnit /= scale;
 }
 
-inline void PullUnit(Random& random, Request& r, FilmPoint&) { r.given.sceneUnit = random.Power(-9.0, 9.0); }
+inline void PullUnit(Random& random, Request& r, FilmPoint&)
+{
+    r.given.sceneUnit = random.Power(-9.0, 9.0);
+}
 
 inline void PullAperture(Random& random, Request& r, FilmPoint&)
 {
@@ -162,10 +169,10 @@ inline void PullCorners(Random& random, Request&, FilmPoint& at)
 inline void PullOddNumbers(Random& random, Request& r, FilmPoint&)
 {
     Statement& s = r.given;
-    std::vector<double*> fields = {&s.filmWidth, &s.sceneUnit, &s.tilt, &s.swing, &s.focusTilt, &s.focusSwing,
+    std::vector<double*> fields = {&s.filmWidth,     &s.sceneUnit,  &s.tilt,    &s.swing,    &s.focusTilt, &s.focusSwing,
                                    &s.planeDistance, &s.shiftRight, &s.shiftUp, &s.aperture, &s.scale};
-    for (Vec3* v : {&r.camera.location, &r.camera.direction, &r.camera.right, &r.camera.up, &s.planeNormal,
-                    &s.points[0], &s.points[1], &s.points[2], &s.focalPoint})
+    for (Vec3* v : {&r.camera.location, &r.camera.direction, &r.camera.right, &r.camera.up, &s.planeNormal, &s.points[0], &s.points[1],
+                    &s.points[2], &s.focalPoint})
         for (double* component : {&v->x, &v->y, &v->z})
             fields.push_back(component);
     if (s.focalLength)
@@ -174,20 +181,20 @@ inline void PullOddNumbers(Random& random, Request& r, FilmPoint&)
         fields.push_back(&*s.fStop);
 
     const double infinity = std::numeric_limits<double>::infinity();
-    const double odd[] = {0.0, -0.0, 5e-324, -5e-324, 1e-310, -1e-310, DBL_MIN, 1e-150, 1e150, 1e300, DBL_MAX,
-                          -DBL_MAX, infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
+    const double odd[] = {0.0,     -0.0,     5e-324,   -5e-324,   1e-310,
+                          -1e-310, DBL_MIN,  1e-150,   1e150,     1e300,
+                          DBL_MAX, -DBL_MAX, infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
     const int count = 1 + int(random(0.0, 3.0));
     for (int i = 0; i < count; i++)
-        *fields[std::size_t(random(0.0, double(fields.size())))] =
-            odd[std::size_t(random(0.0, double(sizeof odd / sizeof *odd)))];
+        *fields[std::size_t(random(0.0, double(fields.size())))] = odd[std::size_t(random(0.0, double(sizeof odd / sizeof *odd)))];
 }
 
 /// Several extremes at once.
 inline void PullSeveral(Random& random, Request& r, FilmPoint& at)
 {
-    void (*const pulls[])(Random&, Request&, FilmPoint&) = {PullTilt, PullParallel, PullThroughView, PullBehind, PullFarFocus,
-                                                PullFarCamera, PullFartherCamera, PullScale, PullUnit, PullAperture,
-                                                PullFilm};
+    void (*const pulls[])(Random&, Request&, FilmPoint&) = {PullTilt,     PullParallel,  PullThroughView,   PullBehind,
+                                                            PullFarFocus, PullFarCamera, PullFartherCamera, PullScale,
+                                                            PullUnit,     PullAperture,  PullFilm};
     for (int i = 0; i < 3; i++)
         pulls[std::size_t(random(0.0, double(sizeof pulls / sizeof *pulls)))](random, r, at);
 }

@@ -53,14 +53,16 @@ struct Errors
     double roundings;      ///< angle between the directions, over the largest angle by which rounding to nearest turns one
 };
 
-double AsDouble(const Exact& value) { return value.convert_to<double>(); }
+double AsDouble(const Exact& value)
+{
+    return value.convert_to<double>();
+}
 
 /// Film point whose true ray through l has this direction, as an offset in pixels.
 double FilmOffset(const V& right, const V& up, const V& truth, const V& direction)
 {
     // direction = a truth + b right + c up, by Cramer's rule
-    const Exact a = direction.Dot(right.Cross(up)), b = truth.Dot(direction.Cross(up)),
-                c = truth.Dot(right.Cross(direction));
+    const Exact a = direction.Dot(right.Cross(up)), b = truth.Dot(direction.Cross(up)), c = truth.Dot(right.Cross(direction));
     const Exact determinant = truth.Dot(right.Cross(up));
     if (!(a * determinant > 0))
         return HUGE_VAL;
@@ -69,7 +71,10 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
 }
 
 /// Sine of the angle between two directions, which is the angle itself if small.
-Exact AngleBetween(const V& a, const V& b) { return a.Cross(b).Length() / (a.Length() * b.Length()); }
+Exact AngleBetween(const V& a, const V& b)
+{
+    return a.Cross(b).Length() / (a.Length() * b.Length());
+}
 
 /// The largest angle by which rounding each number to nearest turns a direction: half a last place of each. Subnormal numbers round as the
 /// least normal one.
@@ -85,27 +90,31 @@ Exact MostByRounding(const V& direction)
     return Root(sum) / direction.Length();
 }
 
-Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& camera, const LensRay& ray, double x,
-                double y, double a, double b)
+Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& camera, const LensRay& ray, double x, double y, double a,
+                double b)
 {
     const ReferenceRay<Exact> truth = reference.Ray(x, y, a, b);
     const V k = reference.Focus(), l = truth.origin, direction(ray.direction), right(camera.right), up(camera.up);
     const V rounded(Vec3{AsDouble(truth.direction.x), AsDouble(truth.direction.y), AsDouble(truth.direction.z)});
     const Exact size = truth.direction.Length();
     const Exact perRadian = reference.Chief(x, y).Length() / right.Length() * kPictureWidth;
-    const auto pixelsOff = [&](const V& found) {
+    const auto pixelsOff = [&](const V& found)
+    {
         const bool forward = truth.direction.Dot(found) > 0;
         return std::min(forward ? AsDouble(AngleBetween(truth.direction, found) * perRadian) : HUGE_VAL,
                         FilmOffset(right - l * k.Dot(right), up - l * k.Dot(up), truth.direction, found));
     };
     const Exact radius = reference.Radius();
-    const double origin =
-        radius == 0 ? 0.0 : AsDouble((V(ray.origin) - l).Length() / (radius + Exact(DBL_MIN))) * 0x1p52;
+    const double origin = radius == 0 ? 0.0 : AsDouble((V(ray.origin) - l).Length() / (radius + Exact(DBL_MIN))) * 0x1p52;
     const Exact sum = reference.Chief(0, 0).Length() + abs(Exact(x)) * right.Length() + abs(Exact(y)) * up.Length();
     const Exact condition = sum * (1 + k.Length() * l.Length()) / size;
     const bool narrow = AsDouble(perRadian) > kNarrow;
-    return {AsDouble((direction - truth.direction).Length() / size) * 0x1p52, pixelsOff(direction), origin,
-            AsDouble(condition), AsDouble(perRadian), narrow ? pixelsOff(rounded) : 0.0,
+    return {AsDouble((direction - truth.direction).Length() / size) * 0x1p52,
+            pixelsOff(direction),
+            origin,
+            AsDouble(condition),
+            AsDouble(perRadian),
+            narrow ? pixelsOff(rounded) : 0.0,
             narrow ? AsDouble(AngleBetween(truth.direction, direction) / MostByRounding(truth.direction)) : 0.0};
 }
 
@@ -133,8 +142,7 @@ struct Run
     json worst = json::object();
 
     void Camera(Random& random, const Request& request, const FilmPoint& at);
-    void Ray(const Request& request, const Lens& lens, const ReferenceCamera<Exact>& reference, double x, double y,
-             double a, double b);
+    void Ray(const Request& request, const Lens& lens, const ReferenceCamera<Exact>& reference, double x, double y, double a, double b);
     void Refuse(const std::string& message);
     void KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e);
 };
@@ -150,13 +158,12 @@ void Run::Refuse(const std::string& message)
 void Run::KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e)
 {
     std::ostringstream text;
-    text << std::setprecision(17) << request << "\nx " << x << " y " << y << " a " << a << " b " << b << "\nulps " << e.ulps
-         << " pixels " << e.pixels << " condition " << e.condition;
+    text << std::setprecision(17) << request << "\nx " << x << " y " << y << " a " << a << " b " << b << "\nulps " << e.ulps << " pixels "
+         << e.pixels << " condition " << e.condition;
     worst["pixels"] = text.str();
 }
 
-void Run::Ray(const Request& request, const Lens& lens, const ReferenceCamera<Exact>& reference, double x, double y,
-              double a, double b)
+void Run::Ray(const Request& request, const Lens& lens, const ReferenceCamera<Exact>& reference, double x, double y, double a, double b)
 {
     rays++;
     const LensRay ray = MakeRay(lens, x, y, a, b);
@@ -212,13 +219,23 @@ void Run::Camera(Random& random, const Request& request, const FilmPoint& at)
 
 json Report(const Run& run)
 {
-    return {{"cameras", run.cameras}, {"refused", run.refused}, {"rays", run.rays}, {"broken", run.broken},
-            {"reach_film", run.reachFilm}, {"obvious_broken", run.obviousBroken}, {"ulps", run.ulps.Report()},
-            {"well_posed", run.wellPosed.Report()}, {"pixels", run.pixels.Report()},
-            {"narrow_pixels", run.narrowPixels.Report()}, {"narrow_rounded", run.narrowRounded.Report()},
+    return {{"cameras", run.cameras},
+            {"refused", run.refused},
+            {"rays", run.rays},
+            {"broken", run.broken},
+            {"reach_film", run.reachFilm},
+            {"obvious_broken", run.obviousBroken},
+            {"ulps", run.ulps.Report()},
+            {"well_posed", run.wellPosed.Report()},
+            {"pixels", run.pixels.Report()},
+            {"narrow_pixels", run.narrowPixels.Report()},
+            {"narrow_rounded", run.narrowRounded.Report()},
             {"narrow_roundings", run.narrowRoundings.Report()},
-            {"reach_pixels", run.reachPixels.Report()}, {"origin", run.origin.Report()},
-            {"obvious_pixels", run.obviousPixels.Report()}, {"refusals", run.refusals}, {"worst", run.worst}};
+            {"reach_pixels", run.reachPixels.Report()},
+            {"origin", run.origin.Report()},
+            {"obvious_pixels", run.obviousPixels.Report()},
+            {"refusals", run.refusals},
+            {"worst", run.worst}};
 }
 
 } // namespace
@@ -247,12 +264,10 @@ int main(int argc, char** argv)
     Run run;
     for (std::uint64_t i = 0; i < cameras; i++)
     {
-        const FocusFamily families[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane,
-                                        FocusFamily::FocalPoints};
+        const FocusFamily families[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane, FocusFamily::FocalPoints};
         Lens lens;
-        Request request = name == "random" || name == "corners"
-                              ? SolvableRequest(random, families[i % 4], i % 8 < 4, lens)
-                              : RandomRequest(random, families[i % 4], i % 8 < 4);
+        Request request = name == "random" || name == "corners" ? SolvableRequest(random, families[i % 4], i % 8 < 4, lens)
+                                                                : RandomRequest(random, families[i % 4], i % 8 < 4);
         FilmPoint at{random(-0.5, 0.5), random(-0.5, 0.5)};
         pull(random, request, at);
         run.Camera(random, request, at);

@@ -133,8 +133,13 @@ json Discrepancies(int most)
             random += StarDiscrepancy(points) * n / pixels;
         }
         const double known = m / 3.0 + 13.0 / 9.0 - (m % 2 ? -1.0 : 1.0) * 4.0 / (9.0 * n);
-        rows.push_back({{"m", m}, {"mean", mean}, {"worst", worst}, {"bound", m / 2.0 + 1.5}, {"random", random},
-                        {"hammersley", StarDiscrepancy(Hammersley(m)) * n}, {"hammersley_known", known}});
+        rows.push_back({{"m", m},
+                        {"mean", mean},
+                        {"worst", worst},
+                        {"bound", m / 2.0 + 1.5},
+                        {"random", random},
+                        {"hammersley", StarDiscrepancy(Hammersley(m)) * n},
+                        {"hammersley_known", known}});
     }
     return rows;
 }
@@ -222,11 +227,15 @@ int main(int argc, char** argv)
     }
     json correlation = json::array();
     for (int samples : {1, 8, 64})
-        correlation.push_back({{"samples", samples}, {"right", NeighbourCorrelation(samples, 1, 0, most * 5u)},
+        correlation.push_back({{"samples", samples},
+                               {"right", NeighbourCorrelation(samples, 1, 0, most * 5u)},
                                {"below", NeighbourCorrelation(samples, 0, 1, most * 5u)},
                                {"diagonal", NeighbourCorrelation(samples, 1, 1, most * 5u)}});
-    std::cout << json({{"log2_samples", most}, {"projections", projections}, {"repeated", repeated},
-                       {"overflow_faults", OverflowFaults(sampler)}, {"correlation", correlation},
+    std::cout << json({{"log2_samples", most},
+                       {"projections", projections},
+                       {"repeated", repeated},
+                       {"overflow_faults", OverflowFaults(sampler)},
+                       {"correlation", correlation},
                        {"discrepancy", Discrepancies(std::min(most, 12))}})
                      .dump(1)
               << '\n';

@@ -25,8 +25,10 @@ boost::thread* Start(const boost::function0<void>& closed, void** address) __asm
 boost::thread* RealStart(const boost::function0<void>& closed, void** address) __asm__("__real__Z11povray_initRKN5boost9function0IvEEPPv");
 pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task) __asm__("__wrap__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");
 pov::Task::TaskData* RealAppend(pov::TaskQueue* queue, pov::Task* task) __asm__("__real__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");
-void Send(int view, void* address, unsigned int what, POVMS_Object& object) __asm__("__wrap__ZN3pov13RenderBackend14SendViewOutputEiPvjR12POVMS_Object");
-void RealSend(int view, void* address, unsigned int what, POVMS_Object& object) __asm__("__real__ZN3pov13RenderBackend14SendViewOutputEiPvjR12POVMS_Object");
+void Send(int view, void* address, unsigned int what,
+          POVMS_Object& object) __asm__("__wrap__ZN3pov13RenderBackend14SendViewOutputEiPvjR12POVMS_Object");
+void RealSend(int view, void* address, unsigned int what,
+              POVMS_Object& object) __asm__("__real__ZN3pov13RenderBackend14SendViewOutputEiPvjR12POVMS_Object");
 
 boost::thread* Start(const boost::function0<void>& closed, void** address)
 {

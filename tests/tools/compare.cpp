@@ -86,9 +86,8 @@ Pair LoadPair(const Arguments& arguments)
     if (!pair.picture.SameSize(pair.reference.mean))
     {
         std::ostringstream reason;
-        reason << "the picture is " << pair.picture.width << " x " << pair.picture.height
-               << ", the reference " << pair.reference.mean.width << " x "
-               << pair.reference.mean.height;
+        reason << "the picture is " << pair.picture.width << " x " << pair.picture.height << ", the reference " << pair.reference.mean.width
+               << " x " << pair.reference.mean.height;
         throw Verdict{kWrongSize, reason.str()};
     }
     if (!witness::IsFinite(pair.picture))
@@ -128,8 +127,7 @@ void CompareLimits(const Arguments& arguments)
     if (!(std::fabs(figures.signedMean) <= arguments.meanMax))
         reason << "signed mean " << figures.signedMean << " is over " << arguments.meanMax << "; ";
     if (arguments.localMeanMax > 0.0 && !(figures.largestLocalMean <= arguments.localMeanMax))
-        reason << "local mean " << figures.largestLocalMean << " is over " << arguments.localMeanMax
-               << "; ";
+        reason << "local mean " << figures.largestLocalMean << " is over " << arguments.localMeanMax << "; ";
     Conclude(report, reason.str().empty(), reason.str());
 }
 
@@ -144,9 +142,8 @@ void CompareNoisy(const Arguments& arguments)
                    {"largest_box", test.largestBox},
                    {"box_limit", test.boxLimit}};
     std::ostringstream reason;
-    reason << 100.0 * test.passing << " % of the pixels are within " << test.pixelLimit
-           << " standard errors; the worst box is off by " << test.largestBox << ", allowed "
-           << test.boxLimit;
+    reason << 100.0 * test.passing << " % of the pixels are within " << test.pixelLimit << " standard errors; the worst box is off by "
+           << test.largestBox << ", allowed " << test.boxLimit;
     Conclude(report, test.passed, reason.str());
 }
 
@@ -166,8 +163,7 @@ void Preview(const Arguments& arguments)
     const Pair pair = LoadPair(arguments);
     Picture difference = pair.picture;
     for (std::size_t i = 0; i < difference.Size(); ++i)
-        difference.values[i] =
-            std::fabs(16.0 * (pair.picture.values[i] - pair.reference.mean.values[i]));
+        difference.values[i] = std::fabs(16.0 * (pair.picture.values[i] - pair.reference.mean.values[i]));
     witness::WritePreview(arguments.output + "/new.png", pair.picture, arguments.zoom);
     witness::WritePreview(arguments.output + "/reference.png", pair.reference.mean, arguments.zoom);
     witness::WritePreview(arguments.output + "/difference.png", difference, arguments.zoom);
@@ -182,8 +178,7 @@ Picture Middle(const Picture& whole, int width, int height)
     Picture middle{width, height, {}};
     for (int y = 0; y < height; ++y)
     {
-        const auto row =
-            whole.values.begin() + (static_cast<std::size_t>(y + top) * whole.width + left) * 3;
+        const auto row = whole.values.begin() + (static_cast<std::size_t>(y + top) * whole.width + left) * 3;
         middle.values.insert(middle.values.end(), row, row + width * 3);
     }
     return middle;
@@ -198,8 +193,7 @@ void Average(const std::vector<std::string>& paths, const std::string& output)
         const Picture whole = LoadPicture(path);
         const int width = pictures.empty() ? whole.width : pictures.front().width;
         const int height = pictures.empty() ? whole.height : pictures.front().height;
-        if (whole.width < width || whole.height < height || (whole.width - width) % 2 != 0 ||
-            (whole.height - height) % 2 != 0)
+        if (whole.width < width || whole.height < height || (whole.width - width) % 2 != 0 || (whole.height - height) % 2 != 0)
             throw Verdict{kWrongSize, path + " does not have " + paths.front() + " as its middle"};
         if (!witness::IsFinite(whole))
             throw Verdict{kNotFinite, path + " has values that are infinite or not a number"};
@@ -214,9 +208,8 @@ void ShowError(const std::string& path)
     double squares = 0.0;
     for (const double error : reference.error.values)
         squares += error * error;
-    const json report = {
-        {"standard_error", std::sqrt(squares / static_cast<double>(reference.error.Size()))},
-        {"batches", reference.batches}};
+    const json report = {{"standard_error", std::sqrt(squares / static_cast<double>(reference.error.Size()))},
+                         {"batches", reference.batches}};
     std::cout << report.dump() << '\n';
 }
 
@@ -249,9 +242,8 @@ void AddPair(CLI::App* command, Arguments& arguments)
 /// Runs the command line. @throws Verdict
 void Run(int argc, char** argv)
 {
-    CLI::App app(
-        "Compares pictures. Exit codes: 0 same, 1 failure, 2 different, 3 reference missing, "
-        "4 picture missing, 5 wrong size, 6 unreadable, 7 not finite.");
+    CLI::App app("Compares pictures. Exit codes: 0 same, 1 failure, 2 different, 3 reference missing, "
+                 "4 picture missing, 5 wrong size, 6 unreadable, 7 not finite.");
     app.require_subcommand(1);
     Arguments arguments;
     std::vector<std::string> pictures;
@@ -260,29 +252,21 @@ void Run(int argc, char** argv)
     AddPair(limits, arguments);
     limits->add_option("--rmse-max", arguments.rmseMax, "linear, all channels")->required();
     limits->add_option("--mean-max", arguments.meanMax, "absolute")->required();
-    limits->add_option("--local-mean-max", arguments.localMeanMax,
-                       "over 8 by 8 pixels; 0: not looked at");
-    CLI::App* noisy =
-        app.add_subcommand("noisy", "z-test against a reference with standard errors");
+    limits->add_option("--local-mean-max", arguments.localMeanMax, "over 8 by 8 pixels; 0: not looked at");
+    CLI::App* noisy = app.add_subcommand("noisy", "z-test against a reference with standard errors");
     AddPair(noisy, arguments);
     noisy->add_option("--floor", arguments.z.floor, "least standard error")->capture_default_str();
     CLI::App* exact = app.add_subcommand("exact", "equality of the decoded pixels");
     AddPair(exact, arguments);
-    CLI::App* preview =
-        app.add_subcommand("preview", "new.png, reference.png, difference.png (x 16) for people");
+    CLI::App* preview = app.add_subcommand("preview", "new.png, reference.png, difference.png (x 16) for people");
     AddPair(preview, arguments);
     preview->add_option("folder", arguments.output, "existing folder")->required();
-    preview->add_option("--zoom", arguments.zoom, "width of a pixel")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 64));
-    CLI::App* pixels =
-        app.add_subcommand("pixels", "write the decoded pixels to the standard output");
+    preview->add_option("--zoom", arguments.zoom, "width of a pixel")->capture_default_str()->check(CLI::Range(1, 64));
+    CLI::App* pixels = app.add_subcommand("pixels", "write the decoded pixels to the standard output");
     pixels->add_option("picture", arguments.picture, "picture; without it, those that the standard input names");
-    CLI::App* error =
-        app.add_subcommand("error", "root mean square of a reference's standard errors");
+    CLI::App* error = app.add_subcommand("error", "root mean square of a reference's standard errors");
     error->add_option("picture", arguments.reference, "reference")->required();
-    CLI::App* average =
-        app.add_subcommand("average", "mean and standard error of independent pictures");
+    CLI::App* average = app.add_subcommand("average", "mean and standard error of independent pictures");
     average->add_option("output", arguments.output, "OpenEXR picture")->required();
     average->add_option("pictures", pictures, "pictures of one size")->required();
 

@@ -16,8 +16,7 @@ namespace
 const double kPi = std::acos(-1.0);
 
 /// Direction numbers of one dimension, from its primitive polynomial (Joe and Kuo 2008).
-std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients,
-                                         std::array<std::uint32_t, 3> m)
+std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients, std::array<std::uint32_t, 3> m)
 {
     std::array<std::uint32_t, 32> v{};
     if (degree == 0)
@@ -53,8 +52,7 @@ std::uint32_t Scrambled(std::uint32_t value, std::uint64_t seed)
     for (int bit = 0; bit < 32; ++bit)
     {
         const std::uint64_t before = bit == 0 ? 0u : value >> (32 - bit);
-        const std::uint32_t flip =
-            Mixed(Mixed(seed + static_cast<std::uint64_t>(bit)) ^ before) & 1u;
+        const std::uint32_t flip = Mixed(Mixed(seed + static_cast<std::uint64_t>(bit)) ^ before) & 1u;
         result |= (((value >> (31 - bit)) & 1u) ^ flip) << (31 - bit);
     }
     return result;
@@ -80,12 +78,10 @@ void OnPolygon(double u, double v, int blades, double degrees, LensPoint& point)
 
 }  // namespace
 
-std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades,
-                                  double bladesAngle)
+std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades, double bladesAngle)
 {
-    const std::array<std::array<std::uint32_t, 32>, 4> directions = {
-        Directions(0, 0, {}), Directions(1, 0, {1}), Directions(2, 1, {1, 3}),
-        Directions(3, 1, {1, 3, 1})};
+    const std::array<std::array<std::uint32_t, 32>, 4> directions = {Directions(0, 0, {}), Directions(1, 0, {1}), Directions(2, 1, {1, 3}),
+                                                                     Directions(3, 1, {1, 3, 1})};
     std::vector<LensPoint> points(count);
     for (std::uint32_t index = 0; index < count; ++index)
     {

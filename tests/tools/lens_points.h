@@ -24,8 +24,7 @@ struct LensPoint
 
 /// @param blades       0 for a disc, else the number of straight edges of the polygon in the unit circle
 /// @param bladesAngle  degrees, counter-clockwise; at 0 a corner points right
-std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades,
-                                  double bladesAngle);
+std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades, double bladesAngle);
 
 }  // namespace witness
 

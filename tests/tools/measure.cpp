@@ -15,7 +15,8 @@ namespace
 const int kLocalBox = 8;
 
 /// Calls visit(indices) for each box of side `box` and each channel; boxes at the right and lower edge are smaller.
-template <class Visit> void ForEachBox(const Picture& picture, int box, Visit visit)
+template<class Visit>
+void ForEachBox(const Picture& picture, int box, Visit visit)
 {
     std::vector<std::size_t> indices;
     for (int top = 0; top < picture.height; top += box)
@@ -25,8 +26,7 @@ template <class Visit> void ForEachBox(const Picture& picture, int box, Visit vi
                 indices.clear();
                 for (int y = top; y < std::min(top + box, picture.height); ++y)
                     for (int x = left; x < std::min(left + box, picture.width); ++x)
-                        indices.push_back((static_cast<std::size_t>(y) * picture.width + x) * 3 +
-                                          channel);
+                        indices.push_back((static_cast<std::size_t>(y) * picture.width + x) * 3 + channel);
                 visit(indices);
             }
 }
@@ -35,8 +35,7 @@ template <class Visit> void ForEachBox(const Picture& picture, int box, Visit vi
 
 bool IsFinite(const Picture& picture)
 {
-    return std::all_of(picture.values.begin(), picture.values.end(),
-                       [](double v) { return std::isfinite(v); });
+    return std::all_of(picture.values.begin(), picture.values.end(), [](double v) { return std::isfinite(v); });
 }
 
 Figures Measure(const Picture& picture, const Picture& reference, std::size_t worstCount)
@@ -45,8 +44,7 @@ Figures Measure(const Picture& picture, const Picture& reference, std::size_t wo
     double squares = 0.0, sum = 0.0;
     for (std::size_t pixel = 0; pixel < picture.Size() / 3; ++pixel)
     {
-        PixelDifference worst{static_cast<int>(pixel % picture.width),
-                              static_cast<int>(pixel / picture.width), 0.0};
+        PixelDifference worst{static_cast<int>(pixel % picture.width), static_cast<int>(pixel / picture.width), 0.0};
         for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
         {
             const double difference = picture.values[i] - reference.values[i];
@@ -67,20 +65,17 @@ Figures Measure(const Picture& picture, const Picture& reference, std::size_t wo
 
     const std::size_t kept = std::min(worstCount, figures.worst.size());
     std::partial_sort(figures.worst.begin(), figures.worst.begin() + kept, figures.worst.end(),
-                      [](const PixelDifference& a, const PixelDifference& b)
-                      { return std::fabs(a.difference) > std::fabs(b.difference); });
+                      [](const PixelDifference& a, const PixelDifference& b) { return std::fabs(a.difference) > std::fabs(b.difference); });
     figures.worst.resize(kept);
     figures.largest = figures.worst.empty() ? 0.0 : std::fabs(figures.worst.front().difference);
 
-    ForEachBox(picture, kLocalBox,
-               [&](const std::vector<std::size_t>& box)
-               {
-                   double local = 0.0;
-                   for (const std::size_t i : box)
-                       local += picture.values[i] - reference.values[i];
-                   figures.largestLocalMean =
-                       std::max(figures.largestLocalMean, std::fabs(local) / box.size());
-               });
+    ForEachBox(picture, kLocalBox, [&](const std::vector<std::size_t>& box)
+    {
+        double local = 0.0;
+        for (const std::size_t i : box)
+            local += picture.values[i] - reference.values[i];
+        figures.largestLocalMean = std::max(figures.largestLocalMean, std::fabs(local) / box.size());
+    });
     return figures;
 }
 
@@ -103,8 +98,7 @@ ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestS
     // batch), the floor remains
     std::vector<double> deviation(picture.Size());
     for (std::size_t i = 0; i < picture.Size(); ++i)
-        deviation[i] = std::max(settings.floor,
-                                reference.error.values[i] * std::sqrt(1.0 + reference.batches));
+        deviation[i] = std::max(settings.floor, reference.error.values[i] * std::sqrt(1.0 + reference.batches));
 
     ZTest result;
     const double pixels = static_cast<double>(picture.Size() / 3);
@@ -121,19 +115,17 @@ ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestS
     result.passing = static_cast<double>(passing) / pixels;
 
     double boxes = 0.0;
-    ForEachBox(picture, settings.box,
-               [&](const std::vector<std::size_t>& box)
-               {
-                   double sum = 0.0, variance = 0.0;
-                   for (const std::size_t i : box)
-                   {
-                       sum += picture.values[i] - reference.mean.values[i];
-                       variance += deviation[i] * deviation[i];
-                   }
-                   result.largestBox =
-                       std::max(result.largestBox, std::fabs(sum) / std::sqrt(variance));
-                   boxes += 1.0;
-               });
+    ForEachBox(picture, settings.box, [&](const std::vector<std::size_t>& box)
+    {
+        double sum = 0.0, variance = 0.0;
+        for (const std::size_t i : box)
+        {
+            sum += picture.values[i] - reference.mean.values[i];
+            variance += deviation[i] * deviation[i];
+        }
+        result.largestBox = std::max(result.largestBox, std::fabs(sum) / std::sqrt(variance));
+        boxes += 1.0;
+    });
     result.boxLimit = SidakLimit(settings.significance, boxes);
     result.passed = result.passing >= settings.passing && result.largestBox <= result.boxLimit;
     return result;

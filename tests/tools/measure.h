@@ -26,8 +26,7 @@ struct Figures
     double rootMeanSquare = 0.0;  ///< over all pixels and channels
     double signedMean = 0.0;      ///< of new minus reference
     double largest = 0.0;         ///< absolute
-    double largestLocalMean =
-        0.0;  ///< absolute, of the signed mean over boxes of 8 by 8 pixels, each channel
+    double largestLocalMean = 0.0;  ///< absolute, of the signed mean over boxes of 8 by 8 pixels, each channel
     std::size_t different = 0;           ///< pixels with any channel different
     std::vector<PixelDifference> worst;  ///< the largest first
 };

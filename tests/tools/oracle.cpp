@@ -41,16 +41,15 @@ json Triple(const witness::Vector& v)
 void ShowCamera(const std::string& path)
 {
     const witness::OracleCase description = LoadCase(path);
-    const witness::CameraSolved camera = witness::SolveCase(
-        description.camera, static_cast<double>(description.width) / description.height);
-    std::cout
-        << json{{"location", Triple(camera.location)}, {"direction", Triple(camera.direction)},
-                {"right", Triple(camera.right)},       {"up", Triple(camera.up)},
-                {"focus", Triple(camera.focus)},       {"lens_normal", Triple(camera.lensNormal)},
-                {"lens_x", Triple(camera.lensX)},      {"lens_y", Triple(camera.lensY)},
-                {"focal_length", camera.focalLength},  {"film_distance", camera.filmDistance}}
-               .dump(2)
-        << '\n';
+    const witness::CameraSolved camera = witness::SolveCase(description.camera,
+                                                            static_cast<double>(description.width) / description.height);
+    std::cout << json{{"location", Triple(camera.location)}, {"direction", Triple(camera.direction)},
+                      {"right", Triple(camera.right)},       {"up", Triple(camera.up)},
+                      {"focus", Triple(camera.focus)},       {"lens_normal", Triple(camera.lensNormal)},
+                      {"lens_x", Triple(camera.lensX)},      {"lens_y", Triple(camera.lensY)},
+                      {"focal_length", camera.focalLength},  {"film_distance", camera.filmDistance}}
+                     .dump(2)
+              << '\n';
 }
 
 }  // namespace
@@ -70,19 +69,12 @@ int main(int argc, char** argv)
     render->add_option("output", output, "OpenEXR picture of mean and standard error")->required();
     render->add_option("--povray", settings.povray, "the unpatched program")->capture_default_str();
     render->add_option("--work", settings.work, "folder for frames")->required();
-    render->add_option("--batches", settings.batches, "independent sets of points")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1024));
-    render->add_option("--samples", settings.samples, "points in a set")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 65536));
-    render->add_option("--processes", settings.processes, "side by side")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 64));
+    render->add_option("--batches", settings.batches, "independent sets of points")->capture_default_str()->check(CLI::Range(1, 1024));
+    render->add_option("--samples", settings.samples, "points in a set")->capture_default_str()->check(CLI::Range(1, 65536));
+    render->add_option("--processes", settings.processes, "side by side")->capture_default_str()->check(CLI::Range(1, 64));
     render->add_option("--seed", settings.seed, "of the first set")->capture_default_str();
     std::pair<int, int> pixels;
-    CLI::Option* size =
-        render->add_option("--size", pixels, "width and height instead of the case's");
+    CLI::Option* size = render->add_option("--size", pixels, "width and height instead of the case's");
     CLI11_PARSE(app, argc, argv);
 
     try

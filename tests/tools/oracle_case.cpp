@@ -54,10 +54,7 @@ std::vector<Transformation> ReadTransformations(const json& list)
 
 void ReadFocus(const json& focus, CameraGiven& camera)
 {
-    AllowOnly(
-        focus,
-        {"tilt", "swing", "focus_tilt", "focus_swing", "through", "normal", "distance", "points"},
-        "focus");
+    AllowOnly(focus, {"tilt", "swing", "focus_tilt", "focus_swing", "through", "normal", "distance", "points"}, "focus");
     if (focus.contains("points"))
     {
         camera.focus = Focus::ThreePoints;
@@ -82,8 +79,8 @@ void ReadFocus(const json& focus, CameraGiven& camera)
 CameraGiven ReadCamera(const json& text)
 {
     AllowOnly(text,
-              {"location", "look_at", "angle", "focal_length", "aperture", "f_stop", "film_width",
-               "scene_unit", "focus", "shift", "blades", "blades_angle", "transform"},
+              {"location", "look_at", "angle", "focal_length", "aperture", "f_stop", "film_width", "scene_unit", "focus", "shift", "blades",
+               "blades_angle", "transform"},
               "camera");
     CameraGiven camera;
     camera.location = ReadVector(text.at("location"));

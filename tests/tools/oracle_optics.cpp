@@ -41,8 +41,7 @@ Basis LookAt(const Vector& location, const Vector& target)
 Vector TurnedNormal(double turnUp, double turnRight)
 {
     const double a = turnUp * kDegree, b = turnRight * kDegree;
-    return Unit(
-        {-std::sin(b) * std::cos(a), -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b)});
+    return Unit({-std::sin(b) * std::cos(a), -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b)});
 }
 
 /// k of the plane k.X = 1 through three points, given homogeneously as (X, weight): k.X = weight.
@@ -50,11 +49,9 @@ Vector PlaneThrough(const Vector points[3], const double weights[3])
 {
     const double determinant = Dot(points[0], Cross(points[1], points[2]));
     if (determinant == 0.0)
-        throw std::runtime_error(
-            "the plane of sharp focus goes through the lens centre, or its points are on one line");
+        throw std::runtime_error("the plane of sharp focus goes through the lens centre, or its points are on one line");
     return (1.0 / determinant) *
-           (weights[0] * Cross(points[1], points[2]) + weights[1] * Cross(points[2], points[0]) +
-            weights[2] * Cross(points[0], points[1]));
+           (weights[0] * Cross(points[1], points[2]) + weights[1] * Cross(points[2], points[0]) + weights[2] * Cross(points[0], points[1]));
 }
 
 /// The plane that a lens (normal t, focal length f) images onto the film at -s.
@@ -66,8 +63,7 @@ Vector PlaneOfLens(const Vector& t, double f, double s)
     for (int i = 0; i < 3; ++i)
     {
         const double v = -Dot(film[i], t);  // image distance along the lens normal
-        images[i] =
-            -f * film[i];  // image at (u/v) times the mirrored film point, u = v f / (v - f)
+        images[i] = -f * film[i];  // image at (u/v) times the mirrored film point, u = v f / (v - f)
         weights[i] = v - f;
     }
     return PlaneThrough(images, weights);
@@ -131,8 +127,7 @@ void SolveFocus(const CameraGiven& given, const Basis& basis, CameraSolved& solv
         {
             solved.focalLength = *given.focalLength * millimetre;
             // image of the point: mirrored, scaled by v/u = f / (u - f)
-            solved.filmDistance =
-                solved.focalLength * point.z / (Dot(point, t) - solved.focalLength);
+            solved.filmDistance = solved.focalLength * point.z / (Dot(point, t) - solved.focalLength);
         }
         else
         {
@@ -147,8 +142,7 @@ void SolveFocus(const CameraGiven& given, const Basis& basis, CameraSolved& solv
     }
     if (given.focalLength)
         throw std::runtime_error("focal_length with a given plane is no case of this oracle");
-    solved.filmDistance =
-        0.5 * given.filmWidth * millimetre / std::tan(0.5 * *given.angle * kDegree);
+    solved.filmDistance = 0.5 * given.filmWidth * millimetre / std::tan(0.5 * *given.angle * kDegree);
     solved.focus = GivenPlane(given, basis);
     solved.lensNormal = LensOfPlane(solved.focus, solved.filmDistance);
     const Vector centre{0.0, 0.0, -solved.filmDistance};
@@ -187,8 +181,7 @@ void Transform(const Transformation& step, CameraSolved& camera)
         camera.location = camera.location + step.amount;
         return;
     }
-    Vector* vectors[] = {&camera.location, &camera.direction, &camera.right,
-                         &camera.up,       &camera.lensX,     &camera.lensY};
+    Vector* vectors[] = {&camera.location, &camera.direction, &camera.right, &camera.up, &camera.lensX, &camera.lensY};
     if (step.kind == Transformation::Kind::Rotate)
     {
         for (Vector* v : vectors)
@@ -222,8 +215,7 @@ CameraSolved SolveCase(const CameraGiven& given, double aspect)
     const double s = solved.filmDistance;
     solved.right = (width / s) * basis.right;
     solved.up = (width / (s * aspect)) * basis.up;
-    solved.direction = basis.axis + (given.shiftRight * millimetre / s) * basis.right +
-                       (given.shiftUp * millimetre / s) * basis.up;
+    solved.direction = basis.axis + (given.shiftRight * millimetre / s) * basis.right + (given.shiftUp * millimetre / s) * basis.up;
 
     const double diameter = given.fStop ? solved.focalLength / *given.fStop : 0.5 * *given.aperture;
     const Vector t = solved.lensNormal;

@@ -31,8 +31,7 @@ struct RenderSettings
 };
 
 /// The scene of the frames first to first + points.size() - 1, one lens point each.
-std::string AnimationScene(const OracleCase& description, const CameraSolved& camera,
-                           const std::vector<LensPoint>& points, int first);
+std::string AnimationScene(const OracleCase& description, const CameraSolved& camera, const std::vector<LensPoint>& points, int first);
 
 /// @throws std::runtime_error  the program cannot be run, fails, or leaves a frame out.
 Reference RenderOracle(const OracleCase& description, const RenderSettings& settings);

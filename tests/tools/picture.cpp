@@ -51,8 +51,7 @@ Decoded Decode(const std::string& path)
 int ChannelNamed(const OIIO::ImageSpec& spec, const std::string& name)
 {
     const auto found = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);
-    return found == spec.channelnames.end() ? -1
-                                            : static_cast<int>(found - spec.channelnames.begin());
+    return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
 }
 
 Picture Channels(const Decoded& decoded, const int (&channels)[3])
@@ -70,8 +69,7 @@ Picture Colours(const Decoded& decoded, const std::string& path)
 {
     if (decoded.spec.nchannels == 1)
         return Channels(decoded, {0, 0, 0});
-    const int r = ChannelNamed(decoded.spec, "R"), g = ChannelNamed(decoded.spec, "G"),
-              b = ChannelNamed(decoded.spec, "B");
+    const int r = ChannelNamed(decoded.spec, "R"), g = ChannelNamed(decoded.spec, "G"), b = ChannelNamed(decoded.spec, "B");
     if (r < 0 || g < 0 || b < 0)
         throw UnreadablePicture(path + ": has no channels R, G, B");
     return Channels(decoded, {r, g, b});
@@ -83,13 +81,11 @@ double ToSrgb(double linear)
     return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
 }
 
-void Write(const std::string& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-           const void* data)
+void Write(const std::string& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* data)
 {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
     if (!output || !output->open(path, spec))
-        throw std::runtime_error("cannot write " + path + ": " +
-                                 (output ? output->geterror() : OIIO::geterror()));
+        throw std::runtime_error("cannot write " + path + ": " + (output ? output->geterror() : OIIO::geterror()));
     if (!output->write_image(type, data) || !output->close())
         throw std::runtime_error("cannot write " + path + ": " + output->geterror());
 }
@@ -159,13 +155,10 @@ void WritePreview(const std::string& path, const Picture& picture, int zoom)
         for (int x = 0; x < width; ++x)
             for (int c = 0; c < 3; ++c)
             {
-                const std::size_t at =
-                    (static_cast<std::size_t>(y / zoom) * picture.width + x / zoom) * 3 + c;
-                values.push_back(
-                    static_cast<std::uint8_t>(std::lround(255.0 * ToSrgb(picture.values[at]))));
+                const std::size_t at = (static_cast<std::size_t>(y / zoom) * picture.width + x / zoom) * 3 + c;
+                values.push_back(static_cast<std::uint8_t>(std::lround(255.0 * ToSrgb(picture.values[at]))));
             }
-    Write(path, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8), OIIO::TypeDesc::UINT8,
-          values.data());
+    Write(path, OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8), OIIO::TypeDesc::UINT8, values.data());
 }
 
 void WritePixels(const std::string& path, std::ostream& out)

@@ -24,10 +24,7 @@ struct Picture
     std::vector<double> values;
 
     std::size_t Size() const { return values.size(); }
-    bool SameSize(const Picture& other) const
-    {
-        return width == other.width && height == other.height;
-    }
+    bool SameSize(const Picture& other) const { return width == other.width && height == other.height; }
 };
 
 /// A picture with the standard error of its mean; zero everywhere if unknown.

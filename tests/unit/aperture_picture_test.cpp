@@ -31,8 +31,7 @@ struct Picture
 {
     const char* name;
     std::function<double(double u, double v)> weight;
-    double
-        tolerance;  ///< relative, of a bin's probability: 256 cells do not resolve edges
+    double tolerance;  ///< relative, of a bin's probability: 256 cells do not resolve edges
 };
 
 std::ostream& operator<<(std::ostream& out, const Picture& p)
@@ -53,42 +52,24 @@ const double notANumber = std::nan("");
 
 INSTANTIATE_TEST_SUITE_P(
     All, AperturePicture,
-    testing::Values(
-        Picture{"constant", [](double, double) { return 3.0; }, 0},
-        Picture{"half lit", [](double u, double) { return u < 0.5 ? 0.0 : 1.0; }, 0},
-        Picture{"upper quarter lit", [](double, double v) { return v < 0.25 ? 1.0 : 0.0; }, 0},
-        Picture{"gradient", [](double u, double v) { return u + 3 * v * v; }, 0},
-        Picture{"ring",
-                [](double u, double v)
-                { return Between(0.3, std::hypot(u - 0.5, v - 0.5), 0.45) ? 1.0 : 0.0; },
-                0.01},
-        Picture{"single lit cell",
-                [](double u, double v)
-                { return u >= 37 / 256. && u < 38 / 256. && v >= 201 / 256. && v < 202 / 256.; },
-                0},
-        Picture{"last cell",
-                [](double u, double v) { return u > 255 / 256. && v > 255 / 256. ? 1e-30 : 0.0; },
-                0},
-        Picture{"two distant spots of 1 and 3",
-                [](double u, double v)
-                {
-                    return (Between(0.125, u, 0.25) && Between(0.5, v, 0.625)) +
-                           3.0 * (Between(0.75, u, 0.875) && Between(0, v, 0.125));
-                },
-                0},
-        Picture{"NaN, infinite and negative outside a square",
-                [](double u, double v)
-                {
-                    if (Between(0.25, u, 0.75) && Between(0.25, v, 0.5))
-                        return 1.0;
-                    return u < 0.25   ? notANumber
-                           : u > 0.75 ? -5.0
-                           : v < 0.25 ? HUGE_VAL
-                                      : -HUGE_VAL;
-                },
-                0},
-        Picture{"enormous weights", [](double u, double) { return u < 0.5 ? 1e308 : 1.7e308; },
-                0}));
+    testing::Values(Picture{"constant", [](double, double) { return 3.0; }, 0},
+                    Picture{"half lit", [](double u, double) { return u < 0.5 ? 0.0 : 1.0; }, 0},
+                    Picture{"upper quarter lit", [](double, double v) { return v < 0.25 ? 1.0 : 0.0; }, 0},
+                    Picture{"gradient", [](double u, double v) { return u + 3 * v * v; }, 0},
+                    Picture{"ring", [](double u, double v) { return Between(0.3, std::hypot(u - 0.5, v - 0.5), 0.45) ? 1.0 : 0.0; }, 0.01},
+                    Picture{"single lit cell",
+                            [](double u, double v) { return u >= 37 / 256. && u < 38 / 256. && v >= 201 / 256. && v < 202 / 256.; }, 0},
+                    Picture{"last cell", [](double u, double v) { return u > 255 / 256. && v > 255 / 256. ? 1e-30 : 0.0; }, 0},
+                    Picture{"two distant spots of 1 and 3", [](double u, double v)
+{ return (Between(0.125, u, 0.25) && Between(0.5, v, 0.625)) + 3.0 * (Between(0.75, u, 0.875) && Between(0, v, 0.125)); }, 0},
+                    Picture{"NaN, infinite and negative outside a square",
+                            [](double u, double v)
+{
+    if (Between(0.25, u, 0.75) && Between(0.25, v, 0.5))
+        return 1.0;
+    return u < 0.25 ? notANumber : u > 0.75 ? -5.0 : v < 0.25 ? HUGE_VAL : -HUGE_VAL;
+}, 0},
+                    Picture{"enormous weights", [](double u, double) { return u < 0.5 ? 1e308 : 1.7e308; }, 0}));
 
 TEST_P(AperturePicture, RandomPointsFollowTheWeights)
 {
@@ -125,9 +106,7 @@ TEST_P(AperturePicture, RandomPointsFollowTheWeights)
         for (std::size_t i = 0; i < count.size(); ++i)
         {
             const double chance = 5 * std::sqrt(n * probability[i]) + 5;
-            EXPECT_NEAR(count[i], n * probability[i],
-                        chance + GetParam().tolerance * n * probability[i])
-                << "bin " << i;
+            EXPECT_NEAR(count[i], n * probability[i], chance + GetParam().tolerance * n * probability[i]) << "bin " << i;
         }
 }
 
@@ -147,8 +126,7 @@ TEST_P(AperturePicture, RisesWithUAndFallsWithV)
 TEST(AperturePictureOrientation, MatchesPovRaysBokeh)
 {
     // lit at large u and small v, which means right and up, because v grows downward
-    const Aperture corner =
-        Aperture::Picture([](double u, double v) { return u > 0.75 && v < 0.25 ? 1.0 : 0.0; });
+    const Aperture corner = Aperture::Picture([](double u, double v) { return u > 0.75 && v < 0.25 ? 1.0 : 0.0; });
     for (double u : {0.0, 0.5, nearlyOne})
         for (double v : {0.0, 0.5, nearlyOne})
         {
@@ -171,8 +149,7 @@ TEST(AperturePictureOrientation, ConstantWeightIsTheIdentity)
 
 TEST(AperturePictureCell, ASingleLitCellIsFilledEvenly)
 {
-    const auto lit = [](double u, double v)
-    { return u >= 37 / 256. && u < 38 / 256. && v >= 201 / 256. && v < 202 / 256. ? 0.25 : 0.0; };
+    const auto lit = [](double u, double v) { return u >= 37 / 256. && u < 38 / 256. && v >= 201 / 256. && v < 202 / 256. ? 0.25 : 0.0; };
     const Aperture aperture = Aperture::Picture(lit);
     for (double u : {0.0, 0.25, 0.5, nearlyOne})
         for (double v : {0.0, 0.25, 0.5, nearlyOne})
@@ -185,12 +162,8 @@ TEST(AperturePictureCell, ASingleLitCellIsFilledEvenly)
 TEST(AperturePictureCell, CellWithAnEdgeCountsItsLitPart)
 {
     // one whole cell and, far from it, three quarters of one
-    const Aperture aperture = Aperture::Picture(
-        [](double u, double v)
-        {
-            return Between(80, v * 256, 81) &&
-                   (Between(20, u * 256, 21) || Between(200, u * 256, 200.75));
-        });
+    const Aperture aperture = Aperture::Picture([](double u, double v)
+    { return Between(80, v * 256, 81) && (Between(20, u * 256, 21) || Between(200, u * 256, 200.75)); });
     EXPECT_NEAR(aperture(1 / 1.75 - 1e-6, 0.5).a, 2 * 21 / 256. - 1, 1e-6);
     EXPECT_NEAR(aperture(1 / 1.75 + 1e-6, 0.5).a, 2 * 200 / 256. - 1, 1e-6);
 }
@@ -206,10 +179,8 @@ TEST(AperturePictureError, BlackPicturesAreRefused)
         catch (const std::invalid_argument& error)
         {
             const std::string text = error.what();
-            for (const char* part :
-                 {"lets no light through", "Found: ", "Allowed: ", "Use a pigment"})
-                EXPECT_NE(text.find(part), std::string::npos)
-                    << "no \"" << part << "\" in: " << text;
+            for (const char* part : {"lets no light through", "Found: ", "Allowed: ", "Use a pigment"})
+                EXPECT_NE(text.find(part), std::string::npos) << "no \"" << part << "\" in: " << text;
         }
 }
 

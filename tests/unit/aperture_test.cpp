@@ -37,10 +37,7 @@ struct Outline
     double angle;
     double curvature = 0;
 
-    Aperture Make() const
-    {
-        return blades == 0 ? Aperture::Disc() : Aperture::Polygon(blades, angle, curvature);
-    }
+    Aperture Make() const { return blades == 0 ? Aperture::Disc() : Aperture::Polygon(blades, angle, curvature); }
 
     /// Area of the corners' polygon plus the circular segments on its edges.
     double Area() const
@@ -90,11 +87,10 @@ class ApertureOutline : public testing::TestWithParam<Outline>
 };
 
 INSTANTIATE_TEST_SUITE_P(All, ApertureOutline,
-                         testing::Values(Outline{0, 0}, Outline{3, 0}, Outline{3, 1.3},
-                                         Outline{4, M_PI / 4}, Outline{5, -0.7}, Outline{6, 0},
-                                         Outline{7, 100}, Outline{8, 0.2}, Outline{60, 0}, Outline{3, 0.3, 1},
-                                         Outline{3, 0, 0.4}, Outline{5, 2, 0.05}, Outline{7, -1, 0.7},
-                                         Outline{9, 0, 1e-9}, Outline{1000, 0, 0.5}));
+                         testing::Values(Outline{0, 0}, Outline{3, 0}, Outline{3, 1.3}, Outline{4, M_PI / 4}, Outline{5, -0.7},
+                                         Outline{6, 0}, Outline{7, 100}, Outline{8, 0.2}, Outline{60, 0}, Outline{3, 0.3, 1},
+                                         Outline{3, 0, 0.4}, Outline{5, 2, 0.05}, Outline{7, -1, 0.7}, Outline{9, 0, 1e-9},
+                                         Outline{1000, 0, 0.5}));
 
 TEST_P(ApertureOutline, MapsTheSquareIntoTheOutlineAndItsRimOntoTheEdge)
 {
@@ -103,12 +99,10 @@ TEST_P(ApertureOutline, MapsTheSquareIntoTheOutlineAndItsRimOntoTheEdge)
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)
         {
-            const double u = std::min(double(i) / n, nearlyOne),
-                         v = std::min(double(j) / n, nearlyOne);
+            const double u = std::min(double(i) / n, nearlyOne), v = std::min(double(j) / n, nearlyOne);
             const AperturePoint p = aperture(u, v);
             const double square = std::max(std::fabs(2 * u - 1), std::fabs(2 * v - 1));
-            ASSERT_NEAR(GetParam().Size(p), square, GetParam().Tolerance())
-                << "(u, v) = (" << u << ", " << v << ") went to " << p;
+            ASSERT_NEAR(GetParam().Size(p), square, GetParam().Tolerance()) << "(u, v) = (" << u << ", " << v << ") went to " << p;
         }
 }
 
@@ -222,10 +216,7 @@ TEST(ApertureGraded, FollowsItsBrightnessLaw)
         {
             const Aperture aperture = Aperture::Graded(outline.Make(), amount);
             const double n = std::fabs(amount) / (1 - std::fabs(amount));
-            const auto law = [&](double size)
-            {
-                return (n + 1) * (amount > 0 ? std::pow(size, 2 * n) : std::pow(1 - size * size, n));
-            };
+            const auto law = [&](double size) { return (n + 1) * (amount > 0 ? std::pow(size, 2 * n) : std::pow(1 - size * size, n)); };
             const int count = 90000;
             int within[3] = {};
             for (int i = 0; i < count; ++i)
@@ -276,14 +267,13 @@ TEST(ApertureDisc, DirectionsAreKept)
 TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 {
     // points of the square's rim at the corners' angles: the outermost of 4 x 10^4 per side
-    for (const Outline& outline :
-         {Outline{3, 0.4}, Outline{5, -2}, Outline{Aperture::maxBlades, 0.001}})
+    for (const Outline& outline : {Outline{3, 0.4}, Outline{5, -2}, Outline{Aperture::maxBlades, 0.001}})
     {
         const Aperture aperture = outline.Make();
         double farthest = 0, direction = 0;
         for (int i = 0; i < 40000; ++i)
-            for (const AperturePoint& p : {aperture(i / 4e4, 0), aperture(i / 4e4, nearlyOne),
-                                           aperture(0, i / 4e4), aperture(nearlyOne, i / 4e4)})
+            for (const AperturePoint& p :
+                 {aperture(i / 4e4, 0), aperture(i / 4e4, nearlyOne), aperture(0, i / 4e4), aperture(nearlyOne, i / 4e4)})
                 if (std::hypot(p.a, p.b) > farthest)
                 {
                     farthest = std::hypot(p.a, p.b);

@@ -97,10 +97,7 @@ TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
         WhiteNoise(id, result);
     });
     BlockCache cache(DenoisedLimits(), settings.blockSide, 8 * settings.blockSide, {0, 0, settings.blockSide, 8 * settings.blockSide});
-    const auto run = [&](std::uint32_t top)
-    {
-        TileSampler(cache).Run({0, top, settings.blockSide, settings.blockSide}, trace);
-    };
+    const auto run = [&](std::uint32_t top) { TileSampler(cache).Run({0, top, settings.blockSide, settings.blockSide}, trace); };
     std::future<void> first = std::async(std::launch::async, run, 0u);
     while (!held)
         std::this_thread::yield();

@@ -47,7 +47,7 @@ SamplingLimits Denoised(double variance)
 double LightKept(float blur)
 {
     const Tracer trace([blur](const SampleId& id, SampleResult& result)
-        { result = Blurred(id, Noise(id, 1) < 1.0 / 64.0 ? 1.0 : 0.0, blur); });
+    { result = Blurred(id, Noise(id, 1) < 1.0 / 64.0 ? 1.0 : 0.0, blur); });
     const std::uint32_t side = 8 * kSide;
     double light = 0.0;
     for (const Result& result : ResultsOf(Limits(4, 256, 1e-3), {0, 0, side, side}, side, side, trace))

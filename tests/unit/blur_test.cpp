@@ -18,10 +18,9 @@ namespace
 {
 
 const double kInfinity = std::numeric_limits<double>::infinity();
-const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
-    FocusFamily::FocalPlane, FocusFamily::FocalPoints};
+const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 
-template <typename Check>
+template<typename Check>
 void ForManyPixels(Check check)
 {
     Random random(23);
@@ -85,8 +84,7 @@ TEST(Blur, AgreesWithBlurVergence)
     ForManyPixels([](const Lens& lens, const Vec3& chief, Random& random)
     {
         const double T = random.Power(-3.0, 3.0);
-        EXPECT_DOUBLE_EQ(BlurDiameter(lens, chief, T, 320.0),
-                         BlurVergence(lens, chief, T) * lens.diameter * 320.0 / Length(lens.right));
+        EXPECT_DOUBLE_EQ(BlurDiameter(lens, chief, T, 320.0), BlurVergence(lens, chief, T) * lens.diameter * 320.0 / Length(lens.right));
     });
 }
 
@@ -114,8 +112,7 @@ TEST(PlaneOfBlur, ContainsThePointsOfThatBlur)
 
 TEST(PlaneOfBlur, ZeroIsThePlaneOfSharpFocus)
 {
-    ForManyPixels([](const Lens& lens, const Vec3&, Random&)
-    { EXPECT_EQ(Length(PlaneOfBlur(lens, 0.0, 640.0) - lens.focus), 0.0); });
+    ForManyPixels([](const Lens& lens, const Vec3&, Random&) { EXPECT_EQ(Length(PlaneOfBlur(lens, 0.0, 640.0) - lens.focus), 0.0); });
 }
 
 TEST(PlaneOfBlur, MeetInTheHingeLine)
@@ -129,5 +126,5 @@ TEST(PlaneOfBlur, MeetInTheHingeLine)
     });
 }
 
-} // namespace
-} // namespace tilt_lens
+}  // namespace
+}  // namespace tilt_lens

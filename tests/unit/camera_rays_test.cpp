@@ -50,8 +50,20 @@ Lens SomeLens(const Character& character = {}, double scale = 1.0)
 std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
 {
     const CameraSamples& s = rays.samples;
-    return {s.x[i], s.y[i], s.a[i], s.b[i], s.weight[i], s.expectedEmission[i], rays.origin[0][i], rays.origin[1][i],
-            rays.origin[2][i], rays.direction[0][i], rays.direction[1][i], rays.direction[2][i], rays.length[i], rays.w[i]};
+    return {s.x[i],
+            s.y[i],
+            s.a[i],
+            s.b[i],
+            s.weight[i],
+            s.expectedEmission[i],
+            rays.origin[0][i],
+            rays.origin[1][i],
+            rays.origin[2][i],
+            rays.direction[0][i],
+            rays.direction[1][i],
+            rays.direction[2][i],
+            rays.length[i],
+            rays.w[i]};
 }
 
 void ExpectRaysOneByOne(const Lens& lens, const Aperture& aperture, const Character& character = {}, const std::vector<Emitter>& lamps = {})

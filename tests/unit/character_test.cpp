@@ -54,7 +54,7 @@ Character Curved(double millimetres)
     return character;
 }
 
-template <typename Check>
+template<typename Check>
 void ForManyPoints(const Check& check)
 {
     Random random(5);

@@ -24,7 +24,8 @@ constexpr double kLamp = 10.0;
 std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
 {
     static const LensFootprint lens(Lens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
-    const auto sums = std::make_unique<SpreadSums>(Area{settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide}, 3.0 * kSide, 3.0 * kSide);
+    const auto sums = std::make_unique<SpreadSums>(Area{settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide},
+                                                   3.0 * kSide, 3.0 * kSide);
     for (std::uint32_t i = 0; i < 4 * kSide * kSide; i++)
     {
         const int column = int(i / 4 % kSide), row = int(i / 4 / kSide);

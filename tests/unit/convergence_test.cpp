@@ -44,8 +44,7 @@ struct Prepared
     SamplingLimits limits;
 
     Prepared(const SamplingLimits& limits, const Tracer& trace) :
-        estimate(FirstEstimate(kMiddle, limits.FirstRound(), trace)), round(estimate),
-        around(Alone(round), limits), limits(limits)
+        estimate(FirstEstimate(kMiddle, limits.FirstRound(), trace)), round(estimate), around(Alone(round), limits), limits(limits)
     {
         UpdateVarianceRatios(estimate, limits.FirstRound());
     }

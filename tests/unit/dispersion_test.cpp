@@ -66,7 +66,8 @@ TEST(Dispersion, SingletMatchesTheThickLensEquation)
     for (const double wavelength : kWavelengths)
     {
         const double n = IndexAt(1.5168, 64.17, wavelength), r1 = 50.0, r2 = -70.0, d = 6.0;
-        const double power = (n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)), backFocus = (1.0 - (n - 1.0) * d / (n * r1)) / power;
+        const double power = (n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)),
+                     backFocus = (1.0 - (n - 1.0) * d / (n * r1)) / power;
         EXPECT_NEAR(GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength, 1.0 / power, 1e-11);
         // real rays in the frame of the d line, behind the last surface of glass
         GlassLens coloured = lens;
@@ -100,7 +101,8 @@ TEST(Dispersion, AchromatHasTheSecondarySpectrum)
     // the power of each part is proportional to n - 1
     for (const double wavelength : kWavelengths)
     {
-        const double power = power1 * (IndexAt(n1, V1, wavelength) - 1.0) / (n1 - 1.0) + power2 * (IndexAt(n2, V2, wavelength) - 1.0) / (n2 - 1.0);
+        const double power = power1 * (IndexAt(n1, V1, wavelength) - 1.0) / (n1 - 1.0) +
+                             power2 * (IndexAt(n2, V2, wavelength) - 1.0) / (n2 - 1.0);
         EXPECT_NEAR(focal(wavelength), 1.0 / power, 1e-4);
     }
     EXPECT_GT(focal(kLineF) - focal(kLineD), 0.02);
@@ -176,7 +178,8 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
 
 TEST(Dispersion, DoesNotChangeBrightness)
 {
-    const GlassCamera camera(Made(kDispersiveDoubleGauss, true), Aperture::Disc(), 1.0), plain(Made(kDispersiveDoubleGauss, false), Aperture::Disc(), 1.0);
+    const GlassCamera camera(Made(kDispersiveDoubleGauss, true), Aperture::Disc(), 1.0),
+        plain(Made(kDispersiveDoubleGauss, false), Aperture::Disc(), 1.0);
     std::uint32_t refused = 0, drawn = 0;
     for (int i = 0; i < 400; i++)
     {

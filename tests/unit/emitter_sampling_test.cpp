@@ -64,8 +64,8 @@ struct Pixel
     double mean, variance, withinStrata;
 };
 
-Pixel SampleOf(const EmitterSampling& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y,
-               std::uint32_t n, std::uint32_t seed)
+Pixel SampleOf(const EmitterSampling& emitters, const Lens& lens, const World& world, std::uint32_t x, std::uint32_t y, std::uint32_t n,
+               std::uint32_t seed)
 {
     const EmitterSampling::Targets targets = emitters.TargetsOf(x, y);
     const PixelSampler sampler(x, y, seed);
@@ -73,9 +73,7 @@ Pixel SampleOf(const EmitterSampling& emitters, const Lens& lens, const World& w
     for (std::uint32_t i = 0; i < n; i++)
     {
         const CameraSample start = emitters.Draw(targets, {x, y, i}, sampler(i));
-        const double light =
-            start.weight > 0.0
-                ? start.weight * world(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) : 0.0;
+        const double light = start.weight > 0.0 ? start.weight * world(MakeRay(lens, start.x, start.y, start.point.a, start.point.b)) : 0.0;
         const bool atEmitter = start.expectedEmission > 0.0;
         sums[atEmitter] += light;
         counts[atEmitter]++;
@@ -119,8 +117,8 @@ Character Real()
 /// Blurred and sharp lamps, alone and overlapping, for every shape of aperture.
 std::vector<Case> Cases()
 {
-    const Emitter far{{1.0, 0.5, 40.0}, 0.03, 40.0}, near{{-0.4, 0.3, 5.0}, 0.005, 40.0},
-        sharp{{0.7, -0.6, 10.0}, 0.03, 40.0}, nearlySharp{{0.7, 0.9, 10.4}, 0.02, 40.0};
+    const Emitter far{{1.0, 0.5, 40.0}, 0.03, 40.0}, near{{-0.4, 0.3, 5.0}, 0.005, 40.0}, sharp{{0.7, -0.6, 10.0}, 0.03, 40.0},
+        nearlySharp{{0.7, 0.9, 10.4}, 0.02, 40.0};
     const Emitter beside{{1.1, 0.55, 41.0}, 0.05, 20.0};
     return {{"far", 0.0, Aperture::Disc(), {far}},
             {"near", 0.0, Aperture::Disc(), {near}},
@@ -133,8 +131,11 @@ std::vector<Case> Cases()
             {"picture", 20.0, Window(), {far, near, sharp}},
             {"rim", 0.0, Aperture::Graded(Aperture::Disc(), 0.5), {far, near, sharp}},
             {"real", 0.0, Aperture::Disc(), {far, near, sharp}, Real()},
-            {"real tilted", 20.0, Aperture::Squeezed(Aperture::Graded(Aperture::Polygon(5, 0.3), -0.3), 1.5),
-             {far, near, sharp, nearlySharp}, Real()},
+            {"real tilted",
+             20.0,
+             Aperture::Squeezed(Aperture::Graded(Aperture::Polygon(5, 0.3), -0.3), 1.5),
+             {far, near, sharp, nearlySharp},
+             Real()},
             {"real picture", 0.0, Window(), {far, near, sharp}, Real()}};
 }
 
@@ -151,9 +152,11 @@ struct Prepared
     EmitterSampling emitterSampled, plain;
 
     explicit Prepared(const Case& one) :
-        lens(LensOf(one.turn, one.character)), world{one.lamps},
+        lens(LensOf(one.turn, one.character)),
+        world{one.lamps},
         lensSampler(CameraOf(lens, one.aperture, one.character), kWidth, kHeight),
-        emitterSampled(lensSampler, Limits(), one.lamps), plain(lensSampler, Limits(), {})
+        emitterSampled(lensSampler, Limits(), one.lamps),
+        plain(lensSampler, Limits(), {})
     {
     }
 };
@@ -289,8 +292,7 @@ TEST(ApertureDensity, MatchesTheSampledPoints)
     {
         constexpr int side = 400, boxes = 8;
         std::vector<double> expected(boxes * boxes), found(boxes * boxes);
-        const auto box = [&](const AperturePoint& p)
-        { return int((p.a + 1.5) / 3.0 * boxes) * boxes + int((p.b + 1.5) / 3.0 * boxes); };
+        const auto box = [&](const AperturePoint& p) { return int((p.a + 1.5) / 3.0 * boxes) * boxes + int((p.b + 1.5) / 3.0 * boxes); };
         double farthest = 0.0;
         for (int i = 0; i < side; i++)
             for (int j = 0; j < side; j++)

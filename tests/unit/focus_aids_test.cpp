@@ -21,9 +21,15 @@ namespace
 
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-double Light(double shown) { return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4); }
+double Light(double shown)
+{
+    return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+}
 
-double Luminance(const Rgb& c) { return 0.2126 * Light(c.red) + 0.7152 * Light(c.green) + 0.0722 * Light(c.blue); }
+double Luminance(const Rgb& c)
+{
+    return 0.2126 * Light(c.red) + 0.7152 * Light(c.green) + 0.0722 * Light(c.blue);
+}
 
 double Difference(const Rgb& a, const Rgb& b)
 {

@@ -102,7 +102,8 @@ Counted Count(const GlassCamera& camera, const GlassLens& glass, const Aperture&
         {
             const double a = 1.6 * (2.0 * (i + 0.5) / side - 1.0), b = 1.6 * (2.0 * (j + 0.5) / side - 1.0);
             const double along = a * bounds.radial, across = b * bounds.tangential;
-            const PupilPoint at{bounds.centre.l + along * radial.l - across * radial.m, bounds.centre.m + along * radial.m + across * radial.l};
+            const PupilPoint at{bounds.centre.l + along * radial.l - across * radial.m,
+                                bounds.centre.m + along * radial.m + across * radial.l};
             auto ray = RayTowards(place, at);
             if (!ray || TraceThrough(glass, aperture, *ray) != Passage::Passed)
                 continue;
@@ -181,7 +182,8 @@ TEST(GlassCamera, BrightnessMatchesACountOfDirections)
             {
                 const double counted = Count(camera, *lens.glass, aperture, film, 160).area / middle;
                 const double turned = falloff(film) / falloff({0.0, 0.0});
-                EXPECT_NEAR(natural.Brightness(film), counted * turned, 0.015) << named.name << " " << film.x << " " << film.y << " " << blades;
+                EXPECT_NEAR(natural.Brightness(film), counted * turned, 0.015)
+                    << named.name << " " << film.x << " " << film.y << " " << blades;
             }
         }
 }
@@ -290,7 +292,8 @@ TEST(GlassCamera, DrawsThePointOfTheEllipse)
             const PupilPoint axis = RadialAxis(place);
             const AperturePoint point = disc(u, v);
             const double along = bounds.radial * point.a, across = bounds.tangential * point.b;
-            auto ray = RayTowards(place, {bounds.centre.l + along * axis.l - across * axis.m, bounds.centre.m + along * axis.m + across * axis.l});
+            auto ray = RayTowards(place,
+                                  {bounds.centre.l + along * axis.l - across * axis.m, bounds.centre.m + along * axis.m + across * axis.l});
             ASSERT_TRUE(ray);
             ASSERT_EQ(TraceThrough(*lens.glass, disc, *ray), Passage::Passed);
             const auto world = [&](const Vec3& a) { return a.x * axisX + a.y * axisY + a.z * lens.normal; };
@@ -313,7 +316,8 @@ TEST(GlassCamera, BlocksFewRays)
             {
                 const PixelSampler sequence(x, y, 0);
                 const SequencePoint point = sequence(0);
-                const GlassSample sample = camera.Draw(FilmPointAt(x + point.pixelX, y + point.pixelY, 60, 40), point.lensU, point.lensV, sequence.Hash(0));
+                const GlassSample sample = camera.Draw(FilmPointAt(x + point.pixelX, y + point.pixelY, 60, 40), point.lensU, point.lensV,
+                                                       sequence.Hash(0));
                 refused += sample.weight > 0.0 ? sample.refused : 0;
                 lit += sample.weight > 0.0;
             }

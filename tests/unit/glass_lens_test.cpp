@@ -49,9 +49,15 @@ Prescription Aspheric()
     return lens;
 }
 
-Vec3 Towards(const Vec3& from, const Vec3& to) { return Normalized(to - from); }
+Vec3 Towards(const Vec3& from, const Vec3& to)
+{
+    return Normalized(to - from);
+}
 
-Vec3 At(const GlassRay& ray, double z) { return ray.origin + ((z - ray.origin.z) / ray.direction.z) * ray.direction; }
+Vec3 At(const GlassRay& ray, double z)
+{
+    return ray.origin + ((z - ray.origin.z) / ray.direction.z) * ray.direction;
+}
 
 TEST(CardinalPoints, MatchAThickLens)
 {
@@ -188,7 +194,8 @@ TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
     const auto sag = [](double h)
     {
         const double square = h * h, c = 1.0 / 25.0;
-        return c * square / (1.0 + std::sqrt(1.0 + 0.3 * c * c * square)) + 3e-5 * std::pow(h, 4) - 4e-8 * std::pow(h, 6) + 1e-11 * std::pow(h, 8);
+        return c * square / (1.0 + std::sqrt(1.0 + 0.3 * c * c * square)) + 3e-5 * std::pow(h, 4) - 4e-8 * std::pow(h, 6) +
+               1e-11 * std::pow(h, 8);
     };
     const double x = 7.0, y = -4.0, h = std::hypot(x, y), step = 1e-4;
     const double slope = (sag(h + step) - sag(h - step)) / (2.0 * step);

@@ -30,7 +30,7 @@ struct Setting
         given.focalPoint = {0.0, 0.0, 3000.0};
     }
 
-    Setting& With(double Character::*item, double value)
+    Setting& With(double Character::* item, double value)
     {
         given.character.*item = value;
         return *this;

@@ -64,7 +64,8 @@ std::vector<Stated> Lenses()
     {
         const std::vector<std::string> fields = Fields(line);
         EXPECT_EQ(fields.size(), 7u) << line;
-        lenses.push_back({fields[0], fields[2], std::stod(fields[4]), std::stod(fields[5]), fields[6].empty() ? 0.0 : std::stod(fields[6])});
+        lenses.push_back(
+            {fields[0], fields[2], std::stod(fields[4]), std::stod(fields[5]), fields[6].empty() ? 0.0 : std::stod(fields[6])});
     }
     return lenses;
 }
@@ -153,7 +154,8 @@ double SpotOfThreeColours(const Stated& stated)
 /// Only lenses without glasses of abnormal dispersion, for which that report has the same focal length and back focus.
 TEST(LensFiles, SpotsMatchAnotherProgram)
 {
-    const std::map<std::string, double> published = {{"nikon_nikkor_n_50.dat", 82.04}, {"angenieux_55.dat", 65.53}, {"nikon_nikkor_52.dat", 19.73}};
+    const std::map<std::string, double> published = {
+        {"nikon_nikkor_n_50.dat", 82.04}, {"angenieux_55.dat", 65.53}, {"nikon_nikkor_52.dat", 19.73}};
     std::size_t found = 0;
     for (const Stated& stated : Lenses())
     {

@@ -196,7 +196,7 @@ class BadStatement : public testing::TestWithParam<BadCase>
 };
 
 INSTANTIATE_TEST_SUITE_P(Optics, BadStatement, testing::ValuesIn(kBadCases),
-    [](const testing::TestParamInfo<BadCase>& info) { return std::string(info.param.name); });
+                         [](const testing::TestParamInfo<BadCase>& info) { return std::string(info.param.name); });
 
 TEST_P(BadStatement, IsRefusedInWords)
 {
@@ -205,14 +205,12 @@ TEST_P(BadStatement, IsRefusedInWords)
     try
     {
         const Lens lens = Solved(request);
-        FAIL() << request << "\ngave a lens of focal length " << lens.focalLength << ", normal "
-               << lens.normal;
+        FAIL() << request << "\ngave a lens of focal length " << lens.focalLength << ", normal " << lens.normal;
     }
     catch (const OpticsError& error)
     {
         for (const char* word : GetParam().words)
-            EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
-                << '\'' << word << "' is not in: " << error.what();
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << '\'' << word << "' is not in: " << error.what();
     }
 }
 
@@ -249,15 +247,13 @@ TEST(BadCamera, PlaneThroughTheLensIsRefusedDespiteRounding)
 std::vector<double*> NumbersOf(Request& r)
 {
     Statement& s = r.given;
-    std::vector<double*> numbers = {
-        &s.filmWidth, &s.sceneUnit, &s.shiftRight, &s.shiftUp, &*s.fStop, &s.scale};
+    std::vector<double*> numbers = {&s.filmWidth, &s.sceneUnit, &s.shiftRight, &s.shiftUp, &*s.fStop, &s.scale};
     if (s.focalLength)
         numbers.push_back(&*s.focalLength);
     for (Vec3* v : {&r.camera.location, &r.camera.direction, &r.camera.right, &r.camera.up})
         numbers.insert(numbers.end(), {&v->x, &v->y, &v->z});
     if (s.family == FocusFamily::FocalPlane)
-        numbers.insert(numbers.end(),
-            {&s.planeNormal.x, &s.planeNormal.y, &s.planeNormal.z, &s.planeDistance});
+        numbers.insert(numbers.end(), {&s.planeNormal.x, &s.planeNormal.y, &s.planeNormal.z, &s.planeDistance});
     else if (s.family == FocusFamily::FocalPoints)
         for (Vec3& p : s.points)
             numbers.insert(numbers.end(), {&p.x, &p.y, &p.z});
@@ -292,13 +288,10 @@ void ExpectErrorOrLens(const Request& request, bool errorWanted)
         const Lens lens = Solved(request);
         EXPECT_FALSE(errorWanted) << "no error";
         const LensRay ray = MakeRay(lens, 0.3, -0.2, 0.5, 0.4);
-        EXPECT_TRUE(IsFinite(ray.origin) && IsFinite(ray.direction) && IsFinite(lens.normal) &&
-                    IsFinite(lens.focus));
+        EXPECT_TRUE(IsFinite(ray.origin) && IsFinite(ray.direction) && IsFinite(lens.normal) && IsFinite(lens.focus));
         EXPECT_GT(Length(ray.direction), 0.0);
-        EXPECT_TRUE(lens.focalLength > 0 && lens.filmDistance > 0 && lens.diameter >= 0 &&
-                    lens.millimetre > 0)
-            << "f " << lens.focalLength << ", s " << lens.filmDistance << ", diameter "
-            << lens.diameter;
+        EXPECT_TRUE(lens.focalLength > 0 && lens.filmDistance > 0 && lens.diameter >= 0 && lens.millimetre > 0)
+            << "f " << lens.focalLength << ", s " << lens.filmDistance << ", diameter " << lens.diameter;
     }
     catch (const OpticsError& error)
     {
@@ -308,16 +301,14 @@ void ExpectErrorOrLens(const Request& request, bool errorWanted)
 
 TEST(BadNumbers, YieldAnErrorOrAUsableLens)
 {
-    const FocusFamily families[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
-        FocusFamily::FocalPlane, FocusFamily::FocalPoints};
+    const FocusFamily families[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane, FocusFamily::FocalPoints};
     for (const FocusFamily family : families)
         for (const bool focalLength : {false, true})
         {
             Request sound = RequestOf(family, focalLength);
             const std::size_t count = NumbersOf(sound).size();
             for (std::size_t i = 0; i < count; i++)
-                for (const double bad :
-                    {kNaN, kInfinity, -kInfinity, 0.0, -1.0, 1e300, -1e300, 1e-300})
+                for (const double bad : {kNaN, kInfinity, -kInfinity, 0.0, -1.0, 1e300, -1e300, 1e-300})
                 {
                     Request request = sound;
                     double* number = NumbersOf(request)[i];
@@ -340,7 +331,7 @@ TEST(Warnings, NameTurnsPast15DegreesOnly)
         request.given.focalPoint = request.camera.location + 5.0 * AxisOf(request.camera);
         request.given.aperture = 0.01;
         SCOPED_TRACE(testing::Message() << request);
-        for (double Statement::*turn : {&Statement::tilt, &Statement::swing})
+        for (double Statement::* turn : {&Statement::tilt, &Statement::swing})
             for (const double sign : {-1.0, 1.0})
             {
                 Statement s = request.given;

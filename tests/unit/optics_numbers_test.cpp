@@ -103,10 +103,8 @@ TEST(Shift, MovesTheFrameByExactPixelsOnly)
             for (const double x : {-0.5, 0.1})
             {
                 const LensRay a = MakeRay(shifted, x, 0.25, 0.6, -0.3);
-                const LensRay b =
-                    MakeRay(plain, x + pixels / width, 0.25 - 2 * pixels / height, 0.6, -0.3);
-                EXPECT_LT(Length(a.direction - b.direction), 1e-15)
-                    << "tilt " << tilt << ", pixels " << pixels;
+                const LensRay b = MakeRay(plain, x + pixels / width, 0.25 - 2 * pixels / height, 0.6, -0.3);
+                EXPECT_LT(Length(a.direction - b.direction), 1e-15) << "tilt " << tilt << ", pixels " << pixels;
                 ExpectSame(a.origin, b.origin);
             }
             ExpectSame(shifted.normal, plain.normal);
@@ -159,8 +157,7 @@ TEST(PhysicalUnits, NormalLensGivesTheTextbooksNumbers)
         request.given.sceneUnit = unit;
         request.given.focalPoint = {0, 0, 1e9};
         const Lens far = Solved(request);
-        EXPECT_NEAR(2 * std::atan2(0.5 * Length(far.right), Dot(far.direction, far.axis)) / kDegree,
-            39.5978, 1e-4);
+        EXPECT_NEAR(2 * std::atan2(0.5 * Length(far.right), Dot(far.direction, far.axis)) / kDegree, 39.5978, 1e-4);
         EXPECT_NEAR(far.diameter * unit, 25.0, 1e-12);
         request.given.focalPoint = {0, 0, 1000.0 / unit}; // one metre: 1/s = 1/50 - 1/1000
         EXPECT_NEAR(Solved(request).filmDistance * unit, 1000.0 / 19.0, 1e-11);
@@ -186,9 +183,7 @@ TEST(PhysicalUnits, ApertureIsTwiceTheDiameterAndScalesWithTheCamera)
 /// Longest extent on the frame, in pixels, of the blur of a point on the axis, from rays through all lens points.
 double BlurInPixels(const Lens& lens, double distance, double width)
 {
-    const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12
-                            ? Normalized(Cross(lens.axis, lens.normal))
-                            : lens.axisRight;
+    const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12 ? Normalized(Cross(lens.axis, lens.normal)) : lens.axisRight;
     const Vec3 chief = Dot(lens.direction, lens.axis) * lens.axis;
     const Vec3 rim = lens.diameter / 2 * shared;
     // frame point D' with D' - (k.D') l parallel to X - l, l in the plane of the film
@@ -206,8 +201,7 @@ TEST(SharpRange, EndsAtTheGivenBlur)
     for (int i = 0; i < 2000; i++)
     {
         Lens lens;
-        const Request request = SolvableRequest(
-            random, i % 2 ? FocusFamily::LensTurn : FocusFamily::FocusTurn, i % 4 < 2, lens);
+        const Request request = SolvableRequest(random, i % 2 ? FocusFamily::LensTurn : FocusFamily::FocusTurn, i % 4 < 2, lens);
         SCOPED_TRACE(testing::Message() << request);
         const double width = 640, pixels = random(0.5, 3.0);
         const SharpRange range = SharpRangeOf(lens, width, pixels);
@@ -255,8 +249,7 @@ TEST(Numbers, ParallelLensReadsParallelForAnyOrientation)
     {
         Request request;
         request.camera = RandomFrame(random);
-        request.given.focalPoint =
-            request.camera.location + random.Power(0, 4) * AxisOf(request.camera);
+        request.given.focalPoint = request.camera.location + random.Power(0, 4) * AxisOf(request.camera);
         SCOPED_TRACE(testing::Message() << request);
         const Lens lens = Solved(request);
         ASSERT_EQ(HingeDistanceOf(lens), kInfinity);

@@ -69,7 +69,7 @@ TEST(VarianceRatio, FallsWithTheNumberOfStratifiedSamples)
 TEST(VarianceRatio, IsEstimatedForEachQuadrant)
 {
     const Quadrants ratios = RatiosOf([](const SampleId& id, SampleResult& result)
-        { (id.x < kMiddle.left + settings.blockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
+    { (id.x < kMiddle.left + settings.blockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
     EXPECT_LT(ratios[0], 0.2);
     EXPECT_GT(ratios[1], 0.6);
     EXPECT_LT(ratios[2], 0.2);

@@ -22,12 +22,11 @@ namespace
 
 static_assert(LDBL_MANT_DIG >= 64, "the rays' reference needs more digits than double has");
 
-const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn,
-    FocusFamily::FocalPlane, FocusFamily::FocalPoints};
+const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 const char* const kFamilyNames[] = {"lens turn", "focus turn", "focal plane", "focal points"};
 
 /// Length of the difference in units of the last place (2^-52) of the true length.
-template <typename Real>
+template<typename Real>
 double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
 {
     return double((value - truth).Length() / truth.Length()) * 0x1p52;
@@ -35,15 +34,14 @@ double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
 
 using Long = boost::multiprecision::cpp_bin_float_50;
 
-template <typename Real>
+template<typename Real>
 Vec<Real> As(const Vec3& v)
 {
     return Vec<Real>(v);
 }
 
 /// MakeRay()'s formula in a longer type, for the same lens.
-LensRay ExactRay(
-    const Lens& lens, double x, double y, double a, double b, Vec<long double>& direction)
+LensRay ExactRay(const Lens& lens, double x, double y, double a, double b, Vec<long double>& direction)
 {
     using V = Vec<long double>;
     const V chief = V(lens.direction) + V(lens.right) * x + V(lens.up) * y;
@@ -65,16 +63,13 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
         const Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
         for (int j = 0; j < 100; j++, rays++)
         {
-            const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
-                         b = random(-0.7, 0.7);
+            const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7), b = random(-0.7, 0.7);
             Vec<long double> truth;
-            const LensRay exact = ExactRay(lens, x, y, a, b, truth),
-                          ray = MakeRay(lens, x, y, a, b);
+            const LensRay exact = ExactRay(lens, x, y, a, b, truth), ray = MakeRay(lens, x, y, a, b);
             const double ulps = Ulps(As<long double>(ray.direction), truth);
             // written so that NaN fails
             if (!(ulps <= 4.0) || !(Length(ray.origin - exact.origin) <= 0x1p-50 * lens.diameter))
-                FAIL() << ulps << " ulp\n"
-                       << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
+                FAIL() << ulps << " ulp\n" << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
             worst = std::max(worst, ulps);
             sum += ulps;
         }
@@ -99,16 +94,13 @@ TEST(Precision, CamerasKeepTheirDigitsFromStatementToRay)
     {
         Lens lens;
         const Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
-        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
-                     b = random(-0.7, 0.7);
+        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7), b = random(-0.7, 0.7);
         const LensRay ray = MakeRay(lens, x, y, a, b);
         const auto truth = ReferenceCamera<Long>(request.camera, request.given).Ray(x, y, a, b);
         const double ulps = Ulps(As<Long>(ray.direction), truth.direction);
-        const double origin =
-            double((As<Long>(ray.origin) - truth.origin).Length()) / lens.diameter * 0x1p52;
+        const double origin = double((As<Long>(ray.origin) - truth.origin).Length()) / lens.diameter * 0x1p52;
         if (!(ulps <= 4.0) || !(origin <= 4.0) || !(Length(ray.direction) > 0.0))
-            FAIL() << ulps << " ulp, origin " << origin << '\n'
-                   << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
+            FAIL() << ulps << " ulp, origin " << origin << '\n' << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
         Tally& tally = tallies[i % 4];
         tally.worst = std::max(tally.worst, ulps);
         tally.sum += ulps;
@@ -117,8 +109,8 @@ TEST(Precision, CamerasKeepTheirDigitsFromStatementToRay)
     for (int family = 0; family < 4; family++)
     {
         const Tally& t = tallies[family];
-        std::printf("[          ] %-12s %d cameras: mean %.2f, worst %.1f ulp\n", kFamilyNames[family],
-            int(t.rays), t.sum / t.rays, t.worst);
+        std::printf("[          ] %-12s %d cameras: mean %.2f, worst %.1f ulp\n", kFamilyNames[family], int(t.rays), t.sum / t.rays,
+                    t.worst);
     }
 }
 
@@ -131,15 +123,13 @@ TEST(Precision, ScalesFrom1em9To1e9AreAlike)
         Request request = SolvableRequest(random, kFamilies[i % 4], i % 8 < 4, lens);
         const double scale = random.Power(-9, 9);
         request.camera.location = scale * request.camera.location;
-        for (Vec3* v : {&request.camera.direction, &request.camera.right, &request.camera.up,
-                 &request.given.focalPoint, &request.given.points[0], &request.given.points[1],
-                 &request.given.points[2]})
+        for (Vec3* v : {&request.camera.direction, &request.camera.right, &request.camera.up, &request.given.focalPoint,
+                        &request.given.points[0], &request.given.points[1], &request.given.points[2]})
             *v = scale * *v;
         request.given.planeDistance *= scale;
         request.given.scale = scale;
         lens = Solved(request);
-        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7),
-                     b = random(-0.7, 0.7);
+        const double x = random(-0.5, 0.5), y = random(-0.5, 0.5), a = random(-0.7, 0.7), b = random(-0.7, 0.7);
         const LensRay ray = MakeRay(lens, x, y, a, b);
         const auto truth = ReferenceCamera<Long>(request.camera, request.given).Ray(x, y, a, b);
         ASSERT_LE(Ulps(As<Long>(ray.direction), truth.direction), 4.0) << request;

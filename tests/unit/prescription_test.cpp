@@ -58,7 +58,7 @@ const char* const kIset = R"({
 
 void ExpectTriplet(const Prescription& lens)
 {
-    const double rows[7][4] = {{20, 3, 1.6, 14}, {-80, 2.5, 1, 14}, {0, 1, 1, 9}, {-25, 1.5, 1.7, 10},
+    const double rows[7][4] = {{20, 3, 1.6, 14}, {-80, 2.5, 1, 14}, {0, 1, 1, 9},    {-25, 1.5, 1.7, 10},
                                {30, 4, 1, 10},   {0, 2.5, 1.5, 12}, {-22, 40, 1, 12}};
     ASSERT_EQ(lens.rows.size(), 7u);
     EXPECT_EQ(lens.stop, 2u);
@@ -117,7 +117,8 @@ TEST(Prescription, PlanesBesideAMarkedStopAreRims)
 
 TEST(Prescription, ReadsAspheres)
 {
-    const Prescription both = ReadPrescription(With(kIset, "\"conic_constant\": 0", "\"conic_constant\": -1, \"aspherical-equation\": [3e-6]"));
+    const Prescription both = ReadPrescription(
+        With(kIset, "\"conic_constant\": 0", "\"conic_constant\": -1, \"aspherical-equation\": [3e-6]"));
     EXPECT_EQ(both.rows[1].conic, -1.0);
     EXPECT_EQ(both.rows[1].aspheric, std::vector<double>{3e-6});
     const Prescription lentil = ReadPrescription(With(kLentil, "\"aspherical-equation\": null", "\"aspherical-equation\": [1e-5, -2e-8]"));
@@ -180,7 +181,10 @@ TEST(Prescription, RefusesRowsOfPbrtWithTheirLine)
 
 TEST(Prescription, RefusesJsonWithItsLine)
 {
-    ExpectError(With(kIset, "\"surfaces\": [", "\"surfaces\": ["  "\n\n {,"), 5, "no JSON");
+    ExpectError(With(kIset, "\"surfaces\": [",
+                     "\"surfaces\": ["
+                     "\n\n {,"),
+                5, "no JSON");
     ExpectError(With(kIset, "\"surfaces\"", "\"faces\""), 0, "no known form");
     ExpectError(With(kIset, "\"ior\": 1.6, ", ""), 4, "without \"ior\"");
     ExpectError(With(kIset, "\"thickness\": 2.5, \"ior\": 1,", "\"thickness\": \"thick\", \"ior\": 1,"), 5, "'thick'. It must be a number");
@@ -204,9 +208,11 @@ TEST(Prescription, RequiresTypesOfJsonWithTheirLine)
     ExpectError(With(kIset, "\"surfaces\": [", "\"surfaces\": [\n5,"), 4, "Each surface must be an object");
     ExpectError("{\"surfaces\":\n{\"radius\": 5}}", 2, "It must be a list of surfaces");
     ExpectError(With(kLentil, "\"material\": \"iris\"", "\"material\": 5"), 6, "\"material\" is 5. It must be a text");
-    for (const char* text : {"\"infinity\"", "450", "null, \"surfaces\": [5]", "{\"infinity\": 450}", "[450]", "[]", "[\"infinity\", \"450\"]"})
+    for (const char* text :
+         {"\"infinity\"", "450", "null, \"surfaces\": [5]", "{\"infinity\": 450}", "[450]", "[]", "[\"infinity\", \"450\"]"})
         EXPECT_THROW(ReadPrescription(With(kIset, "\"surfaces\"", std::string("\"object-distance\": ") + text + ", \"surfaces\"")),
-                     PrescriptionError) << text;
+                     PrescriptionError)
+            << text;
     ExpectError(With(kIset, "\"surfaces\"", "\n\"object-distance\": \"infinity\", \"surfaces\""), 4, "It must be a list that begins with");
 }
 

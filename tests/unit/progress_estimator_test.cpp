@@ -24,7 +24,10 @@ SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance)
     return limits;
 }
 
-Radiance Grey(double value) { return {value, value, value, 0.0, 0.0}; }
+Radiance Grey(double value)
+{
+    return {value, value, value, 0.0, 0.0};
+}
 
 void TryAll(ProgressEstimator& map, std::uint32_t x, double right)
 {

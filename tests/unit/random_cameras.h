@@ -31,19 +31,10 @@ class Random
   public:
     explicit Random(std::uint64_t seed) : engine(seed) {}
 
-    double operator()(double low, double high)
-    {
-        return low + (high - low) * double(engine() >> 11) * 0x1p-53;
-    }
-    double Power(double lowExponent, double highExponent)
-    {
-        return std::pow(10.0, (*this)(lowExponent, highExponent));
-    }
+    double operator()(double low, double high) { return low + (high - low) * double(engine() >> 11) * 0x1p-53; }
+    double Power(double lowExponent, double highExponent) { return std::pow(10.0, (*this)(lowExponent, highExponent)); }
     bool Coin() { return engine() >> 63; }
-    Vec3 Vector(double most)
-    {
-        return {(*this)(-most, most), (*this)(-most, most), (*this)(-most, most)};
-    }
+    Vec3 Vector(double most) { return {(*this)(-most, most), (*this)(-most, most), (*this)(-most, most)}; }
 
     Vec3 Direction()
     {
@@ -76,16 +67,13 @@ inline std::ostream& operator<<(std::ostream& out, const Request& request)
     const CameraFrame& c = request.camera;
     const Statement& s = request.given;
     std::ostringstream text;
-    text << std::setprecision(17) << "location " << c.location << " direction " << c.direction
-         << " right " << c.right << " up " << c.up << "\nfilm_width " << s.filmWidth
-         << " scene_unit " << s.sceneUnit << " scale " << s.scale << " family " << int(s.family);
+    text << std::setprecision(17) << "location " << c.location << " direction " << c.direction << " right " << c.right << " up " << c.up
+         << "\nfilm_width " << s.filmWidth << " scene_unit " << s.sceneUnit << " scale " << s.scale << " family " << int(s.family);
     if (s.focalLength)
         text << " focal_length " << *s.focalLength;
-    text << "\ntilt " << s.tilt << " swing " << s.swing << " focus_tilt " << s.focusTilt
-         << " focus_swing " << s.focusSwing << " focal_plane " << s.planeNormal << ", "
-         << s.planeDistance << " focal_points " << s.points[0] << s.points[1] << s.points[2]
-         << " focal_point " << s.focalPoint << "\nshift <" << s.shiftRight << ", " << s.shiftUp
-         << "> aperture " << s.aperture;
+    text << "\ntilt " << s.tilt << " swing " << s.swing << " focus_tilt " << s.focusTilt << " focus_swing " << s.focusSwing
+         << " focal_plane " << s.planeNormal << ", " << s.planeDistance << " focal_points " << s.points[0] << s.points[1] << s.points[2]
+         << " focal_point " << s.focalPoint << "\nshift <" << s.shiftRight << ", " << s.shiftUp << "> aperture " << s.aperture;
     if (s.fStop)
         text << " f_stop " << *s.fStop;
     return out << text.str();
@@ -126,8 +114,7 @@ inline CameraFrame RandomFrame(Random& random)
     camera.up = unit * (up + (random.Coin() ? random(-0.3, 0.3) : 0.0) * right);
     camera.direction = 0.5 * unit * aspect / std::tan(random(5.0, 50.0) * kDegree) * axis;
     if (random.Coin())
-        camera.direction =
-            camera.direction + random(-0.3, 0.3) * camera.right + random(-0.3, 0.3) * camera.up;
+        camera.direction = camera.direction + random(-0.3, 0.3) * camera.right + random(-0.3, 0.3) * camera.up;
     return camera;
 }
 
@@ -149,8 +136,7 @@ inline void RandomFocus(Random& random, const CameraFrame& camera, double distan
     s.focusSwing = random(-75.0, 75.0);
 
     const Vec3 across = random.Direction();
-    const Vec3 normal =
-        Normalized(axis + std::tan(random(0.0, 75.0) * kDegree) * Normalized(Cross(axis, across)));
+    const Vec3 normal = Normalized(axis + std::tan(random(0.0, 75.0) * kDegree) * Normalized(Cross(axis, across)));
     s.planeNormal = random.Power(-1.0, 1.0) * (random.Coin() ? normal : -normal);
     s.planeDistance = Dot(s.planeNormal, s.focalPoint) / Length(s.planeNormal);
     const Vec3 u = Normalized(Cross(normal, random.Direction())), v = Cross(normal, u);
@@ -167,9 +153,7 @@ inline Request RandomRequest(Random& random, FocusFamily family, bool focalLengt
     s.family = family;
     s.filmWidth = random(8.0, 200.0);
     s.sceneUnit = random.Power(0.0, 4.0);
-    const double filmDistance = s.filmWidth *
-                                Dot(AxisOf(request.camera), request.camera.direction) /
-                                Length(request.camera.right);
+    const double filmDistance = s.filmWidth * Dot(AxisOf(request.camera), request.camera.direction) / Length(request.camera.right);
     if (focalLengthGiven)
         s.focalLength = filmDistance * random(0.8, 1.2);
     RandomFocus(random, request.camera, filmDistance / s.sceneUnit * random.Power(0.7, 4.0), s);
@@ -187,8 +171,7 @@ inline bool CouldBeBuilt(const Lens& lens)
 {
     for (int corner = 0; corner < 4; corner++)
     {
-        const Vec3 chief = lens.direction + (corner & 1 ? 0.5 : -0.5) * lens.right +
-                           (corner & 2 ? 0.5 : -0.5) * lens.up;
+        const Vec3 chief = lens.direction + (corner & 1 ? 0.5 : -0.5) * lens.right + (corner & 2 ? 0.5 : -0.5) * lens.up;
         if (!(Dot(lens.normal, chief) > 0.2 * Length(chief)))
             return false;
     }
@@ -197,8 +180,7 @@ inline bool CouldBeBuilt(const Lens& lens)
 }
 
 /// The next random request whose lens exists and could be built.
-inline Request SolvableRequest(
-    Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
+inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
 {
     for (;;)
     {

@@ -112,7 +112,8 @@ TEST(Reconstruction, ReportsRemainingNoiseAndBias)
         for (const double height : {0.1, 1.0, 10.0})
         {
             const double variance = 1e-4, amplitude = height * std::sqrt(variance);
-            const auto waves = [&](int x, int y) { return 0.5 + amplitude * std::sin(6.2832 * x / length) * std::sin(6.2832 * y / length); };
+            const auto waves = [&](int x, int y)
+            { return 0.5 + amplitude * std::sin(6.2832 * x / length) * std::sin(6.2832 * y / length); };
             const Errors e = ErrorsOf(waves, variance);
             EXPECT_GT(e.claimed, 0.6 * e.after) << length << ", " << height;
             EXPECT_LT(e.claimed, 2.5 * e.after) << length << ", " << height;
@@ -259,7 +260,10 @@ TEST(Reconstruction, ReportsMoreVarianceBesideAnEdge)
     std::mt19937 random(9);
     const auto leftAt = [&](int x, double step)
     {
-        return Reconstruct(Make([&](int column, int) { return Noisy(column < 8 ? 0.2 : 0.2 + step, 1e-4, random); })).residualVarianceRatio[8 * kSide + x];
+        return Reconstruct(Make([&](int column, int)
+        {
+            return Noisy(column < 8 ? 0.2 : 0.2 + step, 1e-4, random);
+        })).residualVarianceRatio[8 * kSide + x];
     };
     const float even = leftAt(8, 0.0);
     EXPECT_LT(even, 0.2f);

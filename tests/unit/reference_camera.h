@@ -18,7 +18,7 @@ namespace tilt_lens
 
 /// Newton's method from the double's root: 53 digits, 107, 215. Boost's root is digit by digit, which would dominate the time for ten
 /// million cameras.
-template <typename Real>
+template<typename Real>
 Real Root(const Real& a)
 {
     if (!(a > 0))
@@ -36,7 +36,7 @@ Real Root(const Real& a)
     return ldexp(root, power / 2);
 }
 
-template <typename Real>
+template<typename Real>
 struct Vec
 {
     Real x, y, z;
@@ -49,28 +49,24 @@ struct Vec
     Vec operator-(const Vec& b) const { return {x - b.x, y - b.y, z - b.z}; }
     Vec operator*(const Real& s) const { return {x * s, y * s, z * s}; }
     Real Dot(const Vec& b) const { return x * b.x + y * b.y + z * b.z; }
-    Vec Cross(const Vec& b) const
-    {
-        return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
-    }
+    Vec Cross(const Vec& b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
     Real Length() const { return Root(Dot(*this)); }
     Vec Unit() const { return *this * (Real(1) / Length()); }
 };
 
-template <typename Real>
+template<typename Real>
 struct ReferenceRay
 {
     Vec<Real> origin, direction; ///< relative to the lens centre
 };
 
-template <typename Real>
+template<typename Real>
 class ReferenceCamera
 {
   public:
     using V = Vec<Real>;
 
-    ReferenceCamera(const CameraFrame& camera, const Statement& given)
-        : camera(camera), given(given)
+    ReferenceCamera(const CameraFrame& camera, const Statement& given) : camera(camera), given(given)
     {
         right = V(camera.right).Unit();
         const V cross = V(camera.right).Cross(V(camera.up)).Unit();
@@ -82,8 +78,7 @@ class ReferenceCamera
         if (given.focalLength)
             f = Real(*given.focalLength) * millimetre;
         else
-            s = Real(given.filmWidth) * millimetre * axis.Dot(V(camera.direction)) /
-                V(camera.right).Length();
+            s = Real(given.filmWidth) * millimetre * axis.Dot(V(camera.direction)) / V(camera.right).Length();
         if (given.family == FocusFamily::LensTurn)
             SolveLens();
         else
@@ -101,14 +96,8 @@ class ReferenceCamera
         return {l, way * (Real(1) / parameter)};
     }
 
-    V Chief(double x, double y) const
-    {
-        return direction + V(camera.right) * Real(x) + V(camera.up) * Real(y);
-    }
-    V LensPoint(double a, double b) const
-    {
-        return Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b));
-    }
+    V Chief(double x, double y) const { return direction + V(camera.right) * Real(x) + V(camera.up) * Real(y); }
+    V LensPoint(double a, double b) const { return Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b)); }
     /// The plane of sharp focus is Focus().X = 1.
     V Focus() const { return n * (Real(1) / d); }
     Real Radius() const { return radius; }
@@ -126,9 +115,7 @@ class ReferenceCamera
         using std::atan;
         using std::tan;
         static const Real degree = atan(Real(1)) / 45;
-        return (
-            axis - up * tan(Real(tiltDegrees) * degree) - right * tan(Real(swingDegrees) * degree))
-            .Unit();
+        return (axis - up * tan(Real(tiltDegrees) * degree) - right * tan(Real(swingDegrees) * degree)).Unit();
     }
 
     V Local(const Vec3& world) const { return V(world) - V(camera.location); }
@@ -182,14 +169,11 @@ class ReferenceCamera
 
     void Frame()
     {
-        radius =
-            (given.fStop ? f / Real(*given.fStop) : Real(given.aperture) / 2 * Real(given.scale)) /
-            2;
+        radius = (given.fStop ? f / Real(*given.fStop) : Real(given.aperture) / 2 * Real(given.scale)) / 2;
         const Real width = V(camera.right).Length(), perMillimetre = width / Real(given.filmWidth);
         const Real depth = s / (Real(given.filmWidth) * millimetre) * width;
         const V middle(camera.direction);
-        direction = middle + axis * (depth - axis.Dot(middle)) +
-                    right * (Real(given.shiftRight) * perMillimetre) +
+        direction = middle + axis * (depth - axis.Dot(middle)) + right * (Real(given.shiftRight) * perMillimetre) +
                     up * (Real(given.shiftUp) * perMillimetre);
     }
 
@@ -206,6 +190,6 @@ class ReferenceCamera
     }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -60,24 +60,20 @@ std::vector<Point> Block(const Pixel& p, std::uint32_t first, int count)
 }
 
 /// Checks that every elementary interval with 2^split[d] parts along dimension d has `expected` points.
-void ExpectStratified(const std::vector<Point>& points, const std::array<int, dimensions>& split,
-                      int expected)
+void ExpectStratified(const std::vector<Point>& points, const std::array<int, dimensions>& split, int expected)
 {
     std::vector<int> count(std::size_t{1} << (split[0] + split[1] + split[2] + split[3]));
     for (const Point& p : points)
     {
         std::size_t interval = 0;
         for (int d = 0; d < dimensions; ++d)
-            interval =
-                (interval << split[d]) + static_cast<std::size_t>(std::ldexp(p[d], split[d]));
+            interval = (interval << split[d]) + static_cast<std::size_t>(std::ldexp(p[d], split[d]));
         ++count[interval];
     }
-    const auto wrong =
-        std::find_if(count.begin(), count.end(), [&](int c) { return c != expected; });
-    EXPECT_EQ(wrong, count.end()) << "interval " << wrong - count.begin() << " has " << *wrong
-                                  << " points, not " << expected << "; 2^(" << split[0] << ", "
-                                  << split[1] << ", " << split[2] << ", " << split[3]
-                                  << ") intervals, " << points.size() << " points";
+    const auto wrong = std::find_if(count.begin(), count.end(), [&](int c) { return c != expected; });
+    EXPECT_EQ(wrong, count.end()) << "interval " << wrong - count.begin() << " has " << *wrong << " points, not " << expected << "; 2^("
+                                  << split[0] << ", " << split[1] << ", " << split[2] << ", " << split[3] << ") intervals, "
+                                  << points.size() << " points";
 }
 
 TEST(PixelSampler, LensPairAndPixelPairHaveOneSampleInEveryElementaryInterval)
@@ -153,8 +149,7 @@ TEST(PixelSampler, ValuesDoNotDependOnTheOrderOfCalls)
         for (int i = 999; i >= 0; --i)
         {
             const PixelSampler again(pixel.x, pixel.y, pixel.seed);
-            EXPECT_EQ(AsPoint(again(static_cast<std::uint32_t>(i))), forward[i])
-                << pixel << ", index " << i;
+            EXPECT_EQ(AsPoint(again(static_cast<std::uint32_t>(i))), forward[i]) << pixel << ", index " << i;
         }
     }
 }
@@ -168,18 +163,16 @@ TEST(PixelSampler, TheSequenceIsThatOfTheReferenceImages)
         std::uint32_t index;
         Point point;  // times 2^33
         std::uint32_t hash;
-    } known[] = {
-        {{0, 0, 0}, 0, {5387729817, 2228179273, 3368080663, 3584378989}, 0x458563ab},
-        {{640, 480, 1}, 77, {2797886911, 6373716091, 239829969, 106836973}, 0xe0cd7b94},
-        {{4294967295, 3, 9}, 1048576, {5385027649, 977681547, 6380548979, 6485646285}, 0xb5b8453d}};
+    } known[] = {{{0, 0, 0}, 0, {5387729817, 2228179273, 3368080663, 3584378989}, 0x458563ab},
+                 {{640, 480, 1}, 77, {2797886911, 6373716091, 239829969, 106836973}, 0xe0cd7b94},
+                 {{4294967295, 3, 9}, 1048576, {5385027649, 977681547, 6380548979, 6485646285}, 0xb5b8453d}};
     for (const auto& k : known)
     {
         Point point = AsPoint(PixelSampler(k.pixel.x, k.pixel.y, k.pixel.seed)(k.index));
         for (double& c : point)
             c = std::ldexp(c, 33);
         EXPECT_EQ(point, k.point) << k.pixel << ", index " << k.index;
-        EXPECT_EQ(PixelHash(k.pixel.x, k.pixel.y, k.pixel.seed, k.index), k.hash)
-            << k.pixel << ", salt " << k.index;
+        EXPECT_EQ(PixelHash(k.pixel.x, k.pixel.y, k.pixel.seed, k.index), k.hash) << k.pixel << ", salt " << k.index;
     }
 }
 
@@ -208,8 +201,7 @@ TEST(PixelSampler, OneIndexIsUniformOverPixels)
                         const Point p = AsPoint(PixelSampler(x, y, 1)(index));
                         ++count[d == e ? int(p[d] * 256) : int(p[d] * 16) * 16 + int(p[e] * 16)];
                     }
-                EXPECT_GT(ChiSquareP(count), 1e-5)
-                    << "index " << index << ", dimensions " << d << " and " << e;
+                EXPECT_GT(ChiSquareP(count), 1e-5) << "index " << index << ", dimensions " << d << " and " << e;
             }
 }
 
@@ -234,8 +226,7 @@ TEST(PixelSampler, ScramblingIsOwens)
                 }
                 ++count[int(32 * p) % 16 * 16 + int(32 * q) % 16];
             }
-            EXPECT_GT(ChiSquareP(count), 1e-5)
-                << "dimension " << d << ", samples " << pair[0] << " and " << pair[1];
+            EXPECT_GT(ChiSquareP(count), 1e-5) << "dimension " << d << ", samples " << pair[0] << " and " << pair[1];
         }
 }
 
@@ -257,21 +248,19 @@ Integrand BlurredEdge(const char* name, double c, double t)
 {
     const auto part = [](double s) { return s > 0 ? s * s / 2 : 0.0; };
     const double below = (part(t + c) - part(t + c - 1) - part(t - c) + part(t - c - 1)) / (2 * c);
-    return {name, 1 - below,
-            [=](const Point& p) { return p[2] + c * (2 * p[0] - 1) > t ? 1.0 : 0.0; }};
+    return {name, 1 - below, [=](const Point& p) { return p[2] + c * (2 * p[0] - 1) > t ? 1.0 : 0.0; }};
 }
 
 const Integrand integrands[] = {
     {"smooth product", 1,
      [](const Point& p)
-     {
-         double product = 1;
-         for (double c : p)
-             product *= 1 + 0.5 * std::sin(2 * M_PI * c) + (c - 0.5);
-         return product;
-     }},
-    {"quarter disc of the lens", M_PI / 4,
-     [](const Point& p) { return Square(p[0]) + Square(p[1]) < 1 ? 1.0 : 0.0; }},
+{
+    double product = 1;
+    for (double c : p)
+        product *= 1 + 0.5 * std::sin(2 * M_PI * c) + (c - 0.5);
+    return product;
+}},
+    {"quarter disc of the lens", M_PI / 4, [](const Point& p) { return Square(p[0]) + Square(p[1]) < 1 ? 1.0 : 0.0; }},
     {"diagonal edge in the pixel", 0.5, [](const Point& p) { return p[2] + p[3] > 1 ? 1.0 : 0.0; }},
     BlurredEdge("edge blurred by half a pixel", 0.5, 0.3),
     BlurredEdge("edge blurred by 3 pixels", 3, 1.7),
@@ -321,8 +310,7 @@ TEST_P(SamplerIntegral, IsUnbiased)
 TEST_P(SamplerIntegral, ErrorsOfNeighboursAndSeedsAreUncorrelated)
 {
     // neighbours along rows, columns and diagonals, and consecutive seeds
-    const Pixel steps[] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0},
-                           {0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {1, 0, 0u - 1}};
+    const Pixel steps[] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {1, 0, 0u - 1}};
     for (int samples : {1, 4, 16})
         for (const Pixel& step : steps)
         {
@@ -331,15 +319,12 @@ TEST_P(SamplerIntegral, ErrorsOfNeighboursAndSeedsAreUncorrelated)
             {
                 const std::uint32_t x = i % 100 * 3, y = i / 100 * 2;
                 const double a = MeanOf(GetParam(), {x, y, 5}, samples) - GetParam().mean;
-                const double b =
-                    MeanOf(GetParam(), {x + step.x, y + step.y, 5 + step.seed}, samples) -
-                    GetParam().mean;
+                const double b = MeanOf(GetParam(), {x + step.x, y + step.y, 5 + step.seed}, samples) - GetParam().mean;
                 product.Add(a * b);
                 square.Add(a * a);
             }
             EXPECT_LT(std::fabs(product.Mean()), 4.5 * product.StandardError())
-                << samples << " samples, step " << step << ", correlation "
-                << product.Mean() / square.Mean();
+                << samples << " samples, step " << step << ", correlation " << product.Mean() / square.Mean();
         }
 }
 
@@ -352,15 +337,13 @@ TEST_P(SamplerIntegral, TwoSeedsGiveTheTrueError)
         {
             const double a = MeanOf(GetParam(), {i % 64, i / 64, 0}, samples);
             const double b = MeanOf(GetParam(), {i % 64, i / 64, 1}, samples);
-            const double estimate = Square(a - b) / 4,
-                         truth = Square((a + b) / 2 - GetParam().mean);
+            const double estimate = Square(a - b) / 4, truth = Square((a + b) / 2 - GetParam().mean);
             estimated.Add(estimate);
             actual.Add(truth);
             difference.Add(estimate - truth);
         }
         EXPECT_LT(std::fabs(difference.Mean()), 4.5 * difference.StandardError())
-            << samples << " samples: variance estimated " << estimated.Mean() << ", actual "
-            << actual.Mean();
+            << samples << " samples: variance estimated " << estimated.Mean() << ", actual " << actual.Mean();
     }
 }
 
@@ -374,8 +357,7 @@ double RootMeanSquareError(const Integrand& integrand, int samples)
 
 TEST_P(SamplerIntegral, ErrorFallsFasterThanForRandomSamples)
 {
-    const double few = RootMeanSquareError(GetParam(), 16),
-                 many = RootMeanSquareError(GetParam(), 4096);
+    const double few = RootMeanSquareError(GetParam(), 16), many = RootMeanSquareError(GetParam(), 4096);
     const double slope = std::log2(many / few) / 8;
     // exponents: 1.5 is possible for bounded variation, 0.75 for an edge in two dimensions; random samples have 0.5
     const bool smooth = GetParam().name == integrands[0].name;
@@ -386,8 +368,7 @@ TEST(PixelHash, IsTheSameFromTheSamplerAndTheFunction)
 {
     for (const Pixel& p : somePixels)
         for (std::uint32_t salt : {0u, 1u, 77u, 4294967295u})
-            EXPECT_EQ(PixelSampler(p.x, p.y, p.seed).Hash(salt), PixelHash(p.x, p.y, p.seed, salt))
-                << p << ", salt " << salt;
+            EXPECT_EQ(PixelSampler(p.x, p.y, p.seed).Hash(salt), PixelHash(p.x, p.y, p.seed, salt)) << p << ", salt " << salt;
 }
 
 TEST(PixelSampler, GroupsContainThePointsOfTheirIndices)
@@ -421,8 +402,7 @@ TEST(PixelHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
             }
             // 6 standard deviations, 32 each, of a binomial of 4096 fair coins
             for (int out = 0; out < 32; ++out)
-                EXPECT_NEAR(flips[out], 2048, 192)
-                    << "argument " << argument << ", bit " << bit << ", output bit " << out;
+                EXPECT_NEAR(flips[out], 2048, 192) << "argument " << argument << ", bit " << bit << ", output bit " << out;
         }
 }
 

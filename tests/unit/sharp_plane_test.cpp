@@ -39,7 +39,10 @@ std::string Listed(const std::vector<Vec3>& points)
     return text.str();
 }
 
-Real Volume(const RealVec& a, const RealVec& b, const RealVec& c) { return Dot(Cross(a, b), c); }
+Real Volume(const RealVec& a, const RealVec& b, const RealVec& c)
+{
+    return Dot(Cross(a, b), c);
+}
 
 /// The least deviation on four equations that any plane has: by Cramer's rule, where their directions are in general
 /// position.
@@ -68,7 +71,10 @@ Real BruteForce(const Equations& e)
     return greatest;
 }
 
-double Relative(const Real& a, const Real& b) { return double(abs(a - b) / b); }
+double Relative(const Real& a, const Real& b)
+{
+    return double(abs(a - b) / b);
+}
 
 std::vector<Vec3> RandomPoints(Random& random, int count, double width, double farthest)
 {

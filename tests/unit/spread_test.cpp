@@ -148,7 +148,8 @@ double Window(double distance)
 double SendersTo(int pixel, double middle, double half, double begin, double end)
 {
     constexpr int kSteps = 200;
-    const double from = std::max({middle - half, pixel + 0.5 - kReach - 1.0, begin}), to = std::min({middle + half, pixel + 0.5 + kReach + 1.0, end});
+    const double from = std::max({middle - half, pixel + 0.5 - kReach - 1.0, begin}),
+                 to = std::min({middle + half, pixel + 0.5 + kReach + 1.0, end});
     double sum = 0.0;
     for (int i = 0; i < kSteps; i++)
         sum += Window(from + (to - from) * (i + 0.5) / kSteps - (pixel + 0.5));
@@ -234,8 +235,7 @@ double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
     for (int i = 0; i < 9; i++)
     {
         const int left = i % 3 * kSide, top = i / 3 * kSide;
-        SpreadSums sums({std::uint32_t(left), std::uint32_t(top), settings.blockSide, settings.blockSide}, 3.0 * kSide,
-                        3.0 * kSide);
+        SpreadSums sums({std::uint32_t(left), std::uint32_t(top), settings.blockSide, settings.blockSide}, 3.0 * kSide, 3.0 * kSide);
         for (int pixel = 0; pixel < kSide * kSide; pixel++)
             for (std::uint32_t sample = 0; sample < 64; sample++)
             {
@@ -373,8 +373,7 @@ TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
         std::array<BlockStatistics, 9> statistics;
         std::array<const BlockStatistics*, 9> known;
         std::map<std::pair<int, int>, std::array<double, 2>> values;
-        const auto received = Received(lens, 6.0f, [&](int x, int y, int sample)
-            { return values[{x, y}][sample] = random(0.0, 1.0); });
+        const auto received = Received(lens, 6.0f, [&](int x, int y, int sample) { return values[{x, y}][sample] = random(0.0, 1.0); });
         for (int i = 0; i < 9; i++)
         {
             for (int y = 0; y < kSide; y++)

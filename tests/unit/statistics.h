@@ -49,8 +49,7 @@ inline double ChiSquareP(const std::vector<double>& count, const std::vector<dou
 /// With equally likely bins.
 inline double ChiSquareP(const std::vector<double>& count)
 {
-    return ChiSquareP(count,
-                      std::vector<double>(count.size(), 1.0 / static_cast<double>(count.size())));
+    return ChiSquareP(count, std::vector<double>(count.size(), 1.0 / static_cast<double>(count.size())));
 }
 
 }  // namespace tilt_lens

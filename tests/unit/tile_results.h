@@ -61,10 +61,7 @@ struct Result
     std::uint32_t samples;
     double variance;
 
-    bool operator==(const Result& b) const
-    {
-        return mean == b.mean && samples == b.samples && variance == b.variance;
-    }
+    bool operator==(const Result& b) const { return mean == b.mean && samples == b.samples && variance == b.variance; }
 };
 
 inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, const Tracer& trace)
@@ -78,8 +75,8 @@ inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, con
 }
 
 /// Results of a tile, the only rendered part of a picture of `width` by `height`.
-inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width,
-    std::uint32_t height, const Tracer& trace)
+inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width, std::uint32_t height,
+                                     const Tracer& trace)
 {
     BlockCache store(limits, width, height, tile);
     TileSampler sampler(store);
@@ -87,14 +84,12 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
 }
 
 /// Results of the block at (left, top) of a large picture.
-inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left,
-    std::uint32_t top, const Tracer& trace)
+inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left, std::uint32_t top, const Tracer& trace)
 {
     return ResultsOf(limits, {left, top, settings.blockSide, settings.blockSide}, 4096, 4096, trace);
 }
 
-inline SamplingLimits Limits(
-    std::uint32_t min, std::uint32_t max, double variance, double confidence = 0.9)
+inline SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance, double confidence = 0.9)
 {
     SamplingLimits limits;
     limits.min = min;

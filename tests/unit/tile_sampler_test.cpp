@@ -44,11 +44,9 @@ TEST(TileSamplerLimits, VarianceZeroTakesTheMaximumEverywhere)
 
 TEST(TileSamplerLimits, SamplesStayWithinMinimumAndMaximum)
 {
-    const std::uint32_t cases[][2] = {
-        {1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 100}, {7, 9}, {8, 1000}, {37, 37}, {100, 400}};
+    const std::uint32_t cases[][2] = {{1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 100}, {7, 9}, {8, 1000}, {37, 37}, {100, 400}};
     for (const auto& c : cases)
-        for (const Tracer& trace : {Tracer(Constant),
-                 Tracer(WhiteNoise), Tracer(Edge)})
+        for (const Tracer& trace : {Tracer(Constant), Tracer(WhiteNoise), Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
                 for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), settings.blockSide, settings.blockSide, trace))
                 {
@@ -72,8 +70,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
         inside += tile.Has(id.x, id.y);
         seen.insert({id.x, id.y, id.index});
         const SequencePoint same = PixelSampler(id.x, id.y, 0)(id.index);
-        EXPECT_TRUE(same.lensU == s.lensU && same.lensV == s.lensV && same.pixelX == s.pixelX &&
-                    same.pixelY == s.pixelY);
+        EXPECT_TRUE(same.lensU == s.lensU && same.lensV == s.lensV && same.pixelX == s.pixelX && same.pixelY == s.pixelY);
         Edge(id, light);
     };
     BlockCache store(Limits(6, 300, 1e-4), 8 * settings.blockSide, 8 * settings.blockSide, tile);
@@ -109,10 +106,7 @@ struct Way
         limits.denoise = denoise;
         return limits;
     }
-    std::vector<Result> Whole() const
-    {
-        return ResultsOf(Limited(), {0, 0, kWidth, kHeight}, kWidth, kHeight, trace);
-    }
+    std::vector<Result> Whole() const { return ResultsOf(Limited(), {0, 0, kWidth, kHeight}, kWidth, kHeight, trace); }
 };
 
 std::vector<Way> Ways()
@@ -135,9 +129,8 @@ void ExpectPartOf(const std::vector<Result>& whole, const std::vector<Result>& p
 
 TEST(TileSamplerOrder, AnySubImageGivesTheSamePixels)
 {
-    const Area tiles[] = {{0, 0, 1, 1}, {44, 36, 1, 1}, {0, 0, 32, 32}, {32, 0, 13, 32},
-        {0, 32, 32, 5}, {32, 32, 13, 5}, {7, 9, 3, 2}, {7, 7, 2, 2}, {15, 0, 18, 37}, {8, 8, 8, 8},
-        {3, 20, 42, 1}};
+    const Area tiles[] = {{0, 0, 1, 1}, {44, 36, 1, 1}, {0, 0, 32, 32},  {32, 0, 13, 32}, {0, 32, 32, 5}, {32, 32, 13, 5},
+                          {7, 9, 3, 2}, {7, 7, 2, 2},   {15, 0, 18, 37}, {8, 8, 8, 8},    {3, 20, 42, 1}};
     for (const Way& way : Ways())
         for (const Area& tile : tiles)
             ExpectPartOf(way.Whole(), ResultsOf(way.Limited(), tile, kWidth, kHeight, way.trace), tile);
@@ -246,8 +239,7 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNotTrusted)
 
 TEST(TileSamplerReconstruction, NoiseFarBelowTheTargetIsNotFiltered)
 {
-    const auto trace = [](const SampleId& id, SampleResult& light)
-    { light = Grey(0.5 + (id.y < 5 ? 0.02 : 1.0) * (Noise(id, 1) - 0.5)); };
+    const auto trace = [](const SampleId& id, SampleResult& light) { light = Grey(0.5 + (id.y < 5 ? 0.02 : 1.0) * (Noise(id, 1) - 0.5)); };
     SamplingLimits limits = Limits(8, 8, 1e-2);
     const std::vector<Result> plain = ResultsOf(limits, 8, 0, trace);
     limits.denoise = true;
@@ -262,8 +254,7 @@ TEST(TileSamplerReconstruction, NoiseFarBelowTheTargetIsNotFiltered)
 
 TEST(TileSamplerStop, ErrorOfBrightPixelsIsRelative)
 {
-    const auto bright = [](const SampleId& id, SampleResult& light)
-    { light = Grey(1000.0 * Noise(id, 1)); };
+    const auto bright = [](const SampleId& id, SampleResult& light) { light = Grey(1000.0 * Noise(id, 1)); };
     for (const Result& r : ResultsOf(Limits(8, 1 << 20, 1e-3), 0, 0, bright))
     {
         EXPECT_GT(r.samples, 100u);
@@ -287,8 +278,8 @@ TEST(TileSamplerStop, EveryChannelCounts)
 
 TEST(TileSamplerStop, NonFiniteSamplesAreBlackAndCounted)
 {
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-             std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
     {
         const auto spoiled = [](const SampleId& id)
         { return id.x == 2 * settings.blockSide + 2 && id.y == settings.blockSide + 3 && id.index % 8 == 5; };
@@ -423,5 +414,5 @@ TEST(BlockCache, MemoryOfABlock)
     EXPECT_LE(sizeof(PixelResult) + 2.0 * seen, 320.0);
 }
 
-} // namespace
-} // namespace tilt_lens
+}  // namespace
+}  // namespace tilt_lens

@@ -26,8 +26,8 @@ void LineAlongRow(const SampleId& id, SampleResult& light)
 TEST(TileSamplerSearch, FindsAThinLineThatNeighboursMissedAtLowVariance)
 {
     const std::uint32_t width = 32 * settings.blockSide;
-    const std::vector<Result> results =
-        ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, settings.blockSide}, width, settings.blockSide, LineAlongRow);
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, settings.blockSide}, width, settings.blockSide,
+                                                  LineAlongRow);
     for (std::uint32_t x = 0; x < width; x++)
         EXPECT_NEAR(results[settings.blockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
     EXPECT_LE(results[0].samples, 256u);  // but not without limit, far from the line

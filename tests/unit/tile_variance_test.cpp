@@ -53,8 +53,7 @@ double LinearMean(std::uint32_t x, std::uint32_t)
 void Linear(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
-    light = Grey(0.5 + 0.5 * ((id.x % 8) - 3.5) / 8.0 + 0.4 * (s.lensU + s.lensV - 1.0) +
-                 0.2 * (s.pixelX - 0.5));
+    light = Grey(0.5 + 0.5 * ((id.x % 8) - 3.5) / 8.0 + 0.4 * (s.lensU + s.lensV - 1.0) + 0.2 * (s.pixelX - 0.5));
 }
 
 /// A strongly blurred checker board: half of the lens sees white, in small squares.
@@ -80,8 +79,10 @@ double LampMean(std::uint32_t, std::uint32_t)
     return 0.01;
 }
 
-const Picture kPictures[] = {{"white noise", WhiteNoise, Half}, {"linear", Linear, LinearMean, 16.0},
-    {"blurred edge", BlurredEdge, BlurredEdgeMean}, {"checker", Checker, Half}};
+const Picture kPictures[] = {{"white noise", WhiteNoise, Half},
+                             {"linear", Linear, LinearMean, 16.0},
+                             {"blurred edge", BlurredEdge, BlurredEdgeMean},
+                             {"checker", Checker, Half}};
 const Picture kLamp = {"lamp", Lamp, LampMean};
 
 struct Score
@@ -90,14 +91,8 @@ struct Score
     std::uint64_t pixels = 0, samples = 0, aboveMin = 0;
 
     double MeanError() const { return error / pixels; }
-    double MeanErrorAboveMin() const
-    {
-        return errorAboveMin / std::max<std::uint64_t>(1, aboveMin);
-    }
-    double Beyond() const
-    {
-        return beyond / pixels;
-    } ///< share of pixels off by more than 2 sqrt(V)
+    double MeanErrorAboveMin() const { return errorAboveMin / std::max<std::uint64_t>(1, aboveMin); }
+    double Beyond() const { return beyond / pixels; } ///< share of pixels off by more than 2 sqrt(V)
 };
 
 Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_t blocks)
@@ -110,8 +105,7 @@ Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
             const Result& r = results[i];
-            const double error =
-                std::pow(r.mean[0] - picture.mean(left + i % settings.blockSide, top + i / settings.blockSide), 2);
+            const double error = std::pow(r.mean[0] - picture.mean(left + i % settings.blockSide, top + i / settings.blockSide), 2);
             score.error += error;
             score.claimed += r.variance;
             score.beyond += error > 4.0 * limits.variance;
@@ -139,8 +133,8 @@ Score ReportedScoreOf(const Picture& picture, double V)
     std::printf("[          ] V %g %-12s MSE/V %.3f, claimed/V %.2f, beyond 2 sqrt(V) %.1f %%, "
                 "above the minimum "
                 "%.0f %% with MSE/V %.3f, samples %.1f\n",
-        V, picture.name, s.MeanError() / V, s.claimed / s.pixels / V, 100 * s.Beyond(),
-        100.0 * s.aboveMin / s.pixels, s.MeanErrorAboveMin() / V, double(s.samples) / s.pixels);
+                V, picture.name, s.MeanError() / V, s.claimed / s.pixels / V, 100 * s.Beyond(), 100.0 * s.aboveMin / s.pixels,
+                s.MeanErrorAboveMin() / V, double(s.samples) / s.pixels);
     return s;
 }
 

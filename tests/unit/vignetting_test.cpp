@@ -103,7 +103,8 @@ TEST(OpticalVignetting, OpenShareIsTheOverlapOfTwoCircles)
                 EXPECT_NEAR(vignetting.OpenShare(film), Overlap(apart), 1e-3) << amount << " at " << film.x << ", " << film.y;
             }
         // between the table's entries
-        EXPECT_NEAR(vignetting.OpenShare({0.2577, 0.1234}), Overlap(2.0 * amount * std::hypot(36.0 * 0.2577, 24.0 * 0.1234) / corner), 1e-3);
+        EXPECT_NEAR(vignetting.OpenShare({0.2577, 0.1234}), Overlap(2.0 * amount * std::hypot(36.0 * 0.2577, 24.0 * 0.1234) / corner),
+                    1e-3);
     }
 }
 
@@ -173,7 +174,8 @@ TEST(OpticalVignetting, UniformSurfaceHasNoNoise)
 
 TEST(OpticalVignetting, StoppingDownOpensTheCorners)
 {
-    const Vignetting wide(LensOf(), Aperture::Disc(), Optical(0.3, 2.0)), narrow(LensOf(0.0, 0.0, 8.0), Aperture::Disc(), Optical(0.3, 2.0));
+    const Vignetting wide(LensOf(), Aperture::Disc(), Optical(0.3, 2.0)),
+        narrow(LensOf(0.0, 0.0, 8.0), Aperture::Disc(), Optical(0.3, 2.0));
     EXPECT_NEAR(wide.OpenShare({0.5, 0.5}), Overlap(0.6), 1e-3);
     EXPECT_EQ(narrow.OpenShare({0.5, 0.5}), 1.0);
     EXPECT_NEAR(wide.RimDistance(), narrow.RimDistance(), 1e-9);

@@ -19,7 +19,8 @@ std::vector<double> Numbers(const OIIO::ImageSpec& spec, const std::string& name
     const OIIO::ParamValue* found = spec.find_attribute(name);
     if (found == nullptr || found->type().basetype != OIIO::TypeDesc::FLOAT ||
         std::size_t(found->type().numelements() * found->type().aggregate) < count)
-        throw Mistake(path + " has no attribute " + name + ": it is not a file of layers (+N) of a camera with tilt_lens and an "
+        throw Mistake(path + " has no attribute " + name +
+                      ": it is not a file of layers (+N) of a camera with tilt_lens and an "
                       "aperture.");
     const float* values = static_cast<const float*>(found->data());
     return {values, values + count};

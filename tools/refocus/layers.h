@@ -47,14 +47,14 @@ struct Picture
 struct Layers
 {
     int width = 0, height = 0;
-    std::vector<float> depth;     ///< scene units; infinite without a hit
-    std::vector<float> blur;      ///< pixels, signed, of the render
+    std::vector<float> depth;  ///< scene units; infinite without a hit
+    std::vector<float> blur;  ///< pixels, signed, of the render
     std::vector<Vec3> positions;  ///< world coordinates
-    std::vector<Vec3> directions; ///< of the chief rays, world axes, depth 1
-    Vec3 location{};              ///< of the lens centre
-    Plane focus{};                ///< of the render
-    double fStop = 0.0;           ///< of the render
-    double blurFactor = 0.0;      ///< K above, pixels times scene units
+    std::vector<Vec3> directions;  ///< of the chief rays, world axes, depth 1
+    Vec3 location{};  ///< of the lens centre
+    Plane focus{};  ///< of the render
+    double fStop = 0.0;  ///< of the render
+    double blurFactor = 0.0;  ///< K above, pixels times scene units
 
     /// Signed blur in pixels of a pixel's first surface, for another plane of sharp focus.
     /// @throws Mistake  the plane passes through the lens centre
@@ -66,6 +66,6 @@ Picture ReadPicture(const std::string& path);
 Layers ReadLayers(const std::string& path);
 void WritePicture(const Picture& picture, const std::string& path);
 
-} // namespace refocus
+}  // namespace refocus
 
 #endif

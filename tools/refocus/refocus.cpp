@@ -61,8 +61,10 @@ std::vector<float> Missing(const Layers& layers, const Plane& plane, double scal
         diameters.push_back(float(std::min(missing, kLargest)));
     }
     if (sharper > 0)
-        std::fprintf(stderr, "refocus: %.1f%% of the pixels should be sharper than they were rendered, and stay as they are. "
-                             "Render with a larger f_stop, and give --f-stop here.\n", 100.0 * sharper / layers.depth.size());
+        std::fprintf(stderr,
+                     "refocus: %.1f%% of the pixels should be sharper than they were rendered, and stay as they are. "
+                     "Render with a larger f_stop, and give --f-stop here.\n",
+                     100.0 * sharper / layers.depth.size());
     if (cut > 0)
         std::fprintf(stderr, "refocus: %.1f%% of the pixels are blurred by more than %g pixels, and get that much.\n",
                      100.0 * cut / layers.depth.size(), kLargest);

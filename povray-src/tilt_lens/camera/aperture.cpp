@@ -166,20 +166,15 @@ Aperture Aperture::Disc()
 Aperture Aperture::Polygon(int blades, double angleRadians, double curvature)
 {
     if (blades < 3 || blades > maxBlades)
-        throw std::invalid_argument(
-            "The number of diaphragm blades makes no opening. Found: " + std::to_string(blades) +
-            ". Allowed: 3 to " + std::to_string(maxBlades) +
-            ". Give another number, or none for a round opening.");
+        throw std::invalid_argument("The number of diaphragm blades makes no opening. Found: " + std::to_string(blades) +
+                                    ". Allowed: 3 to " + std::to_string(maxBlades) + ". Give another number, or none for a round opening.");
     if (!std::isfinite(angleRadians))
-        throw std::invalid_argument(
-            "The angle of the diaphragm blades is not a finite number. Found: " +
-            std::to_string(angleRadians) + ". Allowed: any finite angle. Correct or omit it.");
+        throw std::invalid_argument("The angle of the diaphragm blades is not a finite number. Found: " + std::to_string(angleRadians) +
+                                    ". Allowed: any finite angle. Correct or omit it.");
 
     if (!(curvature >= 0 && curvature <= 1))
-        throw std::invalid_argument(
-            "The curvature of the diaphragm blades makes no opening. Found: " +
-            std::to_string(curvature) +
-            ". Allowed: 0 (straight) to 1 (a circle). Give another number, or none.");
+        throw std::invalid_argument("The curvature of the diaphragm blades makes no opening. Found: " + std::to_string(curvature) +
+                                    ". Allowed: 0 (straight) to 1 (a circle). Give another number, or none.");
 
     constexpr int enough = 512;  // chords around a curved opening, at least
     const int chords = curvature > 0 ? (enough + blades - 1) / blades : 1;
@@ -242,7 +237,8 @@ void Aperture::Map(const double* u, const double* v, double* a, double* b, int c
         }
     };
     std::visit(Overloaded{oneByOne, [&](Round) { kernels->mapToDisc(u, v, a, b, count); },
-                          [&](const Shared<Outline>& outline) { outline->Map(u, v, a, b, count); }}, shape);
+                          [&](const Shared<Outline>& outline) { outline->Map(u, v, a, b, count); }},
+               shape);
 }
 
 double Aperture::Density(const AperturePoint& point) const
@@ -254,7 +250,8 @@ double Aperture::Density(const AperturePoint& point) const
 double Aperture::BoundingRadius() const
 {
     return std::visit(Overloaded{[](const auto&) { return 1.0; }, [](const Shared<AperturePicture>&) { return std::sqrt(2.0); },
-                                 [](const Shared<Oval>& oval) { return oval->shape.BoundingRadius(); }}, shape);
+                                 [](const Shared<Oval>& oval) { return oval->shape.BoundingRadius(); }},
+                      shape);
 }
 
 }  // namespace tilt_lens

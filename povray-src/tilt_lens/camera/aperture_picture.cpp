@@ -19,8 +19,8 @@ constexpr int cells = CellDistribution::cells;
 class Tabulation
 {
   public:
-    explicit Tabulation(const std::function<double(double u, double v)>& itsWeight)
-        : weight(itsWeight), coarse(cells * cells), mean(cells * cells)
+    explicit Tabulation(const std::function<double(double u, double v)>& itsWeight) :
+        weight(itsWeight), coarse(cells * cells), mean(cells * cells)
     {
         for (int i = 0; i < cells; ++i)
             for (int j = 0; j < cells; ++j)
@@ -29,8 +29,7 @@ class Tabulation
             brightest = std::max(brightest, range.high);
         for (int i = 0; i < cells; ++i)
             for (int j = 0; j < cells; ++j)
-                mean[i * cells + j] =
-                    Varies(i, j) ? Survey(i, j, 4).mean : coarse[i * cells + j].mean;
+                mean[i * cells + j] = Varies(i, j) ? Survey(i, j, 4).mean : coarse[i * cells + j].mean;
     }
 
     const double* Column(int i) const { return &mean[i * cells]; }
@@ -66,8 +65,7 @@ class Tabulation
         for (int k = 0; k < side; ++k)
             for (int l = 0; l < side; ++l)
             {
-                const double w =
-                    Sanitized((i + (k + 0.5) / side) / cells, (j + (l + 0.5) / side) / cells);
+                const double w = Sanitized((i + (k + 0.5) / side) / cells, (j + (l + 0.5) / side) / cells);
                 range.low = std::min(range.low, w);
                 range.high = std::max(range.high, w);
                 range.mean += w / (side * side);
@@ -138,10 +136,9 @@ AperturePicture::AperturePicture(const std::function<double(double u, double v)>
 {
     Tabulation tabulation(weight);
     if (!tabulation.Normalize())
-        throw std::invalid_argument(
-            "The picture of the lens opening lets no light through. Found: 0, negative or not "
-            "finite at every place. Allowed: brightness above 0 somewhere between <0,0> and <1,1>. "
-            "Use a pigment that is not black there, or none for a round opening.");
+        throw std::invalid_argument("The picture of the lens opening lets no light through. Found: 0, negative or not "
+                                    "finite at every place. Allowed: brightness above 0 somewhere between <0,0> and <1,1>. "
+                                    "Use a pigment that is not black there, or none for a round opening.");
     std::array<double, cells> total;
     for (int i = 0; i < cells; ++i)
         total[i] = conditional[i].Build(tabulation.Column(i));

@@ -42,8 +42,9 @@ void RequireUnfolded(const Lens& lens, const Character& character, double unit, 
     const double fold = FoldOf(atAxis, lens.distortion4, -std::fabs(lens.distortionNear) * Length(across));
     if (!(farthest < fold))
         throw OpticsError("distortion " + Number(character.distortion1) + ", " + Number(character.distortion2) +
-                          (character.distortionNear != 0.0 ? ", " + Number(character.distortionNear) : "") +
-                          " folds the picture: beyond " + Number(std::sqrt(fold) / unit) + " half widths of the film from the "
+                          (character.distortionNear != 0.0 ? ", " + Number(character.distortionNear) : "") + " folds the picture: beyond " +
+                          Number(std::sqrt(fold) / unit) +
+                          " half widths of the film from the "
                           "lens's axis it would show the same again, and the frame reaches to " +
                           Number(std::sqrt(farthest) / unit) + ". Give numbers nearer to 0, or shift or turn less.");
 }
@@ -71,8 +72,10 @@ double LateralColourOf(const Lens& lens, const Character& character, double unit
     const double halfWidth = unit * lens.filmDistance;
     const double larger = 0.5 * character.lateralColour * lens.millimetre / halfWidth;
     if (!(std::fabs(larger) < kMostLateralColour))
-        throw OpticsError("lateral_colour " + Number(character.lateralColour) + " moves the colours by more than half of the film's half "
-                          "width, " + Number(halfWidth / lens.millimetre) + " mm. Real lenses have 0.005 to 0.05; give a smaller number.");
+        throw OpticsError("lateral_colour " + Number(character.lateralColour) +
+                          " moves the colours by more than half of the film's half "
+                          "width, " +
+                          Number(halfWidth / lens.millimetre) + " mm. Real lenses have 0.005 to 0.05; give a smaller number.");
     return larger;
 }
 
@@ -83,8 +86,9 @@ void ApplyCharacter(Lens& lens, const Statement& given)
     const Character& character = given.character;
     const bool distorts = character.Distorts();
     if (character.rimStop && *character.rimStop * lens.diameter > lens.focalLength * (1.0 + 1e-9))
-        throw OpticsError("optical_vignetting has a rim of f/" + Number(*character.rimStop) + ", which is narrower than the aperture of f/" +
-                          Number(lens.focalLength / lens.diameter) + ". It must be at least as wide; give the f-number of the lens "
+        throw OpticsError("optical_vignetting has a rim of f/" + Number(*character.rimStop) +
+                          ", which is narrower than the aperture of f/" + Number(lens.focalLength / lens.diameter) +
+                          ". It must be at least as wide; give the f-number of the lens "
                           "wide open.");
     lens.axialColour = AxialColourOf(lens, character);
     if (!distorts && character.fieldCurvature == 0.0 && character.opticalVignetting == 0.0 && character.lateralColour == 0.0)

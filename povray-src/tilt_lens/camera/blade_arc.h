@@ -53,8 +53,7 @@ inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
             const double wanted = sum[chords] * i / chords;
             while (sum[from + 1] < wanted)
                 ++from;
-            moved[i] = place[from] + (place[from + 1] - place[from]) * (wanted - sum[from]) /
-                                         (sum[from + 1] - sum[from]);
+            moved[i] = place[from] + (place[from + 1] - place[from]) * (wanted - sum[from]) / (sum[from + 1] - sum[from]);
         }
         place = moved;
     }

@@ -19,10 +19,8 @@ template<class Number>
 TILT_LENS_INLINED Number SmallSin(const Number& x)
 {
     const Number s = x * x;
-    return x * (1.0 + s * (-1.0 / 6 +
-                           s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 +
-                                                                    s * (-1.0 / 39916800 +
-                                                                         s * (1.0 / 6227020800)))))));
+    return x * (1.0 +
+                s * (-1.0 / 6 + s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 + s * (-1.0 / 39916800 + s * (1.0 / 6227020800)))))));
 }
 
 template<class Number>
@@ -30,10 +28,8 @@ TILT_LENS_INLINED Number SmallCos(const Number& x)
 {
     const Number s = x * x;
     return 1.0 + s * (-1.0 / 2 +
-                      s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 +
-                                                             s * (-1.0 / 3628800 +
-                                                                  s * (1.0 / 479001600 +
-                                                                       s * (-1.0 / 87178291200)))))));
+                      s * (1.0 / 24 +
+                           s * (-1.0 / 720 + s * (1.0 / 40320 + s * (-1.0 / 3628800 + s * (1.0 / 479001600 + s * (-1.0 / 87178291200)))))));
 }
 /// @}
 

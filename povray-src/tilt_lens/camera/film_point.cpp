@@ -92,7 +92,7 @@ double PictureTangent(const Bend& bend, double wanted)
 }
 
 /// Zero of a falling function.
-template <typename Function>
+template<typename Function>
 double Bisect(const Function& function, double low, double high)
 {
     for (double middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high))
@@ -121,7 +121,7 @@ double LeastRoot(double a, double c, double b)
     return kInfinity;
 }
 
-} // namespace
+}  // namespace
 
 double FoldOf(double distortion2, double distortion4, double cube)
 {
@@ -187,4 +187,4 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
     return 1.0 / std::sqrt(least);
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

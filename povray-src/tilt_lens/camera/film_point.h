@@ -52,9 +52,12 @@ TILT_LENS_INLINED VecOf<Number> IdealChiefRay(const Lens& lens, const Number& x,
     return Broadcast<Number>(lens.direction) + x * Broadcast<Number>(lens.right) + y * Broadcast<Number>(lens.up);
 }
 
-inline Vec3 IdealChiefRay(const Lens& lens, const FilmPoint& ideal) { return IdealChiefRay(lens, ideal.x, ideal.y); }
+inline Vec3 IdealChiefRay(const Lens& lens, const FilmPoint& ideal)
+{
+    return IdealChiefRay(lens, ideal.x, ideal.y);
+}
 
-template <typename Use>
+template<typename Use>
 void ForCorners(const Use& use)
 {
     for (const double x : {-0.5, 0.5})
@@ -90,6 +93,6 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture);
 /// @param cube  coefficient of the third power of the tangent, along the direction in question
 double FoldOf(double distortion2, double distortion4, double cube = 0.0);
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -31,12 +31,11 @@ struct Glyph
     char character;
     unsigned char rows[5];
 };
-const Glyph kGlyphs[] = {
-    {'0', {7, 5, 5, 5, 7}}, {'1', {2, 6, 2, 2, 7}}, {'4', {5, 5, 7, 1, 1}}, {'6', {7, 4, 7, 5, 7}},
-    {'-', {0, 0, 7, 0, 0}}, {'A', {2, 5, 7, 5, 5}}, {'B', {6, 5, 6, 5, 6}}, {'C', {7, 4, 4, 4, 7}},
-    {'E', {7, 4, 6, 4, 7}}, {'F', {7, 4, 6, 4, 4}}, {'L', {4, 4, 4, 4, 7}}, {'O', {7, 5, 5, 5, 7}},
-    {'P', {7, 5, 7, 4, 4}}, {'R', {6, 5, 6, 5, 5}}, {'S', {7, 4, 7, 1, 7}}, {'U', {5, 5, 5, 5, 7}},
-    {'X', {5, 5, 2, 5, 5}}};
+const Glyph kGlyphs[] = {{'0', {7, 5, 5, 5, 7}}, {'1', {2, 6, 2, 2, 7}}, {'4', {5, 5, 7, 1, 1}}, {'6', {7, 4, 7, 5, 7}},
+                         {'-', {0, 0, 7, 0, 0}}, {'A', {2, 5, 7, 5, 5}}, {'B', {6, 5, 6, 5, 6}}, {'C', {7, 4, 4, 4, 7}},
+                         {'E', {7, 4, 6, 4, 7}}, {'F', {7, 4, 6, 4, 4}}, {'L', {4, 4, 4, 4, 7}}, {'O', {7, 5, 5, 5, 7}},
+                         {'P', {7, 5, 7, 4, 4}}, {'R', {6, 5, 6, 5, 5}}, {'S', {7, 4, 7, 1, 7}}, {'U', {5, 5, 5, 5, 7}},
+                         {'X', {5, 5, 2, 5, 5}}};
 
 /// Labels of the scale; small pictures have room for few.
 struct Number
@@ -45,9 +44,8 @@ struct Number
     const char* text;
     bool always;
 };
-const Number kNumbers[] = {{-64, "-64", true}, {-16, "-16", false}, {-4, "-4", false}, {-1, "-1", false},
-                           {0, "0", true},     {1, "1", false},     {4, "4", false},   {16, "16", false},
-                           {64, "64", true}};
+const Number kNumbers[] = {{-64, "-64", true}, {-16, "-16", false}, {-4, "-4", false}, {-1, "-1", false}, {0, "0", true},
+                           {1, "1", false},    {4, "4", false},     {16, "16", false}, {64, "64", true}};
 
 /// Layout of the scale, in dots.
 enum Dots
@@ -62,8 +60,7 @@ enum Dots
 
 Rgb Mixed(const Rgb& a, const Rgb& b, double share)
 {
-    return {a.red + (b.red - a.red) * share, a.green + (b.green - a.green) * share,
-            a.blue + (b.blue - a.blue) * share};
+    return {a.red + (b.red - a.red) * share, a.green + (b.green - a.green) * share, a.blue + (b.blue - a.blue) * share};
 }
 
 /// The greatest 1, 2 or 5 times a power of ten that is at most `length`.
@@ -148,10 +145,7 @@ std::optional<Rgb> FocusMapScale::At(int x, int y) const
     return pixels[size_t(v) * width + u];
 }
 
-FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) :
-    lens(itsLens),
-    width(itsWidth),
-    height(itsHeight)
+FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) : lens(itsLens), width(itsWidth), height(itsHeight)
 {
     // grid lines follow the camera's right as far as the plane allows, and cross it
     const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;  // at infinity

@@ -28,7 +28,10 @@ const double kUnusualTilt = 15.0;
 /// Film widths. Real lenses stop at a third.
 const double kUnusualShift = 1.0;
 
-double Degrees(double radians) { return radians * (180.0 / kPi); }
+double Degrees(double radians)
+{
+    return radians * (180.0 / kPi);
+}
 
 /// Keeps a number below its limit from being printed as the limit.
 std::string NumberBelow(double value, double limit)
@@ -77,24 +80,30 @@ std::vector<std::string> Warnings(const Lens& lens, const Statement& given)
     const Vec3 t = InCamera(lens, lens.normal);
     const double turn = Degrees(std::atan2(std::hypot(t.x, t.y), t.z));
     if (turn > kUnusualTilt * (1.0 + kRounding))
-        warnings.push_back("The lens is turned by " + NumberBelow(turn, 90.0) + " degrees; real lenses stop at about 10. "
-                         "The picture is right, but check focal length, scene_unit and the plane of focus.");
+        warnings.push_back("The lens is turned by " + NumberBelow(turn, 90.0) +
+                           " degrees; real lenses stop at about 10. "
+                           "The picture is right, but check focal length, scene_unit and the plane of focus.");
     if (lens.diameter == 0.0 && (turn > 0.0 || given.family != FocusFamily::LensTurn))
         warnings.push_back("Without an aperture everything is sharp and the tilt shows nothing; give "
-                         "aperture or f_stop.");
+                           "aperture or f_stop.");
     if (lens.diameter > 0.0 && Length(lens.focus) > 0.0 && lens.fieldCurvature == 0.0 && IsSharpBehindOnly(lens))
         warnings.push_back("The plane of sharp focus lies behind the camera in the whole picture, so that nothing in it can be "
-                         "sharp. " + WayToBringItForward(given));
+                           "sharp. " +
+                           WayToBringItForward(given));
     if (std::hypot(given.shiftRight, given.shiftUp) > kUnusualShift * given.filmWidth)
-        warnings.push_back("The frame is shifted by <" + Number(given.shiftRight) + ", " + Number(given.shiftUp) + "> mm on a "
-                         "film " + Number(given.filmWidth) + " mm wide; real lenses stop at about a third of it. The picture "
-                         "is right, but check that the shift is in millimetres of film.");
+        warnings.push_back("The frame is shifted by <" + Number(given.shiftRight) + ", " + Number(given.shiftUp) +
+                           "> mm on a "
+                           "film " +
+                           Number(given.filmWidth) +
+                           " mm wide; real lenses stop at about a third of it. The picture "
+                           "is right, but check that the shift is in millimetres of film.");
     const double radius = 0.5 * lens.diameter;
     if (radius * std::hypot(t.x, t.y) >= lens.filmDistance)
-        warnings.push_back("The turned lens is so large that its rim passes through the film: its radius is " +
-                         Number(radius) + " units, the film is " + Number(lens.filmDistance) + " units away. No "
-                         "lens could be built so; check scene_unit, give a smaller aperture or a larger f_stop, or "
-                         "turn it less.");
+        warnings.push_back("The turned lens is so large that its rim passes through the film: its radius is " + Number(radius) +
+                           " units, the film is " + Number(lens.filmDistance) +
+                           " units away. No "
+                           "lens could be built so; check scene_unit, give a smaller aperture or a larger f_stop, or "
+                           "turn it less.");
     return warnings;
 }
 
@@ -137,7 +146,10 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels)
     return range;
 }
 
-double BlurPerVergence(const Lens& lens, double width) { return lens.diameter * width / Length(lens.right); }
+double BlurPerVergence(const Lens& lens, double width)
+{
+    return lens.diameter * width / Length(lens.right);
+}
 
 namespace
 {
@@ -173,4 +185,4 @@ double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double
     return lens.fieldCurvature == 0.0 ? ideal : ideal + FieldVergence(lens, chief);
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

@@ -20,11 +20,20 @@ Real Radians(double degrees)
     return degrees * degree;
 }
 
-RealVec Exact(const Vec3& v) { return {v.x, v.y, v.z}; }
-Vec3 Rounded(const RealVec& v) { return {double(v.x), double(v.y), double(v.z)}; }
+RealVec Exact(const Vec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+Vec3 Rounded(const RealVec& v)
+{
+    return {double(v.x), double(v.y), double(v.z)};
+}
 
 using tilt_lens::Number;
-std::string Number(const Real& value) { return Number(double(value)); }
+std::string Number(const Real& value)
+{
+    return Number(double(value));
+}
 
 std::string Text(const Vec3& v)
 {
@@ -52,24 +61,20 @@ Axes AxesOf(const CameraFrame& camera)
         axis = -axis;  // POV-Ray's cameras are left-handed unless `right` is negative
     const Axes axes{right, up, axis};
     // rounding leaves a remainder even for dependent vectors
-    const bool independent = Length(upAcross) > kRounding &&
-                             Dot(axis, direction) > kRounding * Length(direction);
+    const bool independent = Length(upAcross) > kRounding && Dot(axis, direction) > kRounding * Length(direction);
     if (!independent || !IsFinite(camera.location))
-        throw OpticsError("The camera spans no picture: direction " + Text(camera.direction) +
-                          ", right " + Text(camera.right) + ", up " + Text(camera.up) +
-                          ". The three must be finite and independent; give other vectors.");
+        throw OpticsError("The camera spans no picture: direction " + Text(camera.direction) + ", right " + Text(camera.right) + ", up " +
+                          Text(camera.up) + ". The three must be finite and independent; give other vectors.");
     return axes;
 }
 
 /// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis. Both turns enter alike, so that their order
 /// does not matter.
-RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord,
-                     const char* swingWord)
+RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord, const char* swingWord)
 {
     if (!(std::fabs(tiltDegrees) < 90.0) || !(std::fabs(swingDegrees) < 90.0))
-        throw OpticsError(std::string(what) + " is turned by 90 degrees or more: " + tiltWord + " " +
-                          Number(tiltDegrees) + ", " + swingWord + " " + Number(swingDegrees) +
-                          ". Both must be between -90 and 90; turn it less.");
+        throw OpticsError(std::string(what) + " is turned by 90 degrees or more: " + tiltWord + " " + Number(tiltDegrees) + ", " +
+                          swingWord + " " + Number(swingDegrees) + ". Both must be between -90 and 90; turn it less.");
     const Real tilt = Radians(tiltDegrees), swing = Radians(swingDegrees);
     return Normalized(RealVec{-sin(swing) * cos(tilt), -sin(tilt) * cos(swing), cos(tilt) * cos(swing)});
 }
@@ -82,7 +87,9 @@ RealVec FocusOfPlane(const RealVec& normal, const Real& distance, const Real& re
     // a distance within rounding error counts as 0
     if (!(abs(distance) > kRounding * reach))
         throw OpticsError("The plane of sharp focus passes through the lens centre (its distance from "
-                          "the camera's location is " + Number(distance) + "). It must keep away from "
+                          "the camera's location is " +
+                          Number(distance) +
+                          "). It must keep away from "
                           "the location; move the plane or the camera.");
     return normal / distance;
 }
@@ -94,9 +101,8 @@ RealVec FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Stateme
     const RealVec normal = Cross(Normalized(ab), Normalized(ac));
     // sine of the angle at A; 1e-12 allows for points typed with few digits
     if (!(Length(normal) > 1e-12))
-        throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " +
-                          Text(given.points[1]) + ", " + Text(given.points[2]) +
-                          ". They must span a plane; move one of them off the line.");
+        throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " + Text(given.points[1]) + ", " +
+                          Text(given.points[2]) + ". They must span a plane; move one of them off the line.");
     const RealVec unit = axes.ToCamera(Normalized(normal));
     const RealVec point = axes.ToCamera(a - Exact(camera.location));
     return FocusOfPlane(unit, Dot(unit, point), Length(point) + Length(camera.location));
@@ -106,8 +112,11 @@ RealVec FocalPointInCamera(const Axes& axes, const CameraFrame& camera, const St
 {
     const RealVec point = axes.ToCamera(Exact(given.focalPoint) - Exact(camera.location));
     if (!(point.z > 0))
-        throw OpticsError("The focal point " + Text(given.focalPoint) + " is not in front of the camera "
-                          "(it lies " + Number(point.z) + " units along its axis). It must lie in front; "
+        throw OpticsError("The focal point " + Text(given.focalPoint) +
+                          " is not in front of the camera "
+                          "(it lies " +
+                          Number(point.z) +
+                          " units along its axis). It must lie in front; "
                           "give another focal_point or look_at.");
     return point;
 }
@@ -137,8 +146,7 @@ RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement&
         return FocusOfPlane(axes.ToCamera(unit), given.planeDistance - Dot(unit, Exact(camera.location)),
                             std::fabs(given.planeDistance) + Length(camera.location));
     }
-    const RealVec normal = TurnedNormal(given.focusTilt, given.focusSwing, "The plane of sharp focus",
-                                        "focus_tilt", "focus_swing");
+    const RealVec normal = TurnedNormal(given.focusTilt, given.focusSwing, "The plane of sharp focus", "focus_tilt", "focus_swing");
     const RealVec point = FocalPointInCamera(axes, camera, given);
     return FocusOfPlane(normal, Dot(normal, point), Length(point) + Length(camera.location));
 }
@@ -152,14 +160,13 @@ struct Solution
 };
 
 /// Lens turned as stated and focused on a point P, on the axis or beside it.
-Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<Real>& focalLength,
-                       const Real& angleFilmDistance)
+Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     const Real along = Dot(P, t);  // distance of P from the lens plane
     const Real aside = t.x * P.x + t.y * P.y;
     if (!(along > 0))
-        throw OpticsError("The lens is turned so far that the focal point lies behind it (distance " +
-                          Number(along) + " units from the lens plane). It must lie before the lens; "
+        throw OpticsError("The lens is turned so far that the focal point lies behind it (distance " + Number(along) +
+                          " units from the lens plane). It must lie before the lens; "
                           "turn the lens less or move focal_point.");
     if (!focalLength)
     {
@@ -171,8 +178,8 @@ Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<R
     }
     const Real f = *focalLength;
     if (!(along - f > kRounding * f))
-        throw OpticsError("The focus is nearer than the focal length: the focal point lies " +
-                          Number(along) + " units from the lens, the focal length is " + Number(f) +
+        throw OpticsError("The focus is nearer than the focal length: the focal point lies " + Number(along) +
+                          " units from the lens, the focal length is " + Number(f) +
                           " units. A lens forms no picture of it; focus farther away, or give a shorter "
                           "focal_length or a larger scene_unit.");
     const RealVec k{t.x / f, t.y / f, 1.0 / P.z - aside / (f * P.z)};
@@ -187,8 +194,7 @@ Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
 
 /// Lens turned as stated after it was focused at a distance from the film. Before the turn, that distance is the sum of the film's and the
 /// subject's distances from the lens, s + f s / (s - f).
-Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength,
-                         const Real& angleFilmDistance)
+Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     if (!focalLength)
     {
@@ -202,7 +208,8 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
     const Real f = *focalLength, least = 4 * f;
     if (!(scale >= least))
         throw OpticsError("focus_scale " + Number(scale) + " is nearer than any lens of this focal length, " + Number(f) +
-                          " units, can focus: film and subject are at least four focal lengths (" + Number(least) + " units) "
+                          " units, can focus: film and subject are at least four focal lengths (" + Number(least) +
+                          " units) "
                           "apart. Give a larger distance, a larger scene_unit, or film_distance for a picture larger than life.");
     // of the two solutions, the lens nearer to the film
     return SolveFilm(t, f, 2 * f * scale / (scale + sqrt(scale * (scale - least))));
@@ -212,29 +219,28 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, J being the distance of the hinge line
-    const char* backward =
-        ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
+    const char* backward = ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
     if (!focalLength)
     {
         const RealVec q{k.x, k.y, k.z + 1.0 / angleFilmDistance};
         const Real length = Length(q);
         if (!(q.z > kRounding * length))
-            throw OpticsError("The plane of sharp focus crosses the camera axis between lens and film (at " +
-                              Number(1 / k.z) + " units, the film is at " + Number(-angleFilmDistance) + ")" +
-                              backward);
+            throw OpticsError("The plane of sharp focus crosses the camera axis between lens and film (at " + Number(1 / k.z) +
+                              " units, the film is at " + Number(-angleFilmDistance) + ")" + backward);
         return {q / length, 1.0 / length, angleFilmDistance, k};
     }
     const Real f = *focalLength, sine = f * across;
     if (!(1 - sine > kRounding))
-        throw OpticsError("No tilt of this lens reaches the plane of sharp focus: its hinge line is " +
-                          Number(1 / across) + " units from the lens, the focal length " + Number(f) +
+        throw OpticsError("No tilt of this lens reaches the plane of sharp focus: its hinge line is " + Number(1 / across) +
+                          " units from the lens, the focal length " + Number(f) +
                           " units. The hinge distance must be larger than the focal length; give a "
                           "shorter focal_length or turn the plane less.");
     const RealVec t{f * k.x, f * k.y, sqrt((1 - sine) * (1 + sine))};
     const Real vergence = t.z / f - k.z;  // 1/s
     if (!(vergence * f > kRounding))
-        throw OpticsError("The plane of sharp focus is nearer than this lens can focus: on the axis it is at " +
-                          Number(1 / k.z) + " units, the focal length is " + Number(f) + " units. The film "
+        throw OpticsError("The plane of sharp focus is nearer than this lens can focus: on the axis it is at " + Number(1 / k.z) +
+                          " units, the focal length is " + Number(f) +
+                          " units. The film "
                           "would lie before the lens; focus farther away or give a shorter focal_length.");
     return {t, f, 1.0 / vergence, k};
 }
@@ -291,8 +297,7 @@ void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diamet
 
 /// `direction`, its axial component scaled to the film's distance if a focal length is stated. Its component across the axis is a shift
 /// that the camera already had, and stays.
-RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given,
-                       const Real& filmDistance, const Real& filmWidth)
+RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given, const Real& filmDistance, const Real& filmWidth)
 {
     if (!given.focalLength)
         return Exact(camera.direction);
@@ -302,20 +307,24 @@ RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statem
 }
 
 /// A ray multiplies at most three of these lengths, so that no product overflows or loses digits by underflow.
-bool IsModerate(double length) { return length > 1e-100 && length < 1e100; }
+bool IsModerate(double length)
+{
+    return length > 1e-100 && length < 1e100;
+}
 
 void RequireUsable(const Lens& lens)
 {
     bool usable = Length(lens.focus) < 1e100 && lens.diameter >= 0.0 && lens.diameter < 1e100;
-    for (double length : {lens.focalLength, lens.filmDistance, lens.millimetre, Dot(lens.direction, lens.axis),
-                          Length(lens.direction), Length(lens.right), Length(lens.up)})
+    for (double length : {lens.focalLength, lens.filmDistance, lens.millimetre, Dot(lens.direction, lens.axis), Length(lens.direction),
+                          Length(lens.right), Length(lens.up)})
         usable = usable && IsModerate(length);
     if (!usable)
         throw OpticsError("The camera's numbers are too large or too small, or have the wrong sign: focal "
-                          "length " + Number(lens.focalLength) + ", film distance " + Number(lens.filmDistance) +
-                          ", lens diameter " + Number(lens.diameter) + ", a millimetre of film " +
-                          Number(lens.millimetre) + ", direction " + Text(lens.direction) + ", right " +
-                          Text(lens.right) + ", up " + Text(lens.up) + " units. Lengths must be between 1e-100 and "
+                          "length " +
+                          Number(lens.focalLength) + ", film distance " + Number(lens.filmDistance) + ", lens diameter " +
+                          Number(lens.diameter) + ", a millimetre of film " + Number(lens.millimetre) + ", direction " +
+                          Text(lens.direction) + ", right " + Text(lens.right) + ", up " + Text(lens.up) +
+                          " units. Lengths must be between 1e-100 and "
                           "1e100; give moderate ones.");
 }
 
@@ -360,8 +369,7 @@ Lens SolveThinLens(const CameraFrame& camera, const Statement& given)
     // a frame moved by a millimetre moves over the picture by that share of the film's width
     const Real perMillimetre = scales.rightLength / given.filmWidth;
     const RealVec direction = FrameDirection(axes, camera, given, solved.filmDistance, scales.filmWidth) +
-                              (given.shiftRight * perMillimetre) * axes.right +
-                              (given.shiftUp * perMillimetre) * axes.up;
+                              (given.shiftRight * perMillimetre) * axes.right + (given.shiftUp * perMillimetre) * axes.up;
     lens.direction = Rounded(direction);
     lens.focusMiddle = double(Dot(focus, direction));
     lens.focusRight = double(Dot(focus, Exact(camera.right)));
@@ -372,4 +380,4 @@ Lens SolveThinLens(const CameraFrame& camera, const Statement& given)
     return lens;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

@@ -99,10 +99,10 @@ inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 struct RayArrays
 {
     const double *x, *y, *a, *b;  ///< as in MakeRay()
-    double *origin[3];            ///< as in LensRay
-    double *direction[3];         ///< unit vectors
-    double *length;               ///< of the rays' directions before
-    double *w;
+    double* origin[3];            ///< as in LensRay
+    double* direction[3];         ///< unit vectors
+    double* length;               ///< of the rays' directions before
+    double* w;
 };
 
 /// MakeRay() for the samples from `begin` to before `end`, bit for bit; side by side where the lens does not distort. May also fill the

@@ -227,7 +227,10 @@ Solved StrictSolution(const Rows& rows, const Real& same)
     return solved;
 }
 
-std::string Text(const Vec3& v) { return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">"; }
+std::string Text(const Vec3& v)
+{
+    return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
+}
 
 /// Sine of the angle below which points count as on one line, as for focal_points.
 bool OnOneLine(const std::vector<RealVec>& points)
@@ -247,7 +250,8 @@ void RequireBeforeLens(const RealVec& point, const Vec3& written, const Vec3& lo
         throw OpticsError("sharp_points has the point " + Text(written) + ". All its numbers must be finite; check the expression.");
     if (!(point.z > kRounding * (Length(point) + Length(location))))
         throw OpticsError("sharp_points has the point " + Text(written) + ", which is not in front of the lens: it lies " +
-                          Number(double(point.z)) + " units along the camera's axis. No lens makes it sharp; move or remove it, or "
+                          Number(double(point.z)) +
+                          " units along the camera's axis. No lens makes it sharp; move or remove it, or "
                           "move the camera back.");
 }
 
@@ -274,8 +278,7 @@ bool SpanSpace(const std::vector<VergenceEquation>& equations)
     return dimensions == 3;
 }
 
-std::vector<VergenceEquation> VergenceEquations(const std::vector<RealVec>& points, const std::vector<Vec3>& written,
-                                                const Vec3& location)
+std::vector<VergenceEquation> VergenceEquations(const std::vector<RealVec>& points, const std::vector<Vec3>& written, const Vec3& location)
 {
     std::vector<VergenceEquation> equations;
     for (std::size_t i = 0; i < points.size(); i++)
@@ -288,8 +291,8 @@ std::vector<VergenceEquation> VergenceEquations(const std::vector<RealVec>& poin
     const std::string way = ", so that nothing says how the plane of sharp focus turns about that line. Move one of them off it, or add "
                             "another point.";
     if (points.empty() || OnOneLine(points))
-        throw OpticsError("All sharp_points lie on one line" + (points.empty() ? "" : ", from " + Text(written.front()) + " to " +
-                          Text(written.back())) + way);
+        throw OpticsError("All sharp_points lie on one line" +
+                          (points.empty() ? "" : ", from " + Text(written.front()) + " to " + Text(written.back())) + way);
     throw OpticsError("All sharp_points lie in one plane with the lens centre, so that the picture has them on one line" + way);
 }
 

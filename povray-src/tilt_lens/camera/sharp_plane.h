@@ -35,7 +35,7 @@ namespace tilt_lens
 struct VergenceEquation
 {
     RealVec direction;  ///< D, not zero
-    Real vergence;      ///< 1/z
+    Real vergence;  ///< 1/z
 };
 
 /// Directions count as linearly dependent where no more than this share of one's length is left beside the others. Coordinates
@@ -48,8 +48,7 @@ inline constexpr double kDependent = 1e-12;
 /// @param location  of the lens centre, world
 /// @throws OpticsError  a point beside or behind the lens; all of them on a line, or in one plane with the lens centre; numbers
 ///                      that are not finite
-std::vector<VergenceEquation> VergenceEquations(const std::vector<RealVec>& points, const std::vector<Vec3>& written,
-                                                const Vec3& location);
+std::vector<VergenceEquation> VergenceEquations(const std::vector<RealVec>& points, const std::vector<Vec3>& written, const Vec3& location);
 
 /// Whether the directions span space, so that the strict solution is unique.
 bool SpanSpace(const std::vector<VergenceEquation>& equations);
@@ -60,6 +59,6 @@ Real GreatestResidual(const std::vector<VergenceEquation>& equations, const Real
 /// The strict Chebyshev solution k. Where the directions do not span space, the shortest such k.
 RealVec LeastGreatestBlur(const std::vector<VergenceEquation>& equations);
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -59,8 +59,7 @@ class Vignetting
     /// @param seed        of the random numbers
     /// @param[out] point  the lens point
     /// @return            weight of the sample; 0 for a film point that receives no light
-    double DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed,
-                     AperturePoint& point) const;
+    double DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed, AperturePoint& point) const;
 
     /// Density of an open point drawn by DrawPoint() relative to its density without the rim.
     double DrawDensity(const FilmPoint& film) const;
@@ -85,7 +84,7 @@ class Vignetting
     std::shared_ptr<const Lens> lens;
     double natural = 0.0;
     double rimDistance = 0.0, rimRadius = 0.0;
-    double middle = 1.0;    ///< natural fall-off in the centre of the picture
+    double middle = 1.0;  ///< natural fall-off in the centre of the picture
     double exposure = 1.0;  ///< inverse of the open share there
     std::vector<float> open;  ///< open shares at the entries of a table over the frame
 
@@ -94,6 +93,6 @@ class Vignetting
     void Tabulate(const Aperture& aperture);
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

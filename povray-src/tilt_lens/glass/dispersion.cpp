@@ -18,9 +18,15 @@ namespace
 constexpr int kWavelengths = 16;
 
 /// Partial dispersion (ng - nF) / (nF - nC) of a normal glass.
-double NormalPartialDispersion(double abbe) { return 0.6438 - 0.001682 * abbe; }
+double NormalPartialDispersion(double abbe)
+{
+    return 0.6438 - 0.001682 * abbe;
+}
 
-double InverseSquare(double wavelength) { return 1.0 / (wavelength * wavelength); }
+double InverseSquare(double wavelength)
+{
+    return 1.0 / (wavelength * wavelength);
+}
 
 } // namespace
 
@@ -48,8 +54,9 @@ void RequireAbbeNumbers(const Prescription& prescription)
 {
     for (const PrescriptionRow& row : prescription.rows)
         if (row.index != 1.0 && row.abbe == 0.0)
-            throw PrescriptionError(row.line, "a glass of index " + Number(row.index) + " without an Abbe number, which dispersion needs. "
-                                              "Give it, as the fifth number of a row or as \"abbe\" in JSON, or remove dispersion.");
+            throw PrescriptionError(row.line, "a glass of index " + Number(row.index) +
+                                                  " without an Abbe number, which dispersion needs. "
+                                                  "Give it, as the fifth number of a row or as \"abbe\" in JSON, or remove dispersion.");
 }
 
 GlassOfColours::GlassOfColours(const GlassLens& lens, const Prescription& prescription)

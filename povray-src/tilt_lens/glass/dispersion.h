@@ -28,7 +28,10 @@ namespace tilt_lens
 constexpr double kLineD = 587.5618, kLineF = 486.1327, kLineC = 656.2725, kLineG = 435.8343;
 
 /// @param hue  place in the spectrum, -1 (blue end, 400 nm) to 1 (red end, 700 nm); its thirds are blue, green and red
-constexpr double WavelengthOf(double hue) { return 550.0 + 150.0 * hue; }
+constexpr double WavelengthOf(double hue)
+{
+    return 550.0 + 150.0 * hue;
+}
 /// @}
 
 /// Index of refraction of a glass.

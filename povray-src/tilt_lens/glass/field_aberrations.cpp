@@ -50,7 +50,10 @@ struct Aimed
     }
 };
 
-double Slope(double part, const GlassRay& ray) { return part / ray.direction.z; }
+double Slope(double part, const GlassRay& ray)
+{
+    return part / ray.direction.z;
+}
 
 } // namespace
 

@@ -30,8 +30,9 @@ CardinalPoints CardinalPointsOf(const Prescription& prescription)
     const std::size_t count = prescription.rows.size(), stop = prescription.stop;
     const ParaxialMap whole = MapBetween(prescription, 0, count);
     if (!(whole.c < 0.0) || !std::isfinite(1.0 / whole.c))
-        throw PrescriptionError(0, "a lens of focal length " + Number(-1.0 / whole.c) + " mm, which does not collect light. Are the signs "
-                                   "of the radii those of the file's form (positive: centre on the side of the film)?");
+        throw PrescriptionError(0, "a lens of focal length " + Number(-1.0 / whole.c) +
+                                       " mm, which does not collect light. Are the signs "
+                                       "of the radii those of the file's form (positive: centre on the side of the film)?");
     CardinalPoints points;
     points.focalLength = -1.0 / whole.c;
     double length = 0.0;
@@ -60,8 +61,14 @@ GlassLens::GlassLens(const Prescription& prescription) : cardinal(CardinalPoints
     for (std::size_t i = 0; i < prescription.rows.size(); i++)
     {
         const PrescriptionRow& row = prescription.rows[i];
-        GlassSurface surface{z, row.radius == 0.0 ? 0.0 : -1.0 / row.radius, row.index / IndexBefore(prescription, i),
-                        0.25 * row.diameter * row.diameter, i == prescription.stop, row.conic == 0.0 && row.aspheric.empty(), row.conic, {}};
+        GlassSurface surface{z,
+                             row.radius == 0.0 ? 0.0 : -1.0 / row.radius,
+                             row.index / IndexBefore(prescription, i),
+                             0.25 * row.diameter * row.diameter,
+                             i == prescription.stop,
+                             row.conic == 0.0 && row.aspheric.empty(),
+                             row.conic,
+                             {}};
         for (const double coefficient : row.aspheric)
             surface.aspheric.push_back(-coefficient);
         surfaces.insert(surfaces.begin(), surface);
@@ -148,7 +155,10 @@ Passage GlassLens::TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims) con
     return TraceAlong<false>(surfaces.rbegin(), surfaces.rend(), ray, stop, rims);
 }
 
-double GlassLens::RearRadius() const { return std::sqrt(surfaces.front().squaredRim); }
+double GlassLens::RearRadius() const
+{
+    return std::sqrt(surfaces.front().squaredRim);
+}
 
 GlassLens::Front GlassLens::FrontBox() const
 {

@@ -37,11 +37,11 @@ TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
 
 struct GlassSurface
 {
-    double z;             ///< of its vertex
-    double curvature;     ///< 1/mm, positive if the centre lies towards the scene
-    double ratio;         ///< index on the side of the film over that of the scene
-    double squaredRim;    ///< square of the clear radius
-    bool stop, sphere;    ///< sphere or plane; else conic or aspherical
+    double z;  ///< of its vertex
+    double curvature;  ///< 1/mm, positive if the centre lies towards the scene
+    double ratio;  ///< index on the side of the film over that of the scene
+    double squaredRim;  ///< square of the clear radius
+    bool stop, sphere;  ///< sphere or plane; else conic or aspherical
     double conic;
     std::vector<double> aspheric;  ///< coefficients of the sag towards the scene
 };
@@ -50,7 +50,7 @@ struct GlassSurface
 template<class Number>
 struct Crossing
 {
-    MaskOf<Number> met;        ///< the ray meets the surface
+    MaskOf<Number> met;  ///< the ray meets the surface
     MaskOf<Number> withinRim;  ///< within its clear opening
     MaskOf<Number> refracted;  ///< else totally reflected
 };
@@ -67,7 +67,8 @@ TILT_LENS_INLINED Number Signed(const Number& value)
 /// @param direction  in: before the surface; out: behind it
 /// @return           false for total reflection
 template<bool towardsScene, class Number>
-TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Number& cosine, const VecOf<Number>& normal, VecOf<Number>& direction)
+TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Number& cosine, const VecOf<Number>& normal,
+                                         VecOf<Number>& direction)
 {
     const double ratio = towardsScene ? surface.ratio : 1.0 / surface.ratio;
     const Number left = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
@@ -108,6 +109,6 @@ TILT_LENS_INLINED MaskOf<Number> CrossStop(const GlassSurface& surface, GlassRay
 template<bool towardsScene>
 Crossing<double> CrossAsphere(const GlassSurface& surface, GlassRay& ray);
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

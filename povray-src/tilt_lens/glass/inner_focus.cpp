@@ -92,12 +92,15 @@ void RequireFocuses(const Prescription& prescription, int line)
     {
         const double stated = prescription.objectDistances[i], traced = ObjectDistanceOf(prescription, double(i + 1));
         if (!(FilmPlaceOf(prescription, double(i + 1)) > 0.0))
-            throw PrescriptionError(line, "an object distance of " + Number(stated) + " for which the film stands before the rear principal "
-                                          "point. Are the thicknesses in the order of the object distances?");
+            throw PrescriptionError(line, "an object distance of " + Number(stated) +
+                                              " for which the film stands before the rear principal "
+                                              "point. Are the thicknesses in the order of the object distances?");
         if (!(std::fabs(traced - stated) <= kStatedDistance * stated))
-            throw PrescriptionError(line, "an object distance of " + Number(stated) + " mm, where the glass with the thicknesses for it is focused "
-                                          "at " + Number(traced) + " mm. They must agree within " + Number(100.0 * kStatedDistance) +
-                                          " per cent; are all moved thicknesses there, in the order of the object distances?");
+            throw PrescriptionError(line, "an object distance of " + Number(stated) +
+                                              " mm, where the glass with the thicknesses for it is focused "
+                                              "at " +
+                                              Number(traced) + " mm. They must agree within " + Number(100.0 * kStatedDistance) +
+                                              " per cent; are all moved thicknesses there, in the order of the object distances?");
     }
 }
 

@@ -112,8 +112,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json>
     bool Open(Kind kind)
     {
         if (open.size() == kDeepest)
-            throw PrescriptionError(line, "lists and objects in each other, more than " + std::to_string(kDeepest) + " deep. A lens has "
-                                          "five; is it the right file?");
+            throw PrescriptionError(line, "lists and objects in each other, more than " + std::to_string(kDeepest) +
+                                              " deep. A lens has "
+                                              "five; is it the right file?");
         Add(kind);
         open.push_back(open.empty() ? &root : &open.back()->members.back());
         return true;

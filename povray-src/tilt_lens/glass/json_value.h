@@ -15,7 +15,15 @@ namespace tilt_lens
 
 struct JsonValue
 {
-    enum class Kind { kNull, kBoolean, kNumber, kText, kList, kObject };
+    enum class Kind
+    {
+        kNull,
+        kBoolean,
+        kNumber,
+        kText,
+        kList,
+        kObject
+    };
 
     Kind kind = Kind::kNull;
     int line = 0;                    ///< of the file, from 1, where the value begins

@@ -26,16 +26,13 @@ struct ParaxialMap
 {
     double a = 1.0, b = 0.0, c = 0.0, d = 1.0;
 
-    ParaxialRay operator()(const ParaxialRay& ray) const
-    {
-        return {a * ray.height + b * ray.reduced, c * ray.height + d * ray.reduced};
-    }
+    ParaxialRay operator()(const ParaxialRay& ray) const { return {a * ray.height + b * ray.reduced, c * ray.height + d * ray.reduced}; }
 };
 
 inline ParaxialMap operator*(const ParaxialMap& second, const ParaxialMap& first)
 {
-    return {second.a * first.a + second.b * first.c, second.a * first.b + second.b * first.d,
-            second.c * first.a + second.d * first.c, second.c * first.b + second.d * first.d};
+    return {second.a * first.a + second.b * first.c, second.a * first.b + second.b * first.d, second.c * first.a + second.d * first.c,
+            second.c * first.b + second.d * first.d};
 }
 
 /// From just before row `first` to just before row `last`, or behind the last surface if `last` is the number of rows.

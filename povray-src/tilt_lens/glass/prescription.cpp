@@ -31,21 +31,26 @@ void RequireSensible(const ReadRow& read, bool last)
     if (!std::isfinite(row.radius) || !std::isfinite(row.conic))
         throw PrescriptionError(read.line, "a radius or conic constant that is not finite. Write a plane as radius 0.");
     if (!(row.diameter > 0.0) || !std::isfinite(row.diameter))
-        throw PrescriptionError(read.line, "a clear diameter of " + Number(row.diameter) + ". It must be larger than 0; give the "
-                                           "diameter that lets light through.");
+        throw PrescriptionError(read.line, "a clear diameter of " + Number(row.diameter) +
+                                               ". It must be larger than 0; give the "
+                                               "diameter that lets light through.");
     if (!(row.thickness >= 0.0 || last) || !std::isfinite(row.thickness))
-        throw PrescriptionError(read.line, "a thickness of " + Number(row.thickness) + ". It is the distance to the next surface "
-                                           "towards the film and must not be negative.");
+        throw PrescriptionError(read.line, "a thickness of " + Number(row.thickness) +
+                                               ". It is the distance to the next surface "
+                                               "towards the film and must not be negative.");
     for (const double near : row.nearThickness)
         if (!(near >= 0.0 || last) || !std::isfinite(near))
-            throw PrescriptionError(read.line, "a thickness of " + Number(near) + " for a near focus. It is the distance to the next surface "
-                                               "towards the film and must not be negative.");
+            throw PrescriptionError(read.line, "a thickness of " + Number(near) +
+                                                   " for a near focus. It is the distance to the next surface "
+                                                   "towards the film and must not be negative.");
     if (!(row.index >= 1.0 && row.index <= kMostIndex))
-        throw PrescriptionError(read.line, "an index of refraction of " + Number(row.index) + ". It must be from 1 (air; pbrt's files "
-                                           "may have 0) to " + Number(kMostIndex) + ".");
+        throw PrescriptionError(read.line, "an index of refraction of " + Number(row.index) +
+                                               ". It must be from 1 (air; pbrt's files "
+                                               "may have 0) to " +
+                                               Number(kMostIndex) + ".");
     if (!(row.abbe == 0.0 || (row.abbe >= kLeastAbbe && row.abbe <= kMostAbbe)))
         throw PrescriptionError(read.line, "an Abbe number of " + Number(row.abbe) + ". It must be from " + Number(kLeastAbbe) + " to " +
-                                           Number(kMostAbbe) + "; give 0 or none where it is not known, and in air.");
+                                               Number(kMostAbbe) + "; give 0 or none where it is not known, and in air.");
 }
 
 /// Gives rows without an index that of the medium before them, and finds the stop: the marked row, or else the only plane within one
@@ -77,8 +82,8 @@ std::size_t FindStop(std::vector<ReadRow>& rows)
                                    "material \"iris\" in lentil's.");
     if (stops.size() > 1)
         throw PrescriptionError(rows[stops[1]].line, "a second stop (the first is in line " + std::to_string(rows[stops[0]].line) +
-                                                     "). One row is the aperture stop; give a further rim in air the index 1, a "
-                                                     "plane surface of glass an index of its own.");
+                                                         "). One row is the aperture stop; give a further rim in air the index 1, a "
+                                                         "plane surface of glass an index of its own.");
     return stops[0];
 }
 
@@ -118,8 +123,9 @@ Prescription ReadPrescription(const std::string& text, const std::string& choice
         throw PrescriptionError(rows[0].line, "a thickness of 0 behind the first surface. In some old files the second column is the "
                                               "distance from the surface before; move that column up by one row.");
     if (prescription.rows.back().index != 1.0)
-        throw PrescriptionError(rows.back().line, "an index of " + Number(prescription.rows.back().index) + " behind the last surface. "
-                                                  "The film is in air; the last index must be 1.");
+        throw PrescriptionError(rows.back().line, "an index of " + Number(prescription.rows.back().index) +
+                                                      " behind the last surface. "
+                                                      "The film is in air; the last index must be 1.");
     prescription.objectDistances = read.objectDistances;
     RequireFocuses(prescription, read.objectDistanceLine);
     return prescription;

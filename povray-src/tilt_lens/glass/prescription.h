@@ -32,15 +32,15 @@ namespace tilt_lens
 ///     c h^2 / (1 + sqrt(1 - (1 + conic) c^2 h^2)) + aspheric[0] h^4 + aspheric[1] h^6 + ...
 struct PrescriptionRow
 {
-    double radius = 0.0;     ///< mm; 0: plane
+    double radius = 0.0;  ///< mm; 0: plane
     double thickness = 0.0;  ///< mm along the axis to the next row; in the last row, only the difference to nearThickness counts
     std::vector<double> nearThickness;  ///< mm, for each of the prescription's objectDistances; empty: does not move. Last row: to the film
-    double index = 1.0;      ///< of refraction behind the surface, at the d line (587.6 nm)
-    double abbe = 0.0;       ///< Abbe number of that medium; 0: not stated, or air
-    double diameter = 0.0;   ///< mm, of the clear opening
-    double conic = 0.0;      ///< conic constant: 0 is a sphere, -1 a paraboloid
+    double index = 1.0;  ///< of refraction behind the surface, at the d line (587.6 nm)
+    double abbe = 0.0;  ///< Abbe number of that medium; 0: not stated, or air
+    double diameter = 0.0;  ///< mm, of the clear opening
+    double conic = 0.0;  ///< conic constant: 0 is a sphere, -1 a paraboloid
     std::vector<double> aspheric;  ///< 1/mm^3, 1/mm^5, ...
-    int line = 0;            ///< of the file; 0: unknown
+    int line = 0;  ///< of the file; 0: unknown
 };
 
 struct Prescription
@@ -48,7 +48,7 @@ struct Prescription
     std::vector<PrescriptionRow> rows;
     std::size_t stop = 0;  ///< row of the aperture stop, a plane within one medium
     std::vector<double> objectDistances;  ///< mm from the first surface to the focus, from far to near, for each nearThickness; empty: no
-                                          ///< group moves. The rows' thickness is for infinity
+        ///< group moves. The rows' thickness is for infinity
 };
 
 /// A prescription that makes no lens. what() continues the file's name: the value found, what is allowed, a remedy.
@@ -67,6 +67,6 @@ Prescription ReadPrescription(const std::string& text, const std::string& choice
 
 Prescription Scaled(const Prescription& prescription, double factor);
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

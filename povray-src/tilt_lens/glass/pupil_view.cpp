@@ -279,10 +279,11 @@ PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const
     for (const PupilPoint& end : ends)
         farthest = std::max(farthest, std::hypot((end.l - middle[0]) / half[0], (end.m - middle[1]) / half[1]));
     farthest *= larger;
-    return {{middle[0] * radial.l - middle[1] * radial.m, middle[0] * radial.m + middle[1] * radial.l}, farthest * half[0], farthest * half[1]};
+    return {
+        {middle[0] * radial.l - middle[1] * radial.m, middle[0] * radial.m + middle[1] * radial.l}, farthest * half[0], farthest * half[1]};
 }
 
-} // namespace
+}  // namespace
 
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near)
 {
@@ -308,4 +309,4 @@ std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const s
     return view;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

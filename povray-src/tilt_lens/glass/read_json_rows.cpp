@@ -50,8 +50,9 @@ class Members
         const std::vector<JsonValue>& values = found->members;
         if (values.size() == 2 && values[0].Is(Kind::kNumber) && values[1].Is(Kind::kNumber) && values[0].number == values[1].number)
             return values[0].number;
-        throw PrescriptionError(found->line, "\"" + std::string(name) + "\" with several values: a zoom, a surface that is not round or "
-                                             "an index for each wavelength. One number is allowed.");
+        throw PrescriptionError(found->line, "\"" + std::string(name) +
+                                                 "\" with several values: a zoom, a surface that is not round or "
+                                                 "an index for each wavelength. One number is allowed.");
     }
 
     double NumberOr(const char* name, double value) const { return Has(name) ? Number(name) : value; }
@@ -67,8 +68,8 @@ class Members
         if (found != nullptr)
             Collect(name, *found, numbers);
         if (numbers.size() > most)
-            throw PrescriptionError(found->line, "\"" + std::string(name) + "\" with " + std::to_string(numbers.size()) + " numbers. At most " +
-                                                 std::to_string(most) + " are allowed.");
+            throw PrescriptionError(found->line, "\"" + std::string(name) + "\" with " + std::to_string(numbers.size()) +
+                                                     " numbers. At most " + std::to_string(most) + " are allowed.");
         return numbers;
     }
 
@@ -119,7 +120,7 @@ void ReadThickness(const Members& surface, std::size_t states, int line, Prescri
     const std::vector<double> values = surface.Numbers("thickness", kMostFocuses + 1);
     if (values.size() != states)
         throw PrescriptionError(line, "\"thickness\" with " + std::to_string(values.size()) + " values, where \"object-distance\" has " +
-                                      std::to_string(states) + ". Give one for each, or one number for a distance that stays.");
+                                          std::to_string(states) + ". Give one for each, or one number for a distance that stays.");
     row.thickness = values.front();
     row.nearThickness.assign(values.begin() + 1, values.end());
 }
@@ -130,8 +131,9 @@ ReadRow LentilRow(const Members& element, int line, std::size_t states)
     read.line = line;
     const std::string geometry = element.Text("lens-geometry"), material = element.Text("material");
     if (geometry.compare(0, 3, "cyl") == 0)
-        throw PrescriptionError(line, "a cylindrical surface (\"lens-geometry\": \"" + Shown(geometry) + "\"). Surfaces must be round about the "
-                                      "axis; take another lens.");
+        throw PrescriptionError(line, "a cylindrical surface (\"lens-geometry\": \"" + Shown(geometry) +
+                                          "\"). Surfaces must be round about the "
+                                          "axis; take another lens.");
     const double radius = element.Number("radius");
     read.row.radius = std::abs(radius) >= kPlaneRadius ? 0.0 : radius;
     ReadThickness(element, states, line, read.row);
@@ -172,24 +174,27 @@ std::vector<double> ObjectDistancesOf(const JsonValue& stated)
     const bool list = stated.Is(Kind::kList) && !stated.members.empty();
     const JsonValue& first = list ? stated.members.front() : stated;
     if (!list || (first.text != "infinity" && first.text != "Infinity"))
-        throw PrescriptionError(stated.line, "\"object-distance\" that begins with " + first.Words() + ". It must be a list that begins with "
-                                             "\"infinity\", as in [\"infinity\", 450], for which the first of each thickness holds.");
+        throw PrescriptionError(stated.line, "\"object-distance\" that begins with " + first.Words() +
+                                                 ". It must be a list that begins with "
+                                                 "\"infinity\", as in [\"infinity\", 450], for which the first of each thickness holds.");
     JsonValue nearer = stated, holder;
     nearer.members.erase(nearer.members.begin());
     holder.kind = Kind::kObject;
     holder.members.push_back(nearer);
     const std::vector<double> distances = Members(holder).Numbers("object-distance", kMostFocuses);
     if (distances.empty())
-        throw PrescriptionError(stated.line, "\"object-distance\" with infinity alone. Give a nearer distance behind it, in mm from the first "
-                                             "surface, or leave it out.");
+        throw PrescriptionError(stated.line,
+                                "\"object-distance\" with infinity alone. Give a nearer distance behind it, in mm from the first "
+                                "surface, or leave it out.");
     for (std::size_t i = 0; i < distances.size(); i++)
         if (!(distances[i] > 0.0) || (i > 0 && !(distances[i] < distances[i - 1])))
-            throw PrescriptionError(stated.line, "an object distance of " + Number(distances[i]) + ". It must be larger than 0 and smaller than the "
-                                                 "one before it; give the thicknesses in the same order.");
+            throw PrescriptionError(stated.line, "an object distance of " + Number(distances[i]) +
+                                                     ". It must be larger than 0 and smaller than the "
+                                                     "one before it; give the thicknesses in the same order.");
     return distances;
 }
 
-template <typename RowOf>
+template<typename RowOf>
 ReadLens LensOf(const JsonValue& lens, const char* name, const RowOf& rowOf)
 {
     ReadLens read;
@@ -236,11 +241,12 @@ const JsonValue& Chosen(const JsonValue& file, const std::string& choice)
             names += (names.empty() ? "" : ", ") + Shown(member.name);
         }
     if (!choice.empty())
-        throw PrescriptionError(0, "no lens of the name '" + Shown(choice) + "'. " +
-                                   (names.empty() ? "The file holds one lens; remove the '#' and what follows." : "There are " + names + "."));
+        throw PrescriptionError(
+            0, "no lens of the name '" + Shown(choice) + "'. " +
+                   (names.empty() ? "The file holds one lens; remove the '#' and what follows." : "There are " + names + "."));
     if (lenses.size() > 1)
         throw PrescriptionError(0, "several lenses. Choose one by its name behind the file's, as in \"FILE#" + Shown(lenses[0]->name) +
-                                   "\"; there are " + names + ".");
+                                       "\"; there are " + names + ".");
     return lenses.empty() ? file : *lenses[0];
 }
 

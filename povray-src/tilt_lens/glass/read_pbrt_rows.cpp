@@ -22,7 +22,7 @@ double NumberOf(const std::string& word, int line)
     const std::from_chars_result read = std::from_chars(begin, end, value);
     if (read.ec != std::errc() || read.ptr != end)
         throw PrescriptionError(line, "'" + Shown(word) + "' where a number should be. A row has " + std::string(kRow) +
-                                      "; '#' begins a comment.");
+                                          "; '#' begins a comment.");
     return value;
 }
 

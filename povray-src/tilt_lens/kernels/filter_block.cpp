@@ -25,7 +25,10 @@ using Plane = float[kPlane];
 
 constexpr int kWidth = kVectorWidth<Floats>;
 
-TILT_LENS_INLINED constexpr int At(int x, int y) { return PaddedBlock::At(x, y); }
+TILT_LENS_INLINED constexpr int At(int x, int y)
+{
+    return PaddedBlock::At(x, y);
+}
 
 /// The wanted rows with a margin on all sides.
 struct Part
@@ -84,10 +87,7 @@ class FilteredRows
         FilterRows<kMean9>(risky);
     }
 
-    TILT_LENS_INLINED const float* Mean(Filter across, int c) const
-    {
-        return across == kNone ? around.mean[c] : means[across - 1][c];
-    }
+    TILT_LENS_INLINED const float* Mean(Filter across, int c) const { return across == kNone ? around.mean[c] : means[across - 1][c]; }
 
   private:
     const FilterInput& around;
@@ -277,7 +277,7 @@ class SpreadCandidate
         higher.bottom += settings.filterRadius;
         higher.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&rows[i], Filtered<Floats, kMean9>(&missing[i], 1)); });
         part.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
-            { Store(&estimate[i], Load<Floats>(&estimate[i]) + Filtered<Floats, kMean9>(&rows[i], kColumns)); });
+        { Store(&estimate[i], Load<Floats>(&estimate[i]) + Filtered<Floats, kMean9>(&rows[i], kColumns)); });
     }
 };
 
@@ -307,7 +307,7 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
     }
 }
 
-} // namespace
+}  // namespace
 
 void FilterBlock(const FilterInput& input, const FilterOutput& output)
 {
@@ -329,4 +329,4 @@ void EstimateSpread(const FilterInput& input, const FilterOutput& output)
     }
 }
 
-} // namespace tilt_lens::TILT_LENS_VARIANT
+}  // namespace tilt_lens::TILT_LENS_VARIANT

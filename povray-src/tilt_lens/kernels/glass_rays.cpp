@@ -16,7 +16,8 @@ TILT_LENS_INLINED MaskOf<Doubles> CrossOneByOne(const GlassSurface& surface, boo
     Doubles passes{};
     for (std::size_t i = 0; i < kVectorWidth<Doubles>; i++)
     {
-        GlassRay ray{{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]}, {rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]}};
+        GlassRay ray{{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]},
+                     {rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]}};
         const Crossing<double> crossing = CrossAsphere<true>(surface, ray);
         passes[i] = crossing.met && (crossing.withinRim || !rims) && crossing.refracted;
         rays.origin.x[i] = ray.origin.x, rays.origin.y[i] = ray.origin.y, rays.origin.z[i] = ray.origin.z;

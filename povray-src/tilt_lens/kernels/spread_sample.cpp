@@ -121,7 +121,8 @@ struct CirclePixels
         const Floats none = Floats(), below = Load<Floats>(kOffsets.of + i) + row + 0.5f - circle.y;
         const Floats open = 1.0f - below * below / ellipse.yy;  // remaining fraction of the squared half width
         const Ints met = open > none;
-        const Floats middle = circle.x + ellipse.lean * below - 0.5f, half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? open : none));
+        const Floats middle = circle.x + ellipse.lean * below - 0.5f,
+                     half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? open : none));
         const float left = float(column - kReach), right = float(column + kReach);
         const Floats least = Clamp(middle - half, left, right + 1.0f), most = Clamp(middle + half, left - 1.0f, right);
         Ints from = __builtin_convertvector(least, Ints), to = __builtin_convertvector(most, Ints);
@@ -130,8 +131,8 @@ struct CirclePixels
         to += __builtin_convertvector(to, Floats) > most;
         const Ints first = from & met, last = Max<Ints>(to + 1, from) & met;
         const float own = float(column) + 0.5f;
-        Store(windowOf + i, WindowSumUpTo(__builtin_convertvector(last, Floats) - own) -
-                            WindowSumUpTo(__builtin_convertvector(first, Floats) - own));
+        Store(windowOf + i,
+              WindowSumUpTo(__builtin_convertvector(last, Floats) - own) - WindowSumUpTo(__builtin_convertvector(first, Floats) - own));
         rows |= SignBits(first < last) << i;
         Store(begin + i, first);
         Store(end + i, last);
@@ -171,7 +172,10 @@ struct Densities
 };
 
 /// Squared length of a colour.
-TILT_LENS_INLINED float SquareOf(const Float4& value) { return value[0] * value[0] + value[1] * value[1] + value[2] * value[2]; }
+TILT_LENS_INLINED float SquareOf(const Float4& value)
+{
+    return value[0] * value[0] + value[1] * value[1] + value[2] * value[2];
+}
 
 /// One row of a circle's pixels, with their shares relative to the sample's own pixel.
 struct RowShares
@@ -244,7 +248,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
     }
 }
 
-} // namespace
+}  // namespace
 
 bool SpreadSample(Planes& planes, int column, int row, const CircleOfConfusion& circle, const double* radiance, float weight)
 {
@@ -268,4 +272,4 @@ bool SpreadSample(Planes& planes, int column, int row, const CircleOfConfusion& 
     return true;
 }
 
-} // namespace tilt_lens::TILT_LENS_VARIANT
+}  // namespace tilt_lens::TILT_LENS_VARIANT

@@ -6,7 +6,7 @@
 namespace tilt_lens::TILT_LENS_VARIANT
 {
 
-const Kernels kKernels = {FindPoints, FindFilmPoints, AddRadiances, MapToDisc, FindPositions, MakeRays, TraceGlass, FindPupils,
-                          AimAtPupils, LeaveGlass, SpreadSample, FilterBlock, EstimateSpread};
+const Kernels kKernels = {FindPoints, FindFilmPoints, AddRadiances, MapToDisc,    FindPositions, MakeRays,      TraceGlass,
+                          FindPupils, AimAtPupils,    LeaveGlass,   SpreadSample, FilterBlock,   EstimateSpread};
 
 } // namespace tilt_lens::TILT_LENS_VARIANT

@@ -44,7 +44,8 @@ GlassCamera::GlassCamera(std::shared_ptr<const SolvedLens> itsLens, const Apertu
     Tabulate();
     const PupilNode& middle = nodes[nodes.size() / 2];
     if (!middle.seen || !(middle.open > kLeastOpen))
-        throw std::invalid_argument("The lens of the prescription leaves " + Number(100.0 * middle.open) + " per cent of its stop open in the "
+        throw std::invalid_argument("The lens of the prescription leaves " + Number(100.0 * middle.open) +
+                                    " per cent of its stop open in the "
                                     "middle of the picture: its image circle ends before. More than 1 is needed; turn or shift the "
                                     "lens less, or stop it down.");
     frame.middleOpen = middle.open;
@@ -125,7 +126,10 @@ PupilEllipse GlassCamera::BoundsOf(const PupilNode& node, const Vec3& place) con
     return {{aim.l + node.l, aim.m + node.m}, node.radial, node.tangential};
 }
 
-PupilEllipse GlassCamera::BoundsAt(const FilmPoint& film) const { return BoundsOf(Between(film), FilmInLens(film)); }
+PupilEllipse GlassCamera::BoundsAt(const FilmPoint& film) const
+{
+    return BoundsOf(Between(film), FilmInLens(film));
+}
 
 double GlassCamera::Brightness(const FilmPoint& film) const
 {
@@ -133,15 +137,18 @@ double GlassCamera::Brightness(const FilmPoint& film) const
     return frame.Brightness(node.open, node.natural);
 }
 
-double GlassCamera::OpenShare(const FilmPoint& film) const { return Between(film).open; }
+double GlassCamera::OpenShare(const FilmPoint& film) const
+{
+    return Between(film).open;
+}
 
 PupilNode GlassCamera::Between(const FilmPoint& film) const
 {
     const double x[] = {film.x, film.x}, y[] = {film.y, film.y};
     const PupilInterpolation<Double2> mean(nodes.data(), x, y);
     PupilNode node;
-    for (double PupilNode::*const number : {&PupilNode::l, &PupilNode::m, &PupilNode::radial, &PupilNode::tangential, &PupilNode::open,
-                                            &PupilNode::natural})
+    for (double PupilNode::* const number :
+         {&PupilNode::l, &PupilNode::m, &PupilNode::radial, &PupilNode::tangential, &PupilNode::open, &PupilNode::natural})
         node.*number = mean(number)[0];
     return node;
 }
@@ -150,8 +157,8 @@ PupilNode GlassCamera::Between(const FilmPoint& film) const
 /// @param waiting     one bit for each film point that needs a ray
 /// @param[out] drawn  the rays that leave the lens
 /// @return            one bit for each of them
-unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils,
-                                   unsigned int waiting, FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
+unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
+                                   FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
 {
     const unsigned int wanted = waiting;
     std::array<double, 4> u, v, a, b;
@@ -199,7 +206,7 @@ GlassSample GlassCamera::DrawThrough(const GlassLens& colour, const FilmPoint& f
 {
     FourGlassSamples samples;
     DrawThrough(colour, {{film.x}, {film.y}, {u}, {v}, {seed}, 1}, samples);
-    const auto vector = [](const double (&from)[3][4]) { return Vec3{from[0][0], from[1][0], from[2][0]}; };
+    const auto vector = [](const double(&from)[3][4]) { return Vec3{from[0][0], from[1][0], from[2][0]}; };
     return {{vector(samples.origin), vector(samples.direction), samples.w[0]}, samples.weight[0], samples.refused[0]};
 }
 

@@ -33,7 +33,7 @@ namespace tilt_lens
 struct GlassSample
 {
     LensRay ray;
-    double weight;          ///< of the ray's radiance; 0: nothing to trace
+    double weight;  ///< of the ray's radiance; 0: nothing to trace
     std::uint32_t refused;  ///< rays drawn before it that the lens blocked
 };
 
@@ -78,11 +78,11 @@ class GlassCamera
 
   private:
     std::shared_ptr<const SolvedLens> lens;
-    GlassLens glass;                        ///< with the aperture's shape
+    GlassLens glass;  ///< with the aperture's shape
     std::optional<GlassOfColours> colours;  ///< none: one wavelength
     Aperture disc = Aperture::Disc();
     GlassFilm frame;
-    std::vector<PupilNode> nodes;           ///< the table of views, row by row
+    std::vector<PupilNode> nodes;  ///< the table of views, row by row
 
     void PlaceFilm();
     void Tabulate();
@@ -96,6 +96,6 @@ class GlassCamera
     GlassSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

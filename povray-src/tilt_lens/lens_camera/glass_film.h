@@ -79,7 +79,7 @@ struct PupilInterpolation
         weights[3] = right * down;
     }
 
-    TILT_LENS_INLINED Vector operator()(double PupilNode::*number) const
+    TILT_LENS_INLINED Vector operator()(double PupilNode::* number) const
     {
         constexpr std::size_t corners[4] = {0, 1, kPupilTableSide, kPupilTableSide + 1};
         Vector mean{};
@@ -99,9 +99,9 @@ struct GlassFilm
 {
     const Lens* lens;
     CardinalPoints cardinal;
-    double natural;                      ///< share of the natural light fall-off, 0 to 1
-    Vec3 axisX, axisY;                   ///< of the lens, world, unit length
-    Vec3 middle, right, up;              ///< lens frame, mm
+    double natural;  ///< share of the natural light fall-off, 0 to 1
+    Vec3 axisX, axisY;  ///< of the lens, world, unit length
+    Vec3 middle, right, up;  ///< lens frame, mm
     double middleOpen = 1.0, middleNatural = 1.0;
 
     /// A film point in the lens frame, mm.
@@ -140,6 +140,6 @@ struct GlassFilm
     }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -35,7 +35,10 @@ const Vignetting& LensCamera::ThinVignetting() const
     return thin != nullptr ? *thin : none;
 }
 
-bool LensCamera::HasColours() const { return lens->lateralColour != 0.0 || lens->axialColour != 0.0 || lens->dispersion; }
+bool LensCamera::HasColours() const
+{
+    return lens->lateralColour != 0.0 || lens->axialColour != 0.0 || lens->dispersion;
+}
 
 bool LensCamera::CanSpread() const
 {

@@ -73,6 +73,6 @@ class LensCamera
 /// True for a lens whose picture is POV-Ray's own: an ideal pinhole with even light.
 bool IsPlainPinhole(const SolvedLens& lens, const Character& character);
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

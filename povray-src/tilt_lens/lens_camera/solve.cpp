@@ -56,7 +56,8 @@ void ApplyPrescription(SolvedLens& lens, const Statement& given)
                           Number(points.fNumber) + ". Give a greater f_stop or a smaller aperture, or neither for the lens wide open.");
     const double room = RoomBehind(lens, points);
     if (!(room > 0.0))
-        throw OpticsError("The film lies within the glass: a corner of the frame is " + Number(-room) + " mm before the last surface of the "
+        throw OpticsError("The film lies within the glass: a corner of the frame is " + Number(-room) +
+                          " mm before the last surface of the "
                           "lens. Focus nearer, or turn or shift the lens less.");
     if (given.fStop || given.aperture > 0.0)
         glass->StopDown(fNumber);

@@ -21,20 +21,14 @@ struct Area
 {
     std::uint32_t left, top, width, height;
 
-    std::uint32_t Right() const { return left + width; }    ///< first column outside
-    std::uint32_t Bottom() const { return top + height; }   ///< first row outside
+    std::uint32_t Right() const { return left + width; }  ///< first column outside
+    std::uint32_t Bottom() const { return top + height; }  ///< first row outside
     std::size_t Size() const { return std::size_t(width) * height; }
-    bool Has(std::uint32_t x, std::uint32_t y) const
-    {
-        return x >= left && x < Right() && y >= top && y < Bottom();
-    }
+    bool Has(std::uint32_t x, std::uint32_t y) const { return x >= left && x < Right() && y >= top && y < Bottom(); }
     /// Index of a pixel, row by row.
-    std::size_t IndexOf(std::uint32_t x, std::uint32_t y) const
-    {
-        return (y - top) * std::size_t(width) + (x - left);
-    }
+    std::size_t IndexOf(std::uint32_t x, std::uint32_t y) const { return (y - top) * std::size_t(width) + (x - left); }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -20,7 +20,10 @@ namespace tilt_lens
 /// Red, green, blue, filter, transmit; linear, 1 is white.
 using Radiance = std::array<double, 5>;
 
-inline double Square(double x) { return x * x; }
+inline double Square(double x)
+{
+    return x * x;
+}
 
 /// result[c] = operation(result[c], value[c]), two channels at a time. The compiler cannot do so by itself, because the arguments may
 /// overlap.
@@ -34,8 +37,14 @@ inline void Combine(Radiance& result, const Radiance& value, const Operation& op
         result[c] = operation(result[c], value[c]);
 }
 
-inline void AddTo(double& sum, double value) { sum += value; }
-inline void DivideBy(double& value, double divisor) { value /= divisor; }
+inline void AddTo(double& sum, double value)
+{
+    sum += value;
+}
+inline void DivideBy(double& value, double divisor)
+{
+    value /= divisor;
+}
 
 inline void AddTo(Radiance& sum, const Radiance& value)
 {
@@ -62,7 +71,10 @@ inline bool IsNonZero(const Radiance& value)
 }
 
 /// The largest channel of variances or square errors, which are never negative.
-inline double MeanColour(const Radiance& value) { return (value[0] + value[1] + value[2]) / 3.0; }
+inline double MeanColour(const Radiance& value)
+{
+    return (value[0] + value[1] + value[2]) / 3.0;
+}
 
 inline double LargestChannel(const Radiance& value)
 {
@@ -74,7 +86,10 @@ inline double LargestChannel(const Radiance& value)
 
 /// Divisor that makes a variance relative: 1 up to white, the squared mean above, because the eye and every tone curve see errors of bright
 /// pixels relative to their brightness.
-inline double SquaredScale(double mean) { return mean > 1.0 ? mean * mean : 1.0; }
+inline double SquaredScale(double mean)
+{
+    return mean > 1.0 ? mean * mean : 1.0;
+}
 
 /// Each channel of a variance divided by SquaredScale() of its mean.
 inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
@@ -84,6 +99,6 @@ inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
     return variance;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -111,10 +111,22 @@ TILT_LENS_INLINED Number Clamp(const Number& value, const Number& least, const N
 
 /// @name As those of the standard library, but never functions of their own (kernels/variant.h).
 /// @{
-TILT_LENS_INLINED float SquareRoot(float value) { return __builtin_sqrtf(value); }
-TILT_LENS_INLINED double SquareRoot(double value) { return __builtin_sqrt(value); }
-TILT_LENS_INLINED bool IsFinite(float value) { return __builtin_isfinite(value); }
-TILT_LENS_INLINED bool IsFinite(double value) { return __builtin_isfinite(value); }
+TILT_LENS_INLINED float SquareRoot(float value)
+{
+    return __builtin_sqrtf(value);
+}
+TILT_LENS_INLINED double SquareRoot(double value)
+{
+    return __builtin_sqrt(value);
+}
+TILT_LENS_INLINED bool IsFinite(float value)
+{
+    return __builtin_isfinite(value);
+}
+TILT_LENS_INLINED bool IsFinite(double value)
+{
+    return __builtin_isfinite(value);
+}
 /// @}
 
 template<class Vector>
@@ -184,6 +196,6 @@ TILT_LENS_INLINED bool All(const Mask& mask)
         return SignBits((Mask4)mask) == 0xf;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

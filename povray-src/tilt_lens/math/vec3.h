@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-template <typename Number>
+template<typename Number>
 struct VecOf
 {
     using Scalar = Number;
@@ -24,28 +24,49 @@ struct VecOf
 };
 
 /// Not deduced from a factor: any number that converts will do, because the vector decides the type.
-template <typename Number>
+template<typename Number>
 using ScalarOf = typename VecOf<Number>::Scalar;
 
 using Vec3 = VecOf<double>;
 
-template <typename N>
-TILT_LENS_INLINED VecOf<N> operator+(const VecOf<N>& a, const VecOf<N>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-template <typename N>
-TILT_LENS_INLINED VecOf<N> operator-(const VecOf<N>& a, const VecOf<N>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-template <typename N>
-TILT_LENS_INLINED VecOf<N> operator-(const VecOf<N>& a) { return {-a.x, -a.y, -a.z}; }
-template <typename N>
-TILT_LENS_INLINED VecOf<N> operator*(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x * s, a.y * s, a.z * s}; }
-template <typename N>
-TILT_LENS_INLINED VecOf<N> operator*(const ScalarOf<N>& s, const VecOf<N>& a) { return a * s; }
-template <typename N>
-TILT_LENS_INLINED VecOf<N> operator/(const VecOf<N>& a, const ScalarOf<N>& s) { return {a.x / s, a.y / s, a.z / s}; }
+template<typename N>
+TILT_LENS_INLINED VecOf<N> operator+(const VecOf<N>& a, const VecOf<N>& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template<typename N>
+TILT_LENS_INLINED VecOf<N> operator-(const VecOf<N>& a, const VecOf<N>& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template<typename N>
+TILT_LENS_INLINED VecOf<N> operator-(const VecOf<N>& a)
+{
+    return {-a.x, -a.y, -a.z};
+}
+template<typename N>
+TILT_LENS_INLINED VecOf<N> operator*(const VecOf<N>& a, const ScalarOf<N>& s)
+{
+    return {a.x * s, a.y * s, a.z * s};
+}
+template<typename N>
+TILT_LENS_INLINED VecOf<N> operator*(const ScalarOf<N>& s, const VecOf<N>& a)
+{
+    return a * s;
+}
+template<typename N>
+TILT_LENS_INLINED VecOf<N> operator/(const VecOf<N>& a, const ScalarOf<N>& s)
+{
+    return {a.x / s, a.y / s, a.z / s};
+}
 
-template <typename N>
-TILT_LENS_INLINED N Dot(const VecOf<N>& a, const VecOf<N>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template<typename N>
+TILT_LENS_INLINED N Dot(const VecOf<N>& a, const VecOf<N>& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
-template <typename N>
+template<typename N>
 inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -76,11 +97,17 @@ inline double Length(const Vec3& a)
 }
 
 /// For number types whose exponents reach far beyond those of double.
-template <typename N>
-inline N Length(const VecOf<N>& a) { return sqrt(Dot(a, a)); }
+template<typename N>
+inline N Length(const VecOf<N>& a)
+{
+    return sqrt(Dot(a, a));
+}
 
-template <typename N>
-inline VecOf<N> Normalized(const VecOf<N>& a) { return a / Length(a); }
+template<typename N>
+inline VecOf<N> Normalized(const VecOf<N>& a)
+{
+    return a / Length(a);
+}
 
 inline bool IsFinite(const Vec3& a)
 {

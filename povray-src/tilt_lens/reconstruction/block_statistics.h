@@ -79,6 +79,6 @@ class PaddedBlock
     bool transparent = false;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -17,7 +17,14 @@ namespace tilt_lens
 {
 
 /// One-dimensional filters: none, a parabola fitted to 5 or 9 pixels, or the mean of 9.
-enum Filter { kNone, kFit5, kFit9, kMean9, kFilters };
+enum Filter
+{
+    kNone,
+    kFit5,
+    kFit9,
+    kMean9,
+    kFilters
+};
 
 /// Taps from the centre to one end.
 constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
@@ -57,6 +64,6 @@ TILT_LENS_INLINED Vector Filtered(const float* at, int step)
     return sum;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -45,8 +45,8 @@ PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t weight)
         const int begin = std::max(-kBorder, left - kReach), end = std::min(kSide + kBorder, left + kSide + kReach);
         for (int y = std::max(-kBorder, top - kReach); y < std::min(kSide + kBorder, top + kSide + kReach); y++)
             for (int sum = 0; sum < SpreadSums::kSums; sum++)
-                AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin, sum == SpreadSums::kSquaredShares ? factor * factor : factor,
-                       &(*received)[sum][PaddedBlock::At(begin, y)]);
+                AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin,
+                       sum == SpreadSums::kSquaredShares ? factor * factor : factor, &(*received)[sum][PaddedBlock::At(begin, y)]);
         for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
             for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
                 if (sent[i]->OwnWeight(x - left, y - top) > 0.0f)

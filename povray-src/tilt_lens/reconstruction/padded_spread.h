@@ -33,8 +33,8 @@ class PaddedSpread
 
     std::array<Plane, 3> mean;  ///< mean radiance of received samples; 0: none
     Plane variance;  ///< variance of one received sample, summed over the channels
-    Plane share;     ///< sum of received shares times weights
-    Plane samples;   ///< received samples: number of equal shares whose mean has as much noise
+    Plane share;  ///< sum of received shares times weights
+    Plane samples;  ///< received samples: number of equal shares whose mean has as much noise
     Plane ownShare;  ///< share that a sample of the pixel keeps for it, on average, [0, 1]
 
   private:
@@ -44,6 +44,6 @@ class PaddedSpread
     void Finish(const Received& received, std::size_t at);
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -14,8 +14,9 @@ namespace
 
 FilterInput InputOf(const PaddedBlock& around, const Rows& rows, const SpreadInput* spread)
 {
-    FilterInput input{{}, around.Noise().data(), around.Missed().data(), around.Samples().data(), around.IsTransparent() ? 5 : 3,
-                      rows.begin, rows.end, spread};
+    FilterInput input{
+        {},    around.Noise().data(), around.Missed().data(), around.Samples().data(), around.IsTransparent() ? 5 : 3, rows.begin, rows.end,
+        spread};
     for (int c = 0; c < 5; c++)
         input.mean[c] = around.Mean(c).data();
     return input;
@@ -24,7 +25,10 @@ FilterInput InputOf(const PaddedBlock& around, const Rows& rows, const SpreadInp
 SpreadInput InputOf(const PaddedSpread& spread)
 {
     return {{spread.mean[0].data(), spread.mean[1].data(), spread.mean[2].data()},
-            spread.variance.data(), spread.share.data(), spread.samples.data(), spread.ownShare.data()};
+            spread.variance.data(),
+            spread.share.data(),
+            spread.samples.data(),
+            spread.ownShare.data()};
 }
 
 FilterOutput OutputTo(ReconstructedBlock& block)

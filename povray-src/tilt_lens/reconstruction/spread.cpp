@@ -54,9 +54,13 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
     // vergence of the point for the ray through the lens centre
     const double central = vergence * (1.0 - point.a * axisA.focus - point.b * axisB.focus) / depth;
     const double across = width * central, down = -height * central;
-    return {float((x + 0.5) * width), float((0.5 - y) * height),
-            float(across * (axisA.x - x * axisA.depth)), float(across * (axisB.x - x * axisB.depth)),
-            float(down * (axisA.y - y * axisA.depth)), float(down * (axisB.y - y * axisB.depth)), this};
+    return {float((x + 0.5) * width),
+            float((0.5 - y) * height),
+            float(across * (axisA.x - x * axisA.depth)),
+            float(across * (axisB.x - x * axisB.depth)),
+            float(down * (axisA.y - y * axisA.depth)),
+            float(down * (axisB.y - y * axisB.depth)),
+            this};
 }
 
 bool ServesOthers(const CircleOfConfusion& circle)

@@ -39,9 +39,9 @@ class LensFootprint;
 /// point (a, b), in aperture coordinates. Pixels to the right and down.
 struct CircleOfConfusion
 {
-    float x = 0.0f, y = 0.0f;        ///< position of the point in the pinhole picture
+    float x = 0.0f, y = 0.0f;  ///< position of the point in the pinhole picture
     float xa = 0.0f, xb = 0.0f, ya = 0.0f, yb = 0.0f;  ///< M, row by row
-    const LensFootprint* lens = nullptr;               ///< null: the sample serves its own pixel alone
+    const LensFootprint* lens = nullptr;  ///< null: the sample serves its own pixel alone
 };
 
 /// A point in aperture coordinates, or the step from one to the next.
@@ -101,7 +101,16 @@ struct SpreadPlanes
 
     /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the sum of
     /// their squares.
-    enum Sum { kRed, kGreen, kBlue, kShare, kSquares, kSquaredShares, kSums };
+    enum Sum
+    {
+        kRed,
+        kGreen,
+        kBlue,
+        kShare,
+        kSquares,
+        kSquaredShares,
+        kSums
+    };
 
     struct Own
     {
@@ -145,6 +154,6 @@ class SpreadSums : private SpreadPlanes
     bool IsSpread() const { return spread; }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

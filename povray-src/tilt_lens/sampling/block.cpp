@@ -45,7 +45,8 @@ void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLim
             PixelEstimate& pixel = estimate.pixels[area.IndexOf(x, y)];
             PixelStatistics& own = pixel.statistics;
             while (pixel.active && own.Samples() < until)
-                TakeRound(own, x, y, own.Samples() == 0 ? until : std::min(limits.NextRound(own.Samples()), until), sent, trace, results.data());
+                TakeRound(own, x, y, own.Samples() == 0 ? until : std::min(limits.NextRound(own.Samples()), until), sent, trace,
+                          results.data());
         }
 }
 
@@ -80,7 +81,7 @@ std::vector<std::uint32_t> SamplesOf(const BlockEstimate& estimate)
     return samples;
 }
 
-} // namespace
+}  // namespace
 
 bool Block::TakeStep(int stepsTaken, const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
 {
@@ -190,12 +191,14 @@ void Block::SetResults(const BlockEstimate& last, double loneVariance)
         const PixelStatistics& own = last.pixels[i].statistics;
         // n samples miss a feature of share 1/n with probability exp(-1)
         const double missed = std::exp(-1.0) * LoneVariance(loneVariance, last.firstSamples, own.Samples());
-        results.push_back({std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed), own.Mean(), own.Samples(), own.NotFinite(), own.EmitterSamples()});
+        results.push_back({std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed), own.Mean(), own.Samples(),
+                           own.NotFinite(), own.EmitterSamples()});
     }
 }
 
 /// @param own  final statistics of the block; neighbours' statistics are those of the previous step
-void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own, const PaddedSpread* received)
+void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
+                               const PaddedSpread* received)
 {
     const Rows rows = NoisyRows(limits);
     if (rows.IsEmpty() || (limits.max == 1 && received == nullptr))
@@ -203,8 +206,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
     std::array<const BlockStatistics*, 9> known = EachOf<BlockStatistics>(neighbours, &Block::statistics);
     known[4] = own;
     const PaddedBlock padded(known);
-    const ReconstructedBlock reconstructed =
-        limits.max == 1 ? SpreadEstimates(padded, *received) : Reconstruct(padded, received, rows);
+    const ReconstructedBlock reconstructed = limits.max == 1 ? SpreadEstimates(padded, *received) : Reconstruct(padded, received, rows);
     for (std::size_t i = 0; i < results.size(); i++)
     {
         PixelResult& pixel = results[i];
@@ -235,4 +237,4 @@ Rows Block::NoisyRows(const SamplingLimits& limits) const
     return rows;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

@@ -59,8 +59,7 @@ class Block
     }
 
     /// @param width, height  of the whole picture, pixels
-    Block(const Area& area, std::uint32_t width, std::uint32_t height) :
-        area(area), width(width), height(height), sent(area, width, height)
+    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), width(width), height(height), sent(area, width, height)
     {
     }
 
@@ -104,7 +103,8 @@ class Block
     void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
                     SentSamples* sent, const Tracer& trace) const;
     void SetResults(const BlockEstimate& last, double loneVariance);
-    void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own, const PaddedSpread* received);
+    void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
+                            const PaddedSpread* received);
     /// Rows whose noise is noticeable compared with `variance`; with one sample per pixel all rows.
     Rows NoisyRows(const SamplingLimits& limits) const;
 };

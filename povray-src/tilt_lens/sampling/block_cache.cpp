@@ -36,7 +36,12 @@ Area BlocksOf(const Area& pixels)
 } // namespace
 
 BlockCache::BlockCache(const SamplingLimits& limits, std::uint32_t width, std::uint32_t height, const Area& rendered) :
-    limits(limits), width(width), height(height), blocks(BlocksOf(rendered)), firstRow(blocks.top), toCome(std::size_t(blocks.width) * blocks.height)
+    limits(limits),
+    width(width),
+    height(height),
+    blocks(BlocksOf(rendered)),
+    firstRow(blocks.top),
+    toCome(std::size_t(blocks.width) * blocks.height)
 {
     for (std::uint32_t row = blocks.top; row < blocks.Bottom(); row++)
         for (std::uint32_t column = blocks.left; column < blocks.Right(); column++)
@@ -45,8 +50,7 @@ BlockCache::BlockCache(const SamplingLimits& limits, std::uint32_t width, std::u
 
 bool BlockCache::IsInside(const Place& place) const
 {
-    return place.first >= 0 && place.second >= 0 && place.first * settings.blockSide < height &&
-           place.second * settings.blockSide < width;
+    return place.first >= 0 && place.second >= 0 && place.first * settings.blockSide < height && place.second * settings.blockSide < width;
 }
 
 Area BlockCache::PixelsOf(const Place& place) const

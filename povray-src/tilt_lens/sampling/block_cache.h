@@ -60,8 +60,8 @@ class BlockCache
     mutable std::mutex mutex;
     std::condition_variable stepTaken;
     std::uint64_t steps = 0;  ///< steps completed or interrupted
-    std::int64_t firstRow;             ///< first row of blocks with remaining pixels
-    std::vector<std::uint16_t> toCome; ///< for each of `blocks`: rendered pixels that are not yet released
+    std::int64_t firstRow;  ///< first row of blocks with remaining pixels
+    std::vector<std::uint16_t> toCome;  ///< for each of `blocks`: rendered pixels that are not yet released
     std::map<Place, Entry> entries;
 
     bool IsInside(const Place& place) const;
@@ -76,6 +76,6 @@ class BlockCache
     bool TakeStep(const Step& step);
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

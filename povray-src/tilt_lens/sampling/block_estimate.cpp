@@ -12,7 +12,8 @@ namespace tilt_lens
 
 bool BlockEstimate::HasNoise() const
 {
-    return spread || std::any_of(pixels.begin(), pixels.end(), [](const PixelEstimate& pixel) { return IsNonZero(pixel.statistics.Variance()); });
+    return spread ||
+           std::any_of(pixels.begin(), pixels.end(), [](const PixelEstimate& pixel) { return IsNonZero(pixel.statistics.Variance()); });
 }
 
 FirstRound::FirstRound(const BlockEstimate& estimate) : samples(estimate.firstSamples), pixels(estimate.pixels.size())

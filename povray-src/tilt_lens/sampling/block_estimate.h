@@ -45,7 +45,8 @@ struct BlockEstimate
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance estimated by dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: no denoising
     std::uint32_t statisticsSamples = 0;        ///< samples of an active pixel when `statistics` were computed; 0: never
-    std::shared_ptr<const PaddedSpread> spread; ///< samples spread to this block by itself and its neighbours; null: none, or not yet known
+    std::shared_ptr<const PaddedSpread>
+        spread; ///< samples spread to this block by itself and its neighbours; null: none, or not yet known
 
     explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
 

@@ -99,7 +99,8 @@ void CameraRayBatch::MakeColour(std::uint32_t place, double hue, CameraRays& ray
     if (glass == nullptr)
         return ray.Put(0, MakeColourRay(camera.lens->Solved(), sample.x, sample.y, sample.point.a, sample.point.b, hue));
     const std::uint32_t index = last.first.index - last.Place() + place;
-    const GlassSample drawn = glass->DrawColour({sample.x, sample.y}, points.lensU[place], points.lensV[place], glassSeeds.Hash(index), hue);
+    const GlassSample drawn = glass->DrawColour({sample.x, sample.y}, points.lensU[place], points.lensV[place], glassSeeds.Hash(index),
+                                                hue);
     refused = drawn.refused;
     ray.samples.weight[0] = drawn.weight;
     if (drawn.weight != 0.0)

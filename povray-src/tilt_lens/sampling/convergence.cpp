@@ -65,7 +65,7 @@ std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t
     return candidates;
 }
 
-} // namespace
+}  // namespace
 
 double ConfidenceFactor(std::uint32_t samples, double confidence)
 {
@@ -113,8 +113,8 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         }
         DecideTogether(estimate, samples);
     }
-    return std::any_of(estimate.pixels.begin(), estimate.pixels.end(), [&limits](const PixelEstimate& pixel)
-        { return pixel.active && pixel.statistics.Samples() < limits.max; });
+    return std::any_of(estimate.pixels.begin(), estimate.pixels.end(),
+                       [&limits](const PixelEstimate& pixel) { return pixel.active && pixel.statistics.Samples() < limits.max; });
 }
 
 std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits)
@@ -135,4 +135,4 @@ std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& r
     return fewest;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

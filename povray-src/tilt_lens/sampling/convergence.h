@@ -45,6 +45,6 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
 /// @return  fewest samples of an active pixel; 0: no pixel is active
 std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits);
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -33,8 +33,8 @@ namespace tilt_lens
 /// Bounding sphere of a bright object.
 struct Emitter
 {
-    Vec3 centre;      ///< relative to the lens centre, world axes, scene units
-    double radius;    ///< scene units
+    Vec3 centre;  ///< relative to the lens centre, world axes, scene units
+    double radius;  ///< scene units
     double radiance;  ///< brightest channel, 1 is white
     double around = 0.0;  ///< possible radiance of its surroundings
 };
@@ -53,7 +53,7 @@ class EmitterSampling
     /// The emitters at which a pixel's samples are aimed.
     struct Targets
     {
-        double share = 0.0;     ///< share of the pixel's samples that is aimed at emitters
+        double share = 0.0;  ///< share of the pixel's samples that is aimed at emitters
         double emission = 0.0;  ///< mean radiance that all of them together add to the pixel if nothing hides them
         struct Target
         {
@@ -81,11 +81,11 @@ class EmitterSampling
     struct Kept
     {
         Vec3 centre;
-        double radius;         ///< scene units
-        double imageRadius;    ///< radius of its sharp image, pixels
-        double emission;       ///< approximate mean radiance that it adds to a pixel within its circle of confusion
+        double radius;  ///< scene units
+        double imageRadius;  ///< radius of its sharp image, pixels
+        double emission;  ///< approximate mean radiance that it adds to a pixel within its circle of confusion
         bool chooseLensPoint;  ///< importance-sample the lens point; else the film point
-        Box covers;            ///< pixels that may see it
+        Box covers;  ///< pixels that may see it
     };
     struct Disc
     {
@@ -111,6 +111,6 @@ class EmitterSampling
     double Density(const Kept& emitter, const CameraSample& sample) const;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

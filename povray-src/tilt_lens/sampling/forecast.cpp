@@ -91,4 +91,4 @@ bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& can
     return true;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

@@ -25,7 +25,8 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
 /// Predicts the residual variance ratios of the candidates, if that may save more time than it takes.
 /// @param candidates  indices of pixels with up-to-date `variance` and `target`
 /// @return whether the ratios are of this round
-bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, std::uint32_t samples);
+bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around,
+                    std::uint32_t samples);
 
 } // namespace tilt_lens
 

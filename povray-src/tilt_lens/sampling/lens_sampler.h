@@ -46,8 +46,12 @@ class LensSampler
   public:
     /// @param width, height  of the whole picture in pixels
     LensSampler(std::shared_ptr<const LensCamera> itsCamera, std::uint32_t width, std::uint32_t height) :
-        camera(std::move(itsCamera)), lens(camera->Solved()), aperture(camera->Opening()), vignetting(camera->ThinVignetting()),
-        width(width), height(height)
+        camera(std::move(itsCamera)),
+        lens(camera->Solved()),
+        aperture(camera->Opening()),
+        vignetting(camera->ThinVignetting()),
+        width(width),
+        height(height)
     {
     }
 

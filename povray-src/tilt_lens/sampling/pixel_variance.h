@@ -42,8 +42,8 @@ class CircleVariance
 
   private:
     double weight = 0.0;  ///< weight of the received variance against the pixel's own, [0, 1]
-    double total = 0.0;   ///< variance of one received sample, summed over the channels
-    Radiance share{};     ///< share of each channel in `total`
+    double total = 0.0;  ///< variance of one received sample, summed over the channels
+    Radiance share{};  ///< share of each channel in `total`
 };
 
 /// Variance of a pixel's mean, per channel, relative to its SquaredScale.
@@ -71,8 +71,8 @@ double RatioOfMean(double dualBufferRatio, double samples, double growth);
 /// Sums over pixels and channels.
 struct VarianceRatioTerms
 {
-    double dualBuffer = 0.0;          ///< variance of the mean by the dual buffers
-    double independent = 0.0;         ///< variance of the mean if its samples were independent
+    double dualBuffer = 0.0;  ///< variance of the mean by the dual buffers
+    double independent = 0.0;  ///< variance of the mean if its samples were independent
     double squaredIndependent = 0.0;  ///< squares of each pixel's `independent`
 
     void Add(const PixelStatistics& pixel);
@@ -80,6 +80,6 @@ struct VarianceRatioTerms
     double Ratio(double before) const;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -41,8 +41,8 @@ void ProgressEstimator::Plan(const Area& rendered, bool probing)
     finished.assign(blocks, 0);
     for (std::uint32_t y = 0; y < area.height; y += settings.blockSide)
         for (std::uint32_t x = 0; x < area.width; x += settings.blockSide)
-            pixels[y / settings.blockSide * columns + x / settings.blockSide] =
-                std::min(settings.blockSide, area.width - x) * std::min(settings.blockSide, area.height - y);
+            pixels[y / settings.blockSide * columns + x / settings.blockSide] = std::min(settings.blockSide, area.width - x) *
+                                                                                std::min(settings.blockSide, area.height - y);
     given = tried = probing ? 0 : blocks;
     all = double(area.width) * area.height;
     done = 0.0;

@@ -59,12 +59,12 @@ class ProgressEstimator
     Area area{};
     std::uint32_t columns = 0;
     std::size_t given = 0, tried = 0;  ///< number of probes
-    double done = 0.0, all = 0.0;      ///< sums of pixels' weights
-    std::vector<double> weights;       ///< per pixel, by block
+    double done = 0.0, all = 0.0;  ///< sums of pixels' weights
+    std::vector<double> weights;  ///< per pixel, by block
     std::vector<std::uint32_t> pixels, finished;  ///< by block
     mutable std::mutex mutex;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

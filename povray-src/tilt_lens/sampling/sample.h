@@ -73,16 +73,18 @@ class Tracer
     using OfOne = std::function<void(const SampleId& id, SampleResult& result)>;
 
     template<class Trace, std::enable_if_t<std::is_convertible_v<Trace, OfRun>, int> = 0>
-    Tracer(Trace traceRun) : run(std::move(traceRun)) {}
+    Tracer(Trace traceRun) : run(std::move(traceRun))
+    {
+    }
 
     /// Wraps a function that traces one sample at a time.
     template<class Trace, std::enable_if_t<std::is_convertible_v<Trace, OfOne>, long> = 0>
     Tracer(Trace traceOne) :
         run([trace = std::move(traceOne)](const SampleRun& samples, SampleResult* results)
-        {
-            for (std::uint32_t i = 0; i < samples.count; i++)
-                trace(samples[i], results[i]);
-        })
+    {
+        for (std::uint32_t i = 0; i < samples.count; i++)
+            trace(samples[i], results[i]);
+    })
     {
     }
 

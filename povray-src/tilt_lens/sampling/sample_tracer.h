@@ -38,10 +38,10 @@ struct Hit
 /// Rays of consecutive samples of one pixel.
 struct RayRange
 {
-    std::uint32_t place, count;     ///< first ray in CameraRays, number of rays
-    std::uint32_t index;            ///< of the first ray's sample
-    const PixelSampler& sequence;   ///< of the pixel: has more random numbers for each sample
-    bool distances;                 ///< Hit::distance is needed
+    std::uint32_t place, count;  ///< first ray in CameraRays, number of rays
+    std::uint32_t index;  ///< of the first ray's sample
+    const PixelSampler& sequence;  ///< of the pixel: has more random numbers for each sample
+    bool distances;  ///< Hit::distance is needed
 };
 
 /// The one thing that the library asks of a renderer: to follow camera rays, one after the other, to their radiance.
@@ -79,6 +79,6 @@ class SampleTracer
     void TraceColours(std::uint32_t place, std::uint32_t index, SampleResult& result);
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

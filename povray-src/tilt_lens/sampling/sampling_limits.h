@@ -48,6 +48,6 @@ struct SamplingLimits
     bool Denoises() const { return denoise && variance > 0.0; }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -76,8 +76,7 @@ constexpr DigitTable MakeDigitTable()
             for (int digit = 0; digit < 16; ++digit)
                 for (int bit = 0; bit < 4; ++bit)
                     if ((digit >> bit) & 1)
-                        table.entry[place][digit].value[dim] ^=
-                            ReverseBits(directions.v[4 * place + bit]);
+                        table.entry[place][digit].value[dim] ^= ReverseBits(directions.v[4 * place + bit]);
     }
     return table;
 }
@@ -115,8 +114,7 @@ inline Lanes SobolPoint(std::uint32_t index)
 
 }  // namespace
 
-PixelSampler::PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
-    : key(PixelKey(x, y, seed))
+PixelSampler::PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed) : key(PixelKey(x, y, seed))
 {
     const std::uint64_t lens = StreamWord(1), pixel = StreamWord(2);
     scrambleSeed[0] = static_cast<std::uint32_t>(lens);
@@ -133,8 +131,7 @@ SequencePoint PixelSampler::operator()(std::uint32_t index) const
     for (int dim = 0; dim < dimensions; ++dim)
         point.value[dim] = ReverseBits(point.value[dim]);
 
-    return {ToUnit(point.value[0]), ToUnit(point.value[1]), ToUnit(point.value[2]),
-            ToUnit(point.value[3])};
+    return {ToUnit(point.value[0]), ToUnit(point.value[1]), ToUnit(point.value[2]), ToUnit(point.value[3])};
 }
 
 void PixelSampler::FindGroup(std::uint32_t index, SequencePoints& points) const
@@ -153,8 +150,7 @@ Pair PixelSampler::PaddedPair(std::uint32_t index, std::uint32_t number) const
         u ^= digitTable.entry[place][index & 15u].value[0];
         v ^= digitTable.entry[place][index & 15u].value[1];
     }
-    return {ToUnit(ReverseBits(Scramble(u, std::uint32_t(seeds)))),
-            ToUnit(ReverseBits(Scramble(v, std::uint32_t(seeds >> 32))))};
+    return {ToUnit(ReverseBits(Scramble(u, std::uint32_t(seeds)))), ToUnit(ReverseBits(Scramble(v, std::uint32_t(seeds >> 32))))};
 }
 
 std::uint32_t PixelHash(std::uint32_t x, std::uint32_t y, std::uint32_t seed, std::uint32_t salt)

@@ -39,7 +39,7 @@ namespace tilt_lens
 /// One point of (0, 1)^4.
 struct SequencePoint
 {
-    double lensU, lensV;    ///< for the aperture map
+    double lensU, lensV;  ///< for the aperture map
     double pixelX, pixelY;  ///< position in the pixel's square
 };
 
@@ -94,7 +94,7 @@ class PixelSampler
     std::uint32_t Hash(std::uint32_t salt) const { return std::uint32_t(StreamWord(std::uint64_t{salt} + 3) >> 32); }
 
   private:
-    std::uint64_t key;              ///< of (x, y, seed)
+    std::uint64_t key;  ///< of (x, y, seed)
     std::uint32_t scrambleSeed[4];  ///< per dimension
 
     /// Random words of the key. Words 1 and 2 scramble the samples, the later ones serve Hash().

@@ -26,9 +26,9 @@ std::mutex sceneFilesMutex; // photons are loaded while the parser runs
 std::vector<std::string> sceneFiles;
 
 /// Appends an entry once, if TILT_LENS_FILE_LIST is set.
-void List(const std::string &entry)
+void List(const std::string& entry)
 {
-    static const char *const list = std::getenv("TILT_LENS_FILE_LIST");
+    static const char* const list = std::getenv("TILT_LENS_FILE_LIST");
     if (list == nullptr || *list == '\0')
         return;
 
@@ -49,9 +49,9 @@ void List(const std::string &entry)
     }
 }
 
-}
+}  // namespace
 
-void ListFile(const std::string &name, bool found)
+void ListFile(const std::string& name, bool found)
 {
     List((found ? '+' : '-') + name);
     if (!found)
@@ -61,7 +61,7 @@ void ListFile(const std::string &name, bool found)
         sceneFiles.push_back(name);
 }
 
-void ListPicture(const std::string &name)
+void ListPicture(const std::string& name)
 {
     List('=' + name);
 }
@@ -78,4 +78,4 @@ std::vector<std::string> SceneFiles()
     return sceneFiles;
 }
 
-}
+}  // namespace tilt_lens

@@ -21,10 +21,10 @@ namespace tilt_lens
 {
 
 /// Lists `name`. Failure to write the list ends the render with an error, because an incomplete list is worse than none.
-void ListFile(const std::string &name, bool found);
+void ListFile(const std::string& name, bool found);
 
 /// Lists a written picture; fails in the same way.
-void ListPicture(const std::string &name);
+void ListPicture(const std::string& name);
 
 /// Call when parsing of a scene begins.
 void StartSceneFiles();
@@ -32,6 +32,6 @@ void StartSceneFiles();
 /// Files read since StartSceneFiles(), each once, in the order of reading.
 std::vector<std::string> SceneFiles();
 
-}
+}  // namespace tilt_lens
 
-#endif // POVRAY_TILT_LENS_FILE_LIST_H
+#endif  // POVRAY_TILT_LENS_FILE_LIST_H

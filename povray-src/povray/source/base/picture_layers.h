@@ -21,13 +21,13 @@ namespace pov_base
 
 enum
 {
-    kPOVMsgIdent_Layers          = 'LayT',
+    kPOVMsgIdent_Layers = 'LayT',
     kPOVMsgIdent_LayerAttributes = 'LayA',
 
     kPOVAttrib_OutputLayers = 'OuLa',
-    kPOVAttrib_LayerNames   = 'LayN',  ///< string: names, one per line
-    kPOVAttrib_LayerSizes   = 'LayS',  ///< of attributes: how many numbers each has
-    kPOVAttrib_LayerValues  = 'LayV'   ///< vector of floats
+    kPOVAttrib_LayerNames = 'LayN',  ///< string: names, one per line
+    kPOVAttrib_LayerSizes = 'LayS',  ///< of attributes: how many numbers each has
+    kPOVAttrib_LayerValues = 'LayV'   ///< vector of floats
 };
 
 /// One per line.

@@ -37,16 +37,15 @@ Path LayersBeside(const Path& picture)
     return path;
 }
 
-std::string Text(const Path& path) { return UCS2toASCIIString(path()); }
+std::string Text(const Path& path)
+{
+    return UCS2toASCIIString(path());
+}
 
 } // namespace
 
 LayerPicture::LayerPicture(const Path& itsFile, unsigned int itsWidth, unsigned int itsHeight) :
-    file(itsFile),
-    width(itsWidth),
-    height(itsHeight),
-    covered(size_t(itsWidth) * itsHeight, false),
-    incomplete(false)
+    file(itsFile), width(itsWidth), height(itsHeight), covered(size_t(itsWidth) * itsHeight, false), incomplete(false)
 {
 }
 
@@ -60,8 +59,8 @@ shared_ptr<LayerPicture> LayerPicture::Create(POVMS_Object& options)
     // removes an older file, as for an older picture, lest it be taken for one of this render after an interruption
     if (!options.TryGetBool(kPOVAttrib_ContinueTrace, false))
         POV_UCS2_REMOVE(path().c_str());
-    return shared_ptr<LayerPicture>(new LayerPicture(path, options.TryGetInt(kPOVAttrib_Width, 160),
-                                                     options.TryGetInt(kPOVAttrib_Height, 120)));
+    return shared_ptr<LayerPicture>(
+        new LayerPicture(path, options.TryGetInt(kPOVAttrib_Width, 160), options.TryGetInt(kPOVAttrib_Height, 120)));
 }
 
 std::string LayerPicture::Problem(POVMS_Object& options)
@@ -83,8 +82,7 @@ std::string LayerPicture::Problem(POVMS_Object& options)
 std::string LayerPicture::Remark(POVMS_Object& options)
 {
     const bool exr = options.TryGetInt(kPOVAttrib_OutputFileType, DEFAULT_OUTPUT_FORMAT) == kPOVList_FileType_OpenEXR;
-    if (exr || !options.TryGetBool(kPOVAttrib_OutputToFile, true) ||
-        options.TryGetInt(kPOVAttrib_BitsPerColor, 8) != kFloatBits)
+    if (exr || !options.TryGetBool(kPOVAttrib_OutputToFile, true) || options.TryGetInt(kPOVAttrib_BitsPerColor, 8) != kFloatBits)
         return std::string();
     return "Bits_Per_Color=32 with a file type other than OpenEXR: only OpenEXR holds 32-bit colours, others get 16 bits "
            "at most, as they always did. Use +FE32 (Output_File_Type=E) for 32, or ask for 16.";
@@ -104,9 +102,7 @@ void LayerPicture::Take(const ViewData& view, POVMSType ident, POVMS_Object& mes
                 view.imageBackup->flush();
             }
             break;
-        case kPOVMsgIdent_LayerAttributes:
-            view.layers->TakeAttributes(message);
-            break;
+        case kPOVMsgIdent_LayerAttributes: view.layers->TakeAttributes(message); break;
         case kPOVMsgIdent_PixelBlockSet:
         case kPOVMsgIdent_PixelSet:
             if (message.Exist(kPOVAttrib_PixelId))
@@ -128,7 +124,7 @@ void LayerPicture::TakeTile(POVMS_Object& message)
     std::vector<POVMSFloat>::const_iterator value = values.begin();
     for (const std::string& name : names)
     {
-        std::vector<std::vector<float> >& rows = channels[name];
+        std::vector<std::vector<float>>& rows = channels[name];
         rows.resize(height);
         for (unsigned int y = top; y <= bottom; y++, value += right - left + 1)
         {
@@ -180,7 +176,7 @@ void LayerPicture::Write() const
     std::vector<std::string> names;
     for (const auto& channel : channels)
         names.push_back(channel.first);
-    const auto row = [&](unsigned int y, std::vector<std::vector<float> >& values)
+    const auto row = [&](unsigned int y, std::vector<std::vector<float>>& values)
     {
         size_t i = 0;
         for (const auto& channel : channels)

@@ -49,10 +49,10 @@ class LayerPicture
   private:
     const pov_base::Path file;
     const unsigned int width, height;
-    std::map<std::string, std::vector<std::vector<float> > > channels;  ///< rows; empty without a tile
+    std::map<std::string, std::vector<std::vector<float>>> channels;  ///< rows; empty without a tile
     pov_base::OpenEXR::FloatAttributes attributes;
     std::vector<bool> covered;  ///< by pixel: has layers
-    bool incomplete;            ///< some finished tile has no layers
+    bool incomplete;  ///< some finished tile has no layers
 
     LayerPicture(const pov_base::Path& file, unsigned int width, unsigned int height);
 
@@ -61,6 +61,6 @@ class LayerPicture
     void RequireTile(POVMS_Object& message);
 };
 
-} // namespace pov_frontend
+}  // namespace pov_frontend
 
 #endif

@@ -108,8 +108,8 @@ std::string Declared(POVMS_Object& options)
         list.GetNth(i, item);
         item.Get(kPOVAttrib_Value, value);
         lines.push_back("Declare " + item.GetString(kPOVAttrib_Identifier) + "=" +
-                        (value.Type() == kPOVMSType_CString ? item.GetString(kPOVAttrib_Value)
-                                                            : Text(item.GetFloat(kPOVAttrib_Value))) + "\n");
+                        (value.Type() == kPOVMSType_CString ? item.GetString(kPOVAttrib_Value) : Text(item.GetFloat(kPOVAttrib_Value))) +
+                        "\n");
     }
     std::sort(lines.begin(), lines.end());
     std::string text;
@@ -198,7 +198,13 @@ bool Fits(const std::string& before, const std::string& now)
 /// Contents of a state file before its tiles.
 struct Start
 {
-    enum Kind { kNothing, kNoState, kNoKey, kKey } kind;
+    enum Kind
+    {
+        kNothing,
+        kNoState,
+        kNoKey,
+        kKey
+    } kind;
     std::string key;
 };
 
@@ -287,15 +293,9 @@ std::string CompareState(const Path& file, const std::string& key, bool refuse)
     std::string problem;
     switch (start.kind)
     {
-        case Start::kNothing:
-            POV_UCS2_REMOVE(file().c_str());
-            return std::string();
-        case Start::kNoState:
-            problem = name + "is not one of POV-Ray's, or is damaged. ";
-            break;
-        case Start::kNoKey:
-            problem = name + "does not say which render it belongs to: another program wrote it. ";
-            break;
+        case Start::kNothing: POV_UCS2_REMOVE(file().c_str()); return std::string();
+        case Start::kNoState: problem = name + "is not one of POV-Ray's, or is damaged. "; break;
+        case Start::kNoKey: problem = name + "does not say which render it belongs to: another program wrote it. "; break;
         case Start::kKey:
             if (start.key == key)
                 return std::string();
@@ -304,7 +304,8 @@ std::string CompareState(const Path& file, const std::string& key, bool refuse)
             break;
     }
     if (refuse)
-        throw POV_EXCEPTION(kCannotHandleRequestErr, problem + (start.kind == Start::kKey ? "Undo that to continue it, or render" : "Render") +
+        throw POV_EXCEPTION(kCannotHandleRequestErr, problem +
+                                                         (start.kind == Start::kKey ? "Undo that to continue it, or render" : "Render") +
                                                          " anew without +C (Continue_Trace), which replaces the file.");
     return start.kind == Start::kNoState ? problem + "It is replaced."
                                          : problem + "What it holds is kept, and may not fit the rest of the picture.";

@@ -26,7 +26,7 @@ struct ViewData;
 enum
 {
     kPOVMsgIdent_StateKey = 'StKe',
-    kPOVAttrib_StateKey   = 'StKe'  ///< string
+    kPOVAttrib_StateKey = 'StKe'  ///< string
 };
 
 /// Key of the render that is about to start; call after parsing.

@@ -54,8 +54,7 @@ bool IsStandardStream(const std::string& name)
     return name == "-" || strcasecmp(name.c_str(), "stdout") == 0 || strcasecmp(name.c_str(), "stderr") == 0;
 }
 
-WholeFile::WholeFile(const UCS2String& filename)
-    : target(pov_base::UCS2toASCIIString(filename))
+WholeFile::WholeFile(const UCS2String& filename) : target(pov_base::UCS2toASCIIString(filename))
 {
     if (!IsStandardStream(target))
         target = Resolved(target);
@@ -98,9 +97,9 @@ void WholeFile::Finish(boost::scoped_ptr<OStream>& file)
 void WholeFile::Fail(const pov_base::Exception& cause) const
 {
     const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : std::string();
-    throw POV_EXCEPTION(pov_base::kFileDataErr,
-                        "Cannot write the picture '" + target + "' (" + cause.what() + reason + "). Make room there, then "
-                        "continue with +C: what is in the state file need not be rendered again.");
+    throw POV_EXCEPTION(pov_base::kFileDataErr, "Cannot write the picture '" + target + "' (" + cause.what() + reason +
+                                                    "). Make room there, then "
+                                                    "continue with +C: what is in the state file need not be rendered again.");
 }
 
 void RemoveState(std::shared_ptr<OStream>& file, const pov_base::Path& name)

@@ -24,13 +24,11 @@ std::filesystem::path Prefix()
     return program.parent_path().parent_path();
 }
 
-}
+}  // namespace
 
-Folder::Folder(const char *relative) : mPath((Prefix() / relative).string())
-{
-}
+Folder::Folder(const char* relative) : mPath((Prefix() / relative).string()) {}
 
-const char *Folder::operator/(const char *tail) const
+const char* Folder::operator/(const char* tail) const
 {
     static std::mutex mutex;
     static std::set<std::string> names; // a set never moves its elements
@@ -38,16 +36,16 @@ const char *Folder::operator/(const char *tail) const
     return names.insert(mPath + tail).first->c_str();
 }
 
-const Folder &DataFolder()
+const Folder& DataFolder()
 {
     static const Folder folder("share/povray-3.7");
     return folder;
 }
 
-const Folder &ConfigFolder()
+const Folder& ConfigFolder()
 {
     static const Folder folder("etc/povray/3.7");
     return folder;
 }
 
-}
+}  // namespace povray_install

@@ -18,26 +18,26 @@ namespace povray_install
 
 class Folder
 {
-public:
-    explicit Folder(const char *relative);
+  public:
+    explicit Folder(const char* relative);
 
     /// This folder's name followed by `tail`, valid for the whole run.
-    const char *operator/(const char *tail) const;
+    const char* operator/(const char* tail) const;
 
-private:
+  private:
     std::string mPath;
 };
 
 /// `<prefix>/share/povray-3.7`: include files, fonts, ini files.
-const Folder &DataFolder();
+const Folder& DataFolder();
 
 /// `<prefix>/etc/povray/3.7`: `povray.ini` and `povray.conf`.
-const Folder &ConfigFolder();
+const Folder& ConfigFolder();
 
-}
+}  // namespace povray_install
 
 // the empty literal concatenates with a literal that follows the macro
-#define POVLIBDIR  ::povray_install::DataFolder() / ""
+#define POVLIBDIR ::povray_install::DataFolder() / ""
 #define POVCONFDIR ::povray_install::ConfigFolder() / ""
 
-#endif // POVRAY_TILT_LENS_INSTALL_FOLDERS_H
+#endif  // POVRAY_TILT_LENS_INSTALL_FOLDERS_H

@@ -21,12 +21,8 @@ void OrderPhotons(PhotonMap& map)
     for (int i = 0; i < map.numPhotons; i++)
         photons[i] = PHOTON_AMF(map.head, i);
     const auto values = [](const Photon& p)
-    {
-        return std::tie(p.Loc[X], p.Loc[Y], p.Loc[Z], p.colour[0], p.colour[1], p.colour[2], p.colour[3], p.theta, p.phi,
-                        p.info);
-    };
-    std::sort(photons.begin(), photons.end(),
-              [&](const Photon& a, const Photon& b) { return values(a) < values(b); });
+    { return std::tie(p.Loc[X], p.Loc[Y], p.Loc[Z], p.colour[0], p.colour[1], p.colour[2], p.colour[3], p.theta, p.phi, p.info); };
+    std::sort(photons.begin(), photons.end(), [&](const Photon& a, const Photon& b) { return values(a) < values(b); });
     for (int i = 0; i < map.numPhotons; i++)
         PHOTON_AMF(map.head, i) = photons[i];
     std::srand(1);  // the C library's initial state

@@ -37,7 +37,8 @@ void RequireOneMeaning(const Camera& camera)
                camera.Aperture, *s.fStop);
     if (!(camera.Aperture >= 0.0) || !std::isfinite(camera.Aperture))
         Refuse("aperture %g in a camera with tilt_lens. It is twice the lens diameter and must be finite and not negative; give another "
-               "value.", camera.Aperture);
+               "value.",
+               camera.Aperture);
     if (s.blades > 0 && camera.Bokeh != NULL)
         Refuse("blades %d and bokeh in one camera: both shape the aperture. One is allowed; remove blades or bokeh.", s.blades);
     if (s.character.edgeLight != 0.0 && camera.Bokeh != NULL)
@@ -51,13 +52,13 @@ void RequireOneMeaning(const Camera& camera)
 /// The first item that gives an ideal lens an aberration, or NULL.
 const char* CharacterAsked(const Character& c)
 {
-    return c.edgeLight != 0.0            ? "edge_light"
-           : c.opticalVignetting != 0.0  ? "optical_vignetting"
-           : c.Distorts()                ? "distortion"
-           : c.fieldCurvature != 0.0     ? "field_curvature"
-           : c.lateralColour != 0.0      ? "lateral_colour"
-           : c.axialColour != 0.0        ? "axial_colour"
-                                         : NULL;
+    return c.edgeLight != 0.0           ? "edge_light"
+           : c.opticalVignetting != 0.0 ? "optical_vignetting"
+           : c.Distorts()               ? "distortion"
+           : c.fieldCurvature != 0.0    ? "field_curvature"
+           : c.lateralColour != 0.0     ? "lateral_colour"
+           : c.axialColour != 0.0       ? "axial_colour"
+                                        : NULL;
 }
 
 /// Refuses items that a lens of glass determines itself.
@@ -81,10 +82,12 @@ void RequireOneLens(const Camera& camera)
     const double own = tilt_lens::GlassLens(*s.prescription).Cardinal().focalLength;
     if (s.focalLength)
         Refuse("focal_length %g and prescription in one camera: the lens of glass has its own, %g mm. Remove focal_length, or give it to "
-               "the prescription, as in prescription \"FILE\", %g.", *s.focalLength, own, *s.focalLength);
+               "the prescription, as in prescription \"FILE\", %g.",
+               *s.focalLength, own, *s.focalLength);
     if (camera.TiltLens.items.angle)
         Refuse("angle %g and prescription in one camera: the lens of glass has its own focal length, %g mm, which sets the angle of view. "
-               "Remove angle; film_width changes the view, too.", camera.Angle, own);
+               "Remove angle; film_width changes the view, too.",
+               camera.Angle, own);
     if (camera.Bokeh != NULL)
         Refuse("bokeh and prescription in one camera: a picture cannot stand for the stop of a lens of glass. Remove one of the two; "
                "blades and squeeze give a stop its shape.");
@@ -99,10 +102,12 @@ void RequireFilm(const Statement& s)
         return;
     if (s.family == FocusFamily::FocusTurn)
         Refuse("%s beside focus_tilt or focus_swing in tilt_lens. It is for a lens that is turned by tilt and swing after it was focused; "
-               "use these, or focal_point in its place.", s.filmDistance ? "film_distance" : "focus_scale");
+               "use these, or focal_point in its place.",
+               s.filmDistance ? "film_distance" : "focus_scale");
     if (s.filmDistance && !s.focalLength && !s.prescription)
         Refuse("film_distance %g without focal_length in tilt_lens: without it the angle of view says where the film is. Give "
-               "focal_length, or focus_scale in place of film_distance.", *s.filmDistance);
+               "focal_length, or focus_scale in place of film_distance.",
+               *s.filmDistance);
 }
 
 /// A blur limit needs sharp points, and nothing else may set the aperture.
@@ -116,7 +121,8 @@ void RequireSharpPoints(const Camera& camera)
     const double limit = lens.sharpWithinPixels ? *lens.sharpWithinPixels : *s.sharpWithin;
     if (lens.sharpWithinPixels && s.sharpWithin)
         Refuse("sharp_within %g and circle_of_confusion %g in one tilt_lens: both say how much blur is allowed, in pixels and in "
-               "millimetres of film. One is allowed; remove the other.", limit, *s.sharpWithin);
+               "millimetres of film. One is allowed; remove the other.",
+               limit, *s.sharpWithin);
     if (s.family != FocusFamily::SharpPoints)
         Refuse("%s %g without sharp_points in tilt_lens: nothing says what must be within it. Give sharp_points, or f_stop in place of %s.",
                word, limit, word);
@@ -132,7 +138,10 @@ void RequireAperture(const Camera& camera)
     const TiltLensCamera& lens = camera.TiltLens;
     if (lens.aids.Any() && camera.Aperture == 0.0 && !lens.statement.fStop && !lens.statement.prescription && lens.BlurLimitWord() == NULL)
         Refuse("%s in a camera without an aperture: everything is sharp, so there is nothing to show. Give aperture or f_stop, or remove "
-               "it.", lens.aids.peaking ? "focus_peaking" : lens.aids.map ? "focus_map" : "show_planes");
+               "it.",
+               lens.aids.peaking ? "focus_peaking"
+               : lens.aids.map   ? "focus_map"
+                                 : "show_planes");
 }
 
 } // namespace
@@ -153,7 +162,8 @@ void RequireQuality(const CameraDraft& draft)
                draft.variance);
     if (!(draft.confidence > 0.0 && draft.confidence <= 1.0))
         Refuse("confidence %g in a camera with tilt_lens. More than 0 and less than 1 is allowed, 0.9 is the default; give another value "
-               "or remove confidence.", draft.confidence);
+               "or remove confidence.",
+               draft.confidence);
 }
 
 void RequireFocalPoint(const TiltLensCamera& lens)
@@ -179,8 +189,8 @@ std::string FocalPointWarning(const Camera& camera)
     const Vec3 p = FromPov(camera.Focal_Point);
     for (const TiltLensItem& item : kTiltLensItems)
         if (item.statesDistance && camera.TiltLens.words.count(item.word) > 0)
-            return Printed("focal_point <%g, %g, %g> has no effect beside %s, which says where the focus lies. Remove one of the two.",
-                           p.x, p.y, p.z, item.word);
+            return Printed("focal_point <%g, %g, %g> has no effect beside %s, which says where the focus lies. Remove one of the two.", p.x,
+                           p.y, p.z, item.word);
     return "";
 }
 
@@ -191,7 +201,8 @@ std::string SkyWarning(const Vec3& itsSky, const Vec3& assumed)
         return "";
     return Printed("The camera's sky is <%g, %g, %g>, but Tilt_Lens_Sky, which tells the macros of tilt_lens.inc "
                    "what is up, is <%g, %g, %g>. If you use them, #declare Tilt_Lens_Sky = <%g, %g, %g> "
-                   "before the camera.", sky.x, sky.y, sky.z, up.x, up.y, up.z, sky.x, sky.y, sky.z);
+                   "before the camera.",
+                   sky.x, sky.y, sky.z, up.x, up.y, up.z, sky.x, sky.y, sky.z);
 }
 
 } // namespace pov

@@ -30,12 +30,21 @@ struct Parameter
 
 const char kVector[] = "a point <x, y, z>", kPair[] = "a vector of two numbers", kArray[] = "an array", kText[] = "a text";
 
-const Parameter kParameters[] = {
-    {"Location", kVector, "<0, 1.6, -6>"}, {"Look_At", kVector, "<0, 1, 0>"}, {"Subject", kVector, "<0, 1, 0>"},
-    {"Other", kVector, "<0, 1, 0>"}, {"Near", kVector, "<0, 0, 2>"}, {"Far", kVector, "<0, 0, 20>"},
-    {"Lower_Left", kVector, "<-5, 0, 0>"}, {"Lower_Right", kVector, "<5, 0, 0>"}, {"Upper_Left", kVector, "<-5, 8, 0>"},
-    {"Shift", kPair, "<0, 8>"}, {"Film", kArray, "Tilt_Lens_Film_Full_Frame"}, {"Lens", kArray, "Tilt_Lens_TS_24"},
-    {"File", kText, "\"lenses/zeiss_planar_50.dat\""}, {"Macro", kText, "\"Name\""}, {"Name", kText, "\"Name\""}};
+const Parameter kParameters[] = {{"Location", kVector, "<0, 1.6, -6>"},
+                                 {"Look_At", kVector, "<0, 1, 0>"},
+                                 {"Subject", kVector, "<0, 1, 0>"},
+                                 {"Other", kVector, "<0, 1, 0>"},
+                                 {"Near", kVector, "<0, 0, 2>"},
+                                 {"Far", kVector, "<0, 0, 20>"},
+                                 {"Lower_Left", kVector, "<-5, 0, 0>"},
+                                 {"Lower_Right", kVector, "<5, 0, 0>"},
+                                 {"Upper_Left", kVector, "<-5, 8, 0>"},
+                                 {"Shift", kPair, "<0, 8>"},
+                                 {"Film", kArray, "Tilt_Lens_Film_Full_Frame"},
+                                 {"Lens", kArray, "Tilt_Lens_TS_24"},
+                                 {"File", kText, "\"lenses/zeiss_planar_50.dat\""},
+                                 {"Macro", kText, "\"Name\""},
+                                 {"Name", kText, "\"Name\""}};
 
 const Parameter kNumber = {"", "a number", "24"};
 
@@ -83,8 +92,8 @@ void TiltLensParser::CheckMacro(const char* macro, SYM_ENTRY* const* arguments, 
         const char* found = KindOf(byName ? *static_cast<Parser::POV_PARAM*>(argument.Data)->NumberPtr : argument.Token_Number);
         const Parameter& wanted = ParameterNamed(names[i]);
         if (!IsAllowed(found, wanted.kind))
-            ErrorAt(Here(), Printed("%s: %s is %s. It must be %s; write for example %s.", macro, names[i], found, wanted.kind,
-                                    wanted.example));
+            ErrorAt(Here(),
+                    Printed("%s: %s is %s. It must be %s; write for example %s.", macro, names[i], found, wanted.kind, wanted.example));
     }
 }
 

@@ -36,7 +36,10 @@ namespace
 
 const int kReservedWords = 0;  // the parser's symbol table that holds them
 
-bool IsMacroOfInclude(const char* name) { return std::strncmp(name, "Tilt_Lens_", 10) == 0; }
+bool IsMacroOfInclude(const char* name)
+{
+    return std::strncmp(name, "Tilt_Lens_", 10) == 0;
+}
 
 /// Refuses an item that stands twice, an item of a second family of focus, and a second one that says how far away the focus lies.
 void RequireNew(const TiltLensItem& item, const std::set<std::string>& words)
@@ -48,10 +51,12 @@ void RequireNew(const TiltLensItem& item, const std::set<std::string>& words)
         const TiltLensItem& other = *FindTiltLensItem(word);
         if (item.family && other.family && *item.family != *other.family)
             Refuse("'%s' and '%s' in one tilt_lens: both say where the focus lies. One of tilt and swing, focus_tilt and focus_swing, "
-                   "focal_plane, focal_points, sharp_points is allowed; remove the others.", other.word, item.word);
+                   "focal_plane, focal_points, sharp_points is allowed; remove the others.",
+                   other.word, item.word);
         if (item.statesDistance && other.statesDistance)
             Refuse("'%s' and '%s' in one tilt_lens: both say how far away the focus lies. One of focus_on, focus_at, film_distance, "
-                   "focus_scale, focal_plane, focal_points, sharp_points is allowed; remove the others.", other.word, item.word);
+                   "focus_scale, focal_plane, focal_points, sharp_points is allowed; remove the others.",
+                   other.word, item.word);
     }
 }
 
@@ -59,7 +64,8 @@ void RequireAidsTogether(const tilt_lens::FocusAids& aids)
 {
     if (aids.map && (aids.peaking || aids.planes))
         Refuse("focus_map and %s in one tilt_lens: a tint would falsify the map's colours. focus_peaking and show_planes may go together, "
-               "focus_map stands alone; remove one.", aids.peaking ? "focus_peaking" : "show_planes");
+               "focus_map stands alone; remove one.",
+               aids.peaking ? "focus_peaking" : "show_planes");
 }
 
 } // namespace
@@ -72,7 +78,10 @@ void TiltLensParser::DeclareFeature()
     *static_cast<DBL*>(entry->Data) = 1.0;
 }
 
-CameraDraft& TiltLensParser::Draft(const Camera& camera) { return parser.Camera_Drafts[&camera]; }
+CameraDraft& TiltLensParser::Draft(const Camera& camera)
+{
+    return parser.Camera_Drafts[&camera];
+}
 
 /// The call, outside of tilt_lens.inc, of the macro that is being run; nothing outside of its macros.
 std::optional<TiltLensPlace> TiltLensParser::Call() const
@@ -106,8 +115,8 @@ TiltLensPlace TiltLensParser::Here() const
 
 void TiltLensParser::ErrorAt(const TiltLensPlace& place, const std::string& text)
 {
-    parser.messageFactory.ErrorAt(POV_EXCEPTION(kParseErr, text), place.file.c_str(), place.line, place.column, place.offset,
-                                  "%s", text.c_str());
+    parser.messageFactory.ErrorAt(POV_EXCEPTION(kParseErr, text), place.file.c_str(), place.line, place.column, place.offset, "%s",
+                                  text.c_str());
 }
 
 void TiltLensParser::WarningAt(const TiltLensPlace& place, const std::string& text, unsigned int level)
@@ -146,8 +155,10 @@ void TiltLensParser::At(const TiltLensPlace& place, const Task& task)
 void TiltLensParser::ParseBlock(Camera& camera)
 {
     if (parser.sceneData->languageVersion < 350)
-        parser.Error("tilt_lens in a camera of language version %g. It needs the camera syntax of version 3.5 or later; put '#version 3.7;' "
-                     "at the top of the scene.", parser.sceneData->languageVersion / 100.0);
+        parser.Error(
+            "tilt_lens in a camera of language version %g. It needs the camera syntax of version 3.5 or later; put '#version 3.7;' "
+            "at the top of the scene.",
+            parser.sceneData->languageVersion / 100.0);
     if (camera.Type != PERSPECTIVE_CAMERA)
         parser.Error("tilt_lens in a camera that is not perspective. Only the perspective camera has a lens; remove the word for the "
                      "camera's type, or the tilt_lens block.");
@@ -165,9 +176,14 @@ void TiltLensParser::ParseBlock(Camera& camera)
             macro->Token_Number = token;
     };
     mark(IDENTIFIER_TOKEN); // so that they look undeclared
-    BOOST_SCOPE_EXIT_ALL(&) { mark(MACRO_ID_TOKEN); };
+    BOOST_SCOPE_EXIT_ALL(&)
+    {
+        mark(MACRO_ID_TOKEN);
+    };
     parser.Parse_Begin();
-    while (ParseItem(lens)) {}
+    while (ParseItem(lens))
+    {
+    }
     parser.Parse_End();
     lens.items = camera.TiltLens.items;
     lens.statement.focalPoint = camera.TiltLens.statement.focalPoint;
@@ -218,8 +234,8 @@ void TiltLensParser::RefuseWord(const std::string& word)
     if (IsCameraWord(word))
         Refuse("'%s' inside tilt_lens. It is an item of the camera itself; write it outside the tilt_lens block.", word.c_str());
     if (parser.Find_Symbol(kReservedWords, word.c_str()) != NULL)
-        Refuse("'%s' inside tilt_lens. It is no item of the block; is the } of tilt_lens missing before it? Known are %s.",
-               word.c_str(), names.c_str());
+        Refuse("'%s' inside tilt_lens. It is no item of the block; is the } of tilt_lens missing before it? Known are %s.", word.c_str(),
+               names.c_str());
     Refuse("Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(), NearestTiltLensItem(word).word, names.c_str());
 }
 
@@ -250,14 +266,18 @@ std::optional<Vec3> TiltLensParser::DeclaredVector(const char* name)
     return std::nullopt;
 }
 
-void TiltLensParser::WarnLater(Camera& camera, const char* text) { Draft(camera).warnings.push_back({Here(), text}); }
+void TiltLensParser::WarnLater(Camera& camera, const char* text)
+{
+    Draft(camera).warnings.push_back({Here(), text});
+}
 
 /// Where the parser meets a word for another type of camera, behind the block.
 void TiltLensParser::RefuseOtherType(const Camera& camera)
 {
     if (camera.TiltLens.given)
         parser.Error("%s in a camera with tilt_lens. Only the perspective camera has a lens; remove the word for the camera's type, or the "
-                     "tilt_lens block.", parser.Token.Token_String);
+                     "tilt_lens block.",
+                     parser.Token.Token_String);
 }
 
 /// Where a camera should end.

@@ -100,7 +100,8 @@ class TiltLensParser
     void WarningAt(const TiltLensPlace& place, const std::string& text, unsigned int level = 0);
 
     /// Calls something, and gives its OpticsError a place.
-    template<class Task> void At(const TiltLensPlace& place, const Task& task);
+    template<class Task>
+    void At(const TiltLensPlace& place, const Task& task);
 };
 
 } // namespace pov

@@ -41,8 +41,8 @@ void ReadBrace(Parser& parser, int brace, const char* sign)
         return;
     const bool atEnd = parser.Token.Token_Id == END_OF_FILE_TOKEN;
     const std::string found = atEnd ? "the end of the file" : "'" + std::string(parser.Token.Token_String) + "'";
-    Refuse("Missing %s of focal_plane in tilt_lens: found %s in its place. Write it as focal_plane { <normal>, distance }.",
-           sign, found.c_str());
+    Refuse("Missing %s of focal_plane in tilt_lens: found %s in its place. Write it as focal_plane { <normal>, distance }.", sign,
+           found.c_str());
 }
 
 /// A point, or `focus_on` or `focus_at` with its value, unless the scene has an identifier of that name.
@@ -86,7 +86,8 @@ std::string ReadWhole(Parser& parser, const std::string& name)
         Locate_File(&parser, parser.sceneData, ASCIItoUCS2String(name.c_str()), POV_File_Text_User, found, false));
     if (!stream)
         Refuse("prescription \"%s\" in tilt_lens: the file cannot be found or opened. It is searched for beside the scene and in the "
-               "folders of +L; mend the name or add its folder.", name.c_str());
+               "folders of +L; mend the name or add its folder.",
+               name.c_str());
     std::string text;
     for (int c = stream->Read_Byte(); !stream->eof() && c != EOF; c = stream->Read_Byte())
     {
@@ -109,7 +110,8 @@ std::string ReadName(Parser& parser)
                             LEFT_ANGLE_TOKEN, SEMI_COLON_TOKEN})
         if (token == other)
             Refuse("prescription in tilt_lens has no file: found '%s' in its place. Write it as prescription \"FILE\", or with the focal "
-                   "length in mm that the lens is made larger or smaller to, prescription \"FILE\", 50.", found.c_str());
+                   "length in mm that the lens is made larger or smaller to, prescription \"FILE\", 50.",
+                   found.c_str());
     char* text = parser.Parse_C_String(true);
     const std::string name(text);
     POV_FREE(text);
@@ -182,16 +184,19 @@ void ReadSharpPoints(ItemReader& reader, TiltLensCamera& lens)
             Refuse("sharp_points in tilt_lens has more than %d points. %d to %d are allowed; leave out those that lie between others.",
                    kMostSharpPoints, kFewestSharpPoints, kMostSharpPoints);
         points.push_back(ReadPoint(reader, lens.pointTargets));
-    } while (reader.NextIsComma());
+    }
+    while (reader.NextIsComma());
     Parser& parser = reader.parser;
     parser.Get_Token();
     if (parser.Token.Token_Id == LEFT_ANGLE_TOKEN)
         Refuse("sharp_points in tilt_lens: found a point without a comma before it, behind %d. Write a comma between points, as in "
-               "sharp_points A, B, C.", int(points.size()));
+               "sharp_points A, B, C.",
+               int(points.size()));
     parser.Unget_Token();
     if (points.size() < kFewestSharpPoints)
         Refuse("sharp_points in tilt_lens has %d point%s. %d to %d are allowed, with commas between them; give more, or focal_point in the "
-               "camera for one.", int(points.size()), points.size() == 1 ? "" : "s", kFewestSharpPoints, kMostSharpPoints);
+               "camera for one.",
+               int(points.size()), points.size() == 1 ? "" : "s", kFewestSharpPoints, kMostSharpPoints);
 }
 
 void ReadFocusAt(ItemReader& reader, TiltLensCamera& lens)
@@ -239,7 +244,8 @@ void ReadFocusPeaking(ItemReader& reader, TiltLensCamera& lens)
     if (after.Token_File_Pos.lineno == before.Token_File_Pos.lineno && after.Token_Col_No == before.Token_Col_No &&
         after.FileHandle == before.FileHandle)
         Refuse("focus_peaking in tilt_lens has no colour: found '%s' in its place. It takes a colour, and perhaps a comma and a number of "
-               "pixels; write it as focus_peaking rgb <1, 0, 0>.", after.Token_String);
+               "pixels; write it as focus_peaking rgb <1, 0, 0>.",
+               after.Token_String);
     parser.Unget_Token();
     aids.peakingColour = {colour.red(), colour.green(), colour.blue()};
     // the tint is light, which OpenEXR's half floats must hold
@@ -247,7 +253,8 @@ void ReadFocusPeaking(ItemReader& reader, TiltLensCamera& lens)
     for (double number : {colour.red(), colour.green(), colour.blue()})
         if (!(std::fabs(number) <= kMost))
             Refuse("focus_peaking's colour in tilt_lens is <%g, %g, %g>. All three numbers must be finite and at most %g, which is what "
-                   "pictures hold; check the expression.", colour.red(), colour.green(), colour.blue(), kMost);
+                   "pictures hold; check the expression.",
+                   colour.red(), colour.green(), colour.blue(), kMost);
     if (reader.NextIsComma())
         aids.peakingPixels = reader.Number("focus_peaking's pixels", kPositive);
 }

@@ -40,8 +40,8 @@ const NumberRange kEdgeLight = Within(-kMostEdgeLight, kMostEdgeLight, "light in
 const NumberRange kRim = Within(0, kMostOpticalVignetting, "lens diameters by which the rim covers the corners' aperture");
 const NumberRange kBend = Within(-1, 1, "pincushion to barrel");
 const NumberRange kNearBend = Within(-1, 1, "pincushion to barrel, where the picture is focused nearer");
-const NumberRange kImageOfSides =
-    Within(-100, 100, "millimetres by which the image at the film's left and right edge lies in front of the film");
+const NumberRange kImageOfSides = Within(-100, 100,
+                                         "millimetres by which the image at the film's left and right edge lies in front of the film");
 const NumberRange kFringe = Within(-100, 100, "millimetres between the images of the ends of the spectrum");
 
 #define SET(member) [](TiltLensCamera& lens, double value) { lens.member = value; }
@@ -100,9 +100,9 @@ namespace
 {
 
 /// Items of the camera that users expect inside the block.
-const char* const kCameraWords[] = {"aperture", "focal_point", "look_at", "blur_samples", "confidence", "variance", "bokeh", "angle",
-                                    "location", "direction", "right", "up", "sky", "normal", "translate", "rotate", "scale", "matrix",
-                                    "transform", "perspective"};
+const char* const kCameraWords[] = {"aperture",  "focal_point", "look_at",   "blur_samples", "confidence", "variance",   "bokeh",
+                                    "angle",     "location",    "direction", "right",        "up",         "sky",        "normal",
+                                    "translate", "rotate",      "scale",     "matrix",       "transform",  "perspective"};
 
 std::string Lowercase(std::string word)
 {
@@ -150,7 +150,7 @@ const TiltLensItem& NearestTiltLensItem(const std::string& found)
 {
     const std::string word = Lowercase(found);
     return *std::min_element(kTiltLensItems.begin(), kTiltLensItems.end(), [&](const TiltLensItem& a, const TiltLensItem& b)
-                             { return EditDistance(word, a.word) < EditDistance(word, b.word); });
+    { return EditDistance(word, a.word) < EditDistance(word, b.word); });
 }
 
 bool LooksLikeTiltLens(const std::string& found)

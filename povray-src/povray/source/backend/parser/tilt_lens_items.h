@@ -36,12 +36,12 @@ struct ItemNumber
 struct TiltLensItem
 {
     const char* word;
-    const char* values;   ///< as in the manual, by their units or kinds
+    const char* values;  ///< as in the manual, by their units or kinds
     const char* example;  ///< of the values
     std::vector<ItemNumber> numbers;  ///< all but the first are optional
     void (*read)(ItemReader& reader, TiltLensCamera& lens) = NULL;  ///< for values that are not these numbers
     std::optional<tilt_lens::FocusFamily> family = {};
-    bool statesDistance = false;      ///< of the focus
+    bool statesDistance = false;  ///< of the focus
 
     /// The item with values.
     std::string Example() const;
@@ -64,6 +64,6 @@ std::string TiltLensItemNames();
 /// True for an item of the camera that users expect inside the block.
 bool IsCameraWord(const std::string& word);
 
-} // namespace pov
+}  // namespace pov
 
 #endif

@@ -109,7 +109,7 @@ void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const st
             block.At(positions[2], pixel) = point.z;
             if (view.GetTiltLens())
                 block.At(blur, pixel) = view.GetTiltLens()->camera.lens->Blur(tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height),
-                                                                             found ? depth : double(infinity), width);
+                                                                              found ? depth : double(infinity), width);
             if (sampled)
             {
                 block.At(samples, pixel) = effort[pixel].samples;

@@ -22,7 +22,7 @@ namespace
 {
 
 template<class Number>
-void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& generators, unsigned int seed)
+void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number>>>& generators, unsigned int seed)
 {
     for (size_t i = 0; i < generators.size(); i++)
         dynamic_cast<SeedableNumberGenerator<Number>&>(*generators[i]).Seed(seed + i);
@@ -31,9 +31,12 @@ void Reseed(std::vector<shared_ptr<SequentialNumberGenerator<Number> > >& genera
 } // namespace
 
 TiltLensTracer::TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& itsView) :
-    view(itsView), samples(view->camera, *this), trace(owner), plainSamples(view->camera, *this, false),
-    interiorsVary(std::any_of(view->aroundLens.begin(), view->aroundLens.end(), [](const ObjectAroundLens& around)
-        { return !around.holdsLens; }))
+    view(itsView),
+    samples(view->camera, *this),
+    trace(owner),
+    plainSamples(view->camera, *this, false),
+    interiorsVary(
+        std::any_of(view->aroundLens.begin(), view->aroundLens.end(), [](const ObjectAroundLens& around) { return !around.holdsLens; }))
 {
 }
 
@@ -125,8 +128,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     for (const ObjectAroundLens& around : view->aroundLens)
     {
         const ObjectPtr object = around.object;
-        if (around.holdsLens ||
-            (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, trace.threadData)))
+        if (around.holdsLens || (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, trace.threadData)))
             ray.AppendInterior(object->interior);
     }
 }
@@ -177,4 +179,4 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     colour /= count;
 }
 
-} // namespace pov
+}  // namespace pov

@@ -52,9 +52,15 @@ std::string Number(double value)
     return std::isfinite(value) ? text.str() : "null";
 }
 
-std::string Number(const std::optional<double>& value) { return value ? Number(*value) : "null"; }
+std::string Number(const std::optional<double>& value)
+{
+    return value ? Number(*value) : "null";
+}
 
-std::string Vector(const Vec3& v) { return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]"; }
+std::string Vector(const Vec3& v)
+{
+    return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]";
+}
 
 /// Row by row, for row vectors.
 std::string Matrix(const MATRIX& m)
@@ -70,7 +76,10 @@ std::string Matrix(const MATRIX& m)
     return text + "]";
 }
 
-const char* Truth(bool value) { return value ? "true" : "false"; }
+const char* Truth(bool value)
+{
+    return value ? "true" : "false";
+}
 
 /// JSON string in ASCII.
 std::string Text(const UCS2String& name)
@@ -89,11 +98,11 @@ const char* FamilyName(tilt_lens::FocusFamily family)
 {
     switch (family)
     {
-        case tilt_lens::FocusFamily::FocusTurn:   return "focusTurn";
-        case tilt_lens::FocusFamily::FocalPlane:  return "plane";
+        case tilt_lens::FocusFamily::FocusTurn: return "focusTurn";
+        case tilt_lens::FocusFamily::FocalPlane: return "plane";
         case tilt_lens::FocusFamily::FocalPoints: return "points";
         case tilt_lens::FocusFamily::SharpPoints: return "sharp";
-        default:                                  return "lensTurn";
+        default: return "lensTurn";
     }
 }
 
@@ -108,16 +117,13 @@ std::string Vectors(const std::vector<Vec3>& list)
 std::string Block(const Statement& s)
 {
     return "{\"family\": \"" + std::string(FamilyName(s.family)) + "\", \"filmWidth\": " + Number(s.filmWidth) +
-           ", \"focalLength\": " + Number(s.focalLength) + ", \"sceneUnit\": " + Number(s.sceneUnit) +
-           ", \"tilt\": " + Number(s.tilt) + ", \"swing\": " + Number(s.swing) +
-           ", \"focusTilt\": " + Number(s.focusTilt) + ", \"focusSwing\": " + Number(s.focusSwing) +
-           ", \"planeNormal\": " + Vector(s.planeNormal) + ", \"planeDistance\": " + Number(s.planeDistance) +
-           ", \"points\": [" + Vector(s.points[0]) + ", " + Vector(s.points[1]) + ", " + Vector(s.points[2]) +
-           "], \"sharpPoints\": " + Vectors(s.sharpPoints) + ", \"sharpWithin\": " + Number(s.sharpWithin) +
-           ", \"shift\": [" + Number(s.shiftRight) + ", " + Number(s.shiftUp) + "], \"fStop\": " + Number(s.fStop) +
-           ", \"blades\": " + Number(s.blades) + ", \"bladesAngle\": " + Number(s.bladesAngle) +
-           ", \"focalPoint\": " + Vector(s.focalPoint) + ", \"aperture\": " + Number(s.aperture) +
-           ", \"scale\": " + Number(s.scale) + "}";
+           ", \"focalLength\": " + Number(s.focalLength) + ", \"sceneUnit\": " + Number(s.sceneUnit) + ", \"tilt\": " + Number(s.tilt) +
+           ", \"swing\": " + Number(s.swing) + ", \"focusTilt\": " + Number(s.focusTilt) + ", \"focusSwing\": " + Number(s.focusSwing) +
+           ", \"planeNormal\": " + Vector(s.planeNormal) + ", \"planeDistance\": " + Number(s.planeDistance) + ", \"points\": [" +
+           Vector(s.points[0]) + ", " + Vector(s.points[1]) + ", " + Vector(s.points[2]) + "], \"sharpPoints\": " + Vectors(s.sharpPoints) +
+           ", \"sharpWithin\": " + Number(s.sharpWithin) + ", \"shift\": [" + Number(s.shiftRight) + ", " + Number(s.shiftUp) +
+           "], \"fStop\": " + Number(s.fStop) + ", \"blades\": " + Number(s.blades) + ", \"bladesAngle\": " + Number(s.bladesAngle) +
+           ", \"focalPoint\": " + Vector(s.focalPoint) + ", \"aperture\": " + Number(s.aperture) + ", \"scale\": " + Number(s.scale) + "}";
 }
 
 std::string Words(const std::set<std::string>& words)
@@ -164,13 +170,12 @@ Statement Ideal(const Camera& camera, const Statement& s)
 std::string Described(const Camera& camera)
 {
     return "\"perspective\": " + std::string(Truth(camera.Type == PERSPECTIVE_CAMERA)) +
-           ", \"location\": " + Vector(FromPov(camera.Location)) +
-           ", \"direction\": " + Vector(FromPov(camera.Direction)) + ", \"right\": " + Vector(FromPov(camera.Right)) +
-           ", \"up\": " + Vector(FromPov(camera.Up)) + ", \"sky\": " + Vector(FromPov(camera.Sky)) +
-           ", \"focusDistance\": " + Number(camera.Focal_Distance) + ", \"aperture\": " + Number(camera.Aperture) +
-           ", \"bokeh\": " + Truth(camera.Bokeh != NULL) + ", \"normal\": " + Truth(camera.Tnormal != NULL) +
-           ", \"matrix\": " + Matrix(camera.Trans->matrix) + ", \"inverse\": " + Matrix(camera.Trans->inverse) +
-           ", \"scale\": " + Number(camera.TiltLens.statement.scale) +
+           ", \"location\": " + Vector(FromPov(camera.Location)) + ", \"direction\": " + Vector(FromPov(camera.Direction)) +
+           ", \"right\": " + Vector(FromPov(camera.Right)) + ", \"up\": " + Vector(FromPov(camera.Up)) +
+           ", \"sky\": " + Vector(FromPov(camera.Sky)) + ", \"focusDistance\": " + Number(camera.Focal_Distance) +
+           ", \"aperture\": " + Number(camera.Aperture) + ", \"bokeh\": " + Truth(camera.Bokeh != NULL) +
+           ", \"normal\": " + Truth(camera.Tnormal != NULL) + ", \"matrix\": " + Matrix(camera.Trans->matrix) +
+           ", \"inverse\": " + Matrix(camera.Trans->inverse) + ", \"scale\": " + Number(camera.TiltLens.statement.scale) +
            ", \"words\": " + Words(camera.TiltLens.words) +
            ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
@@ -191,7 +196,10 @@ std::string Gamma(const SceneData& scene)
 
 } // namespace
 
-bool CamerasAreRecorded() { return RecordName() != NULL; }
+bool CamerasAreRecorded()
+{
+    return RecordName() != NULL;
+}
 
 void RecordCamera(const Camera& camera, const TiltLensPlace& end)
 {
@@ -213,8 +221,8 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
         catch (const tilt_lens::OpticsError&)  // reported only for the camera of the picture
         {
         }
-        text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) + ", \"line\": " +
-                Number(double(recorded.end.line)) + ", \"offset\": " + Number(double(recorded.end.offset)) + ", " +
+        text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) +
+                ", \"line\": " + Number(double(recorded.end.line)) + ", \"offset\": " + Number(double(recorded.end.offset)) + ", " +
                 Described(recorded.camera);
     }
     text += "],\n\"view\": {" + Described(view) + ",\n\"gamma\": " + Gamma(*scene) + "}\n";
@@ -223,8 +231,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
     stream << text;
     stream.close();
     if (!stream)
-        throw POV_EXCEPTION(kCannotOpenFileErr, std::string("Cannot write the file that TILT_LENS_PREVIEW names: ") +
-                                                    RecordName());
+        throw POV_EXCEPTION(kCannotOpenFileErr, std::string("Cannot write the file that TILT_LENS_PREVIEW names: ") + RecordName());
     view.Aperture = 0.0;
     view.TiltLens.aids = tilt_lens::FocusAids();
     view.TiltLens.statement = Ideal(view, view.TiltLens.statement);

@@ -91,7 +91,7 @@ Vec3 Finder::OnObject(const FocusTarget& target)
     const Vec3 half = 0.5 * Vec3{box.Lengths[X], box.Lengths[Y], box.Lengths[Z]};
     if (!(Length(half) < kEndless))
         throw OpticsError(target.Written() + ": the object is infinite or empty and has no centre to focus on. Give "
-                          "focus_at, focal_point or, for a plane, focal_plane.");
+                                             "focus_at, focal_point or, for a plane, focal_plane.");
     const Vec3 middle = Vec3{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]} + half - location;
     // if the camera is at the object's centre, the ray follows the camera's axis
     const Vec3 way = Length(middle) > 1e-6 * Length(half) ? middle : Length(half) * Normalized(FromPov(camera.Direction));
@@ -106,7 +106,7 @@ Vec3 Finder::OnObject(const FocusTarget& target)
             return *hit;
     }
     throw OpticsError(target.Written() + ": no ray from the lens to the object's bounding box hits the object. Is it "
-                      "empty, or smaller than a thirtieth of that box? Give focal_point.");
+                                         "empty, or smaller than a thirtieth of that box? Give focal_point.");
 }
 
 Vec3 Finder::InPicture(const FocusTarget& target, const Lens& lens)
@@ -126,7 +126,7 @@ Vec3 Finder::InPicture(const FocusTarget& target, const Lens& lens)
     }
     if (!point)
         throw OpticsError(target.Written() + ": the ray through this place of the picture hits no object. "
-                          "Give a place where an object is, or focal_point.");
+                                             "Give a place where an object is, or focal_point.");
     return *point;
 }
 

@@ -21,7 +21,10 @@ using tilt_lens::Vec3;
 namespace
 {
 
-std::vector<double> Numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
+std::vector<double> Numbers(const Vec3& v)
+{
+    return {v.x, v.y, v.z};
+}
 
 /// The camera's axes, and its window at distance 1 along z, as in OpenEXR and RenderMan.
 struct Window
@@ -44,8 +47,7 @@ struct Window
 };
 
 /// A matrix for row vectors, from the columns that yield x, y, z and w.
-std::vector<double> Matrix(const Vec3& location, const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& w,
-                           double wOffset)
+std::vector<double> Matrix(const Vec3& location, const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& w, double wOffset)
 {
     const double offsets[4] = {-Dot(location, x), -Dot(location, y), -Dot(location, z), wOffset - Dot(location, w)};
     return {x.x, y.x, z.x, w.x, x.y, y.y, z.y, w.y, x.z, y.z, z.z, w.z, offsets[0], offsets[1], offsets[2], offsets[3]};
@@ -63,8 +65,8 @@ void AddProjection(std::vector<LayerAttribute>& list, const Camera& camera)
     const Vec3 v = ((0.5 * window.height + window.middleY) * window.z - window.y) / window.height;
     list.push_back({"worldToNDC", Matrix(location, u, v, window.z, window.z, 0.0)});
     const double degrees = 180.0 / M_PI;
-    list.push_back({"tiltLens:fieldOfView", {2.0 * degrees * std::atan(0.5 * window.width),
-                                             2.0 * degrees * std::atan(0.5 * window.height)}});
+    list.push_back(
+        {"tiltLens:fieldOfView", {2.0 * degrees * std::atan(0.5 * window.width), 2.0 * degrees * std::atan(0.5 * window.height)}});
 }
 
 void AddLens(std::vector<LayerAttribute>& list, const Camera& camera, unsigned int width)

@@ -35,6 +35,6 @@ tilt_lens::Vec3 DepthAxis(const Camera& camera);
 /// @param width   of the whole picture, in pixels
 std::vector<LayerAttribute> LayerAttributesOf(const Camera& camera, unsigned int width);
 
-} // namespace pov
+}  // namespace pov
 
 #endif

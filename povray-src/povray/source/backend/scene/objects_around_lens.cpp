@@ -56,8 +56,7 @@ LensBox BoxOfLens(const Camera& camera, const tilt_lens::SolvedLens& lens)
     if (lens.glass)
         return BoxOfGlass(camera, lens);
     const bool square = camera.Bokeh != NULL;
-    const double half[3] = {HalfExtent(lens.lensX.x, lens.lensY.x, square),
-                            HalfExtent(lens.lensX.y, lens.lensY.y, square),
+    const double half[3] = {HalfExtent(lens.lensX.x, lens.lensY.x, square), HalfExtent(lens.lensX.y, lens.lensY.y, square),
                             HalfExtent(lens.lensX.z, lens.lensY.z, square)};
     LensBox box;
     for (int i = X; i <= Z; i++)

@@ -35,8 +35,7 @@ Vec3 TransformedNormal(const Vec3& n, const TRANSFORM* trans)
 double Determinant(const TRANSFORM* trans)
 {
     const MATRIX& m = trans->matrix;
-    return Dot(Vec3{m[0][0], m[0][1], m[0][2]},
-               Cross(Vec3{m[1][0], m[1][1], m[1][2]}, Vec3{m[2][0], m[2][1], m[2][2]}));
+    return Dot(Vec3{m[0][0], m[0][1], m[0][2]}, Cross(Vec3{m[1][0], m[1][1], m[1][2]}, Vec3{m[2][0], m[2][1], m[2][2]}));
 }
 
 /// Whether the camera statement has transformations.
@@ -96,8 +95,7 @@ void TiltLensCamera::Transform(const TRANSFORM* trans)
 
 void TiltLensCamera::Solve(Camera& camera)
 {
-    const tilt_lens::CameraFrame frame{FromPov(camera.Location), FromPov(camera.Direction),
-                                       FromPov(camera.Right), FromPov(camera.Up)};
+    const tilt_lens::CameraFrame frame{FromPov(camera.Location), FromPov(camera.Direction), FromPov(camera.Right), FromPov(camera.Up)};
     try
     {
         camera.TiltLens.lens.reset(new tilt_lens::SolvedLens(tilt_lens::Solve(frame, camera.TiltLens.statement)));

@@ -25,7 +25,10 @@ using namespace pov_base;
 
 class Camera;
 
-inline tilt_lens::Vec3 FromPov(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
+inline tilt_lens::Vec3 FromPov(const VECTOR v)
+{
+    return {v[X], v[Y], v[Z]};
+}
 
 /// Place in a scene file, for messages.
 struct TiltLensPlace
@@ -44,7 +47,12 @@ struct CameraItems
 /// A point in focus, found by a ray after parsing.
 struct FocusTarget
 {
-    enum Kind { NotUsed, Object, Picture } kind = NotUsed;
+    enum Kind
+    {
+        NotUsed,
+        Object,
+        Picture
+    } kind = NotUsed;
     std::string name;
     shared_ptr<ObjectBase> object; ///< a copy
     double x = 0.0, y = 0.0;       ///< in the picture: from the lower left corner, 0 to 1
@@ -90,6 +98,6 @@ struct TiltLensCamera
     static void Solve(Camera& camera);
 };
 
-} // namespace pov
+}  // namespace pov
 
 #endif

@@ -46,7 +46,10 @@ std::string Distance(double units, double scale)
     return std::isfinite(units) && units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
 }
 
-double Degrees(double radians) { return radians * (180.0 / M_PI); }
+double Degrees(double radians)
+{
+    return radians * (180.0 / M_PI);
+}
 
 double Tidy(double degrees)
 {
@@ -106,8 +109,9 @@ std::string CharacterOf(const TiltLensCamera& block)
     if (lens.distorts)
         text += Line("  Distortion...........%.4g, %.4g of the distance from the lens's axis in half widths of film\n",
                      character.distortion1, character.distortion2) +
-                (character.distortionNear == 0.0 ? "" :
-                 Line("    near...............%.4g more times focal length over distance\n", character.distortionNear));
+                (character.distortionNear == 0.0
+                     ? ""
+                     : Line("    near...............%.4g more times focal length over distance\n", character.distortionNear));
     if (lens.fieldCurvature != 0.0)
         text += Line("  Field curvature......image %.4g mm before the film at half a film's width, radius %.5g mm\n",
                      character.fieldCurvature, 0.5 / (lens.fieldCurvature * lens.millimetre));
@@ -155,8 +159,7 @@ std::string SqueezeOf(double squeeze)
 {
     if (squeeze == 1.0)
         return "";
-    return squeeze > 1.0 ? Line(", squeezed to %.4g of its width", 1.0 / squeeze)
-                         : Line(", squeezed to %.4g of its height", squeeze);
+    return squeeze > 1.0 ? Line(", squeezed to %.4g of its width", 1.0 / squeeze) : Line(", squeezed to %.4g of its height", squeeze);
 }
 
 /// How the focus was found, if the scene states it neither as a point nor as a plane.
@@ -205,7 +208,8 @@ std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, dou
     const auto blurText = [=](double mm) { return mm * pixels < kSharp ? "no blur" : Line("%.4g pixels (%.3g mm)", mm * pixels, mm); };
     const std::vector<double> blurs = SharpPointBlurs(FromPov(camera.Location), given, lens);
     const double greatest = tilt_lens::GreatestBlur(blurs);
-    std::string text = "  Sharp points........." + Line("%.0f, ", double(blurs.size())) + blurText(greatest) + (greatest * pixels < kSharp ? "\n" : " of blur or less\n");
+    std::string text = "  Sharp points........." + Line("%.0f, ", double(blurs.size())) + blurText(greatest) +
+                       (greatest * pixels < kSharp ? "\n" : " of blur or less\n");
     for (std::size_t i = 0; i < blurs.size(); i++)
     {
         const FocusTarget& target = block.pointTargets[i];
@@ -215,8 +219,7 @@ std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, dou
         text += name + (target.kind == FocusTarget::NotUsed ? "" : target.Written() + ": ") +
                 Text(given.sharpPoints[i], Length(given.sharpPoints[i])) + ": " + blurText(blur);
         if (blur * pixels >= kSharp)
-            text += std::string(blurs[i] > 0.0 ? " before" : " behind") +
-                    (blur >= greatest * (1.0 - kSharp) ? ", binds" : "");
+            text += std::string(blurs[i] > 0.0 ? " before" : " behind") + (blur >= greatest * (1.0 - kSharp) ? ", binds" : "");
         text += "\n";
     }
     if (given.sharpWithin)
@@ -254,8 +257,8 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
         return "  Sharp plane..........at infinity\n";
     const bool crosses = axisFocus > 0.0 && std::isfinite(axisFocus);
     const Vec3 point = crosses ? axisFocus * lens.axis : lens.focus / (distance * distance);
-    return "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n" +
-           "    normal............." + Text(lens.focus / distance, 1.0) + "\n" +
+    return "  Sharp plane through.." + Text(location + point, Length(location) + Length(point)) + "\n" + "    normal............." +
+           Text(lens.focus / distance, 1.0) + "\n" +
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
@@ -269,14 +272,14 @@ std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatist
     if (limits.variance > 0.0 && stopped != statistics.pixelsBySamples.end())
     {
         const double share = 100.0 * stopped->second / pixels;
-        text += "  Stopped by MAX......." + Count(stopped->second, "pixel") + " (" +
-                Line(share < 99.5 ? "%.2g" : "%.0f", share) + "%), at " + Count(limits.max, "sample") + "\n";
+        text += "  Stopped by MAX......." + Count(stopped->second, "pixel") + " (" + Line(share < 99.5 ? "%.2g" : "%.0f", share) +
+                "%), at " + Count(limits.max, "sample") + "\n";
     }
     if (view.pixelsBefore > 0)
         text += "  Skipped.............." + Count(view.pixelsBefore, "pixel") + ", done before the render was continued\n";
     if (limits.variance > 0.0)
-        text += Line("  Ended at the minimum.%.0f of ", statistics.PixelsUpTo(limits.FirstRound())) + Count(pixels, "pixel") +
-                ", after " + Count(limits.FirstRound(), "sample") + "\n";
+        text += Line("  Ended at the minimum.%.0f of ", statistics.PixelsUpTo(limits.FirstRound())) + Count(pixels, "pixel") + ", after " +
+                Count(limits.FirstRound(), "sample") + "\n";
     if (limits.Denoises())
         text += "  Reconstruction......." + Count(statistics.reconstructed, "pixel") +
                 Line(", %.0f left as they were\n", pixels - statistics.reconstructed);
@@ -311,19 +314,18 @@ std::string SummarizeTiltLens(const TiltLensView& view, const TiltLensCost& cost
     const tilt_lens::SamplingLimits& limits = view.camera.limits;
     const tilt_lens::SamplingStatistics statistics = view.Statistics();
     std::string text = "Tilt Lens Sampling\n";
-    text += Line("  Time.................%.3f seconds, %.3f of CPU on ", cost.seconds, cost.cpuSeconds) +
-            Count(cost.threads, "thread") + "\n";
+    text += Line("  Time.................%.3f seconds, %.3f of CPU on ", cost.seconds, cost.cpuSeconds) + Count(cost.threads, "thread") +
+            "\n";
     text += "  Rays................." + Line("%.0f", cost.rays) + ", and " + Count(cost.shadowTests, "test") + " for shadow\n";
     if (view.aids)
         return text + "  Samples per pixel....1, through the lens centre (focus aids)\n" + SkippedOf(view, statistics);
     const double pixels = std::max<double>(1.0, statistics.Pixels());
-    text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", statistics.Samples() / pixels,
-                 statistics.Quantile(0.99), statistics.Most());
+    text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", statistics.Samples() / pixels, statistics.Quantile(0.99),
+                 statistics.Most());
     if (limits.max < 2)
         return text + "  Standard error.......unknown: one sample per pixel gives no estimate\n" + SkippedOf(view, statistics);
     text += Line("  Standard error.......%.2g of white (estimated), ", statistics.StandardError());
-    text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance))
-                                  : std::string("all samples asked for\n");
+    text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance)) : std::string("all samples asked for\n");
     return text + SkippedOf(view, statistics);
 }
 
@@ -334,15 +336,12 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
     const double usual = 1.0 / Length(lens.focus);
 
     std::string text = "Tilt Lens\n";
-    text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", Tidy(TiltOf(lens)),
-                 Tidy(SwingOf(lens)));
-    text += Line("  Focal length.........%.5g mm, film at %.5g mm\n", lens.focalLength * mm,
-                 lens.filmDistance * mm);
+    text += Line("  Lens.................tilt %.4g, swing %.4g degrees\n", Tidy(TiltOf(lens)), Tidy(SwingOf(lens)));
+    text += Line("  Focal length.........%.5g mm, film at %.5g mm\n", lens.focalLength * mm, lens.filmDistance * mm);
     text += FilmOf(camera, lens);
     if (lens.diameter > 0.0)
-        text += Line("  Aperture.............f/%.4g, diameter %.5g mm", lens.focalLength / lens.diameter,
-                     lens.diameter * mm) + Line(" (%.5g units)", lens.diameter) +
-                SqueezeOf(camera.TiltLens.statement.squeeze) + "\n";
+        text += Line("  Aperture.............f/%.4g, diameter %.5g mm", lens.focalLength / lens.diameter, lens.diameter * mm) +
+                Line(" (%.5g units)", lens.diameter) + SqueezeOf(camera.TiltLens.statement.squeeze) + "\n";
     else
         text += "  Aperture.............none (pinhole): everything is sharp\n";
     if (lens.glass)
@@ -353,9 +352,7 @@ std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensA
     if (lens.diameter > 0.0)
     {
         const tilt_lens::SharpRange sharp = SharpRangeOf(lens, width, 1.0);
-        text += "  Sharp on the axis....from " + Distance(sharp.near, usual) +
-                " to " + Distance(sharp.far, usual) +
-                " (blur of 1 pixel)\n";
+        text += "  Sharp on the axis....from " + Distance(sharp.near, usual) + " to " + Distance(sharp.far, usual) + " (blur of 1 pixel)\n";
     }
     if (aids != NULL)
         text += aids->Describe();

@@ -34,14 +34,13 @@ tilt_lens::Aperture DiaphragmOf(const Camera& camera, shared_ptr<SceneData> scen
     {
         SceneThreadData thread(scene);
         Post_Pigment(camera.Bokeh);  // omitted by stock, which crashes if a pattern needs it
-        return tilt_lens::Aperture::Picture(
-            [&](double u, double v)
-            {
-                Colour colour;
-                VECTOR point = {u, v, 0.0};
-                Compute_Pigment(colour, camera.Bokeh, point, NULL, NULL, &thread);
-                return std::min(1.0, double(colour.greyscale()));  // as stock, which draws lens points by rejection
-            });
+        return tilt_lens::Aperture::Picture([&](double u, double v)
+        {
+            Colour colour;
+            VECTOR point = {u, v, 0.0};
+            Compute_Pigment(colour, camera.Bokeh, point, NULL, NULL, &thread);
+            return std::min(1.0, double(colour.greyscale()));  // as stock, which draws lens points by rejection
+        });
     }
     if (s.blades > 0)
         return tilt_lens::Aperture::Polygon(s.blades, s.bladesAngle * M_PI_180, s.bladeCurvature);
@@ -59,8 +58,8 @@ tilt_lens::Aperture ApertureOf(const Camera& camera, shared_ptr<SceneData> scene
 
 shared_ptr<const tilt_lens::LensCamera> LensCameraOf(const Camera& camera, shared_ptr<SceneData> scene)
 {
-    return std::make_shared<const tilt_lens::LensCamera>(camera.TiltLens.lens, ApertureOf(camera, scene), camera.TiltLens.statement.character,
-                                                         camera.Tnormal != NULL);
+    return std::make_shared<const tilt_lens::LensCamera>(camera.TiltLens.lens, ApertureOf(camera, scene),
+                                                         camera.TiltLens.statement.character, camera.Tnormal != NULL);
 }
 
 /// With a minimum of 0 if the scene states none.
@@ -77,8 +76,7 @@ tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 
 std::size_t ObjectsWithInterior(const SceneData& scene)
 {
-    return std::count_if(scene.objects.begin(), scene.objects.end(),
-                         [](ObjectPtr object) { return object->interior != NULL; });
+    return std::count_if(scene.objects.begin(), scene.objects.end(), [](ObjectPtr object) { return object->interior != NULL; });
 }
 
 } // namespace
@@ -145,8 +143,8 @@ void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
     const TiltLensPlace place = camera.TiltLens.place;
-    MessageFactory messages(10, 370, "Render", viewData.sceneData->backendAddress,
-                            viewData.sceneData->frontendAddress, viewData.sceneData->sceneId, viewData.viewId);
+    MessageFactory messages(10, 370, "Render", viewData.sceneData->backendAddress, viewData.sceneData->frontendAddress,
+                            viewData.sceneData->sceneId, viewData.viewId);
     const auto warn = [&](const std::string& text)
     { messages.WarningAt(0, place.file.c_str(), place.line, place.column, place.offset, "%s", text.c_str()); };
     try
@@ -161,27 +159,25 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         const TiltLensAids* aids = viewData.tiltLens ? viewData.tiltLens->aids.get() : NULL;
         POVMS_Object report(kPOVObjectClass_RenderOptions);
         report.SetString(kPOVAttrib_TiltLensReport, DescribeTiltLens(camera, viewData.width, aids).c_str());
-        RenderBackend::SendViewOutput(viewData.viewId, viewData.sceneData->frontendAddress,
-                                      kPOVMsgIdent_RenderOptions, report);
+        RenderBackend::SendViewOutput(viewData.viewId, viewData.sceneData->frontendAddress, kPOVMsgIdent_RenderOptions, report);
     }
     catch (const tilt_lens::OpticsError& error)
     {
-        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
-                         place.offset, "%s", error.what());
+        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column, place.offset, "%s",
+                         error.what());
     }
     catch (const std::invalid_argument& error)  // a bokeh picture without light
     {
-        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column,
-                         place.offset, "%s", error.what());
+        messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column, place.offset, "%s",
+                         error.what());
     }
     if (!viewData.tiltLens)
         return;
     if (tracingmethod != 0)
-        warn(viewData.tiltLens->aids
-                 ? "Anti-aliasing (+A) is not used with focus_peaking, focus_map or show_planes: they "
-                   "take one ray a pixel."
-                 : "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
-                   "samples cover the pixel already. blur_samples and variance set the quality.");
+        warn(viewData.tiltLens->aids ? "Anti-aliasing (+A) is not used with focus_peaking, focus_map or show_planes: they "
+                                       "take one ray a pixel."
+                                     : "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
+                                       "samples cover the pixel already. blur_samples and variance set the quality.");
     tracingmethod = TiltLensView::kTracingMethod;
     PlanTiltLensWork();
 }

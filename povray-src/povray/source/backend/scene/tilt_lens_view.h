@@ -31,8 +31,7 @@ class ViewData;
 /// In pixels of the whole picture.
 inline tilt_lens::Area AreaOf(const POVRect& rect)
 {
-    return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(),
-            (unsigned int)rect.GetHeight()};
+    return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(), (unsigned int)rect.GetHeight()};
 }
 
 class TiltLensView

@@ -55,6 +55,6 @@ class SampleSeeds
     std::size_t seeded = 0;  ///< sample of the last draw
 };
 
-} // namespace pov
+}  // namespace pov
 
 #endif

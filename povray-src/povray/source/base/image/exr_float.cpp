@@ -93,12 +93,12 @@ void InsertOrigin(Imf::Header& header)
 
 } // namespace
 
-void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels,
-                 const FloatRows& rows, const FloatAttributes& attributes)
+void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels, const FloatRows& rows,
+                 const FloatAttributes& attributes)
 {
     Imf::Header header(width, height, 1.0f, Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
     Imf::FrameBuffer pixels;
-    std::vector<std::vector<float> > row(channels.size(), std::vector<float>(width, 0.0f));
+    std::vector<std::vector<float>> row(channels.size(), std::vector<float>(width, 0.0f));
     for (size_t i = 0; i < channels.size(); i++)
     {
         header.channels().insert(channels[i], Imf::Channel(Imf::FLOAT));
@@ -141,7 +141,7 @@ void WriteFloatImage(OStream& file, const Image& image, const Image::WriteOption
     std::vector<std::string> names = {"R", "G", "B"};
     if (alpha)
         names.push_back("A");
-    const auto row = [&](unsigned int y, std::vector<std::vector<float> >& channels)
+    const auto row = [&](unsigned int y, std::vector<std::vector<float>>& channels)
     {
         for (unsigned int x = 0; x < width; x++)
         {

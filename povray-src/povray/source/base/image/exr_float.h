@@ -23,16 +23,16 @@ namespace OpenEXR
 {
 
 /// Fills the vectors, one per channel, as long as the picture is wide, with a row counted from the top.
-typedef std::function<void(unsigned int row, std::vector<std::vector<float> >& channels)> FloatRows;
+typedef std::function<void(unsigned int row, std::vector<std::vector<float>>& channels)> FloatRows;
 
 /// Attributes of the file: 1, 2, 3 or 16 numbers (a matrix row by row).
-typedef std::map<std::string, std::vector<float> > FloatAttributes;
+typedef std::map<std::string, std::vector<float>> FloatAttributes;
 
 /// Writes channels of 32 bits, requesting one row after the other, which keeps memory small. `screenWindowWidth` and `screenWindowCenter`
 /// become the header's own fields.
 /// @throws pov_base::Exception  the file cannot be written
-void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels,
-                 const FloatRows& rows, const FloatAttributes& attributes);
+void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels, const FloatRows& rows,
+                 const FloatAttributes& attributes);
 
 /// Writes a picture's colours with 32 bits; otherwise as POV-Ray's 16-bit writer.
 /// @throws pov_base::Exception  the file cannot be written

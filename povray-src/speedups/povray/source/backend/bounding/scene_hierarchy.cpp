@@ -71,8 +71,8 @@ struct TwoConditions
 /// @param precedes  true if an intersection at the same depth as the best replaces it
 /// @param hits      an empty stack; empty again afterwards
 template<class Conditions>
-TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best,
-                                  const Conditions& conditions, IStack& hits, TraceThreadData* thread)
+TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best, const Conditions& conditions,
+                                  IStack& hits, TraceThreadData* thread)
 {
     if (!conditions.Before(ray, object))
         return false;
@@ -118,8 +118,8 @@ TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR 
 /// Mesh::intersect_mesh_triangle() with the same operations, and so the same results, except that it rejects depths of `nearest` and beyond
 /// first, and reads only the two coordinates that count.
 /// @param[out] depth  ray parameter at the triangle's plane
-TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin,
-                                     const VECTOR direction, DBL nearest, DBL& depth)
+TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin, const VECTOR direction,
+                                     DBL nearest, DBL& depth)
 {
     const DBL leastDepth = 1e-6;  // Mesh's DEPTH_TOLERANCE
     const SNGL_VECT& normal = data.Normals[triangle.Normal_Ind];
@@ -148,7 +148,7 @@ void Count(const BoxHierarchy::Count& count, TraceThreadData* thread)
     thread->Stats()[nEnqueued] += count.entered;
 }
 
-} // namespace
+}  // namespace
 
 SceneHierarchy::SceneHierarchy(const std::vector<ObjectPtr>& all)
 {
@@ -191,8 +191,7 @@ void SceneHierarchy::AddMeshes(ObjectPtr object)
 }
 
 template<class Vector, class Conditions>
-TILT_LENS_INLINED bool SceneHierarchy::IntersectBy(const Ray& ray, Intersection& best, Conditions conditions,
-                                                   TraceThreadData* thread) const
+TILT_LENS_INLINED bool SceneHierarchy::IntersectBy(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const
 {
     IStack hits(thread->stackPool);
     const ObjectPtr* holder = NULL;
@@ -203,8 +202,8 @@ TILT_LENS_INLINED bool SceneHierarchy::IntersectBy(const Ray& ray, Intersection&
     };
     for (const ObjectPtr* const object : infinite)
         test(object);
-    Count(finite->Walk<Vector>(ray.Origin, ray.Direction, best.Depth,
-                               [&](const void* what) { test(static_cast<const ObjectPtr*>(what)); }), thread);
+    Count(finite->Walk<Vector>(ray.Origin, ray.Direction, best.Depth, [&](const void* what) { test(static_cast<const ObjectPtr*>(what)); }),
+          thread);
     return holder != NULL;
 }
 
@@ -279,7 +278,8 @@ TILT_LENS_INLINED bool MeshHierarchy::IntersectBy(Mesh& mesh, const Ray& ray, IS
     }
     DBL nearest = BOUND_HUGE;
     bool met = false;
-    Count(mesh.Data->Hierarchy->Walk<Vector>(origin, direction, nearest, [&](const void* what)
+    Count(mesh.Data->Hierarchy->Walk<Vector>(origin, direction, nearest,
+                                             [&](const void* what)
     {
         const MESH_TRIANGLE* const triangle = static_cast<const MESH_TRIANGLE*>(what);
         DBL depth;
@@ -297,7 +297,8 @@ TILT_LENS_INLINED bool MeshHierarchy::IntersectBy(Mesh& mesh, const Ray& ray, IS
             if (!mesh.has_inside_vector && depth > SMALL_TOLERANCE * length)
                 nearest = depth;
         }
-    }), thread);
+    }),
+          thread);
     if (met)
         thread->Stats()[Ray_Mesh_Tests_Succeeded]++;
     return met;
@@ -318,4 +319,4 @@ bool MeshHierarchy::AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, T
     return HasAvx2() ? IntersectByAvx2(mesh, ray, hits, thread) : IntersectPlain(mesh, ray, hits, thread);
 }
 
-} // namespace pov
+}  // namespace pov

@@ -36,14 +36,11 @@ class SceneHierarchy
 
     /// @param best  in: only nearer intersections count; out: the nearest
     /// @return      true if there is one
-    bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const
-    {
-        return Intersect(ray, best, 0, -HUGE_VAL, thread);
-    }
+    bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const { return Intersect(ray, best, 0, -HUGE_VAL, thread); }
 
     /// Only objects and intersections that fulfil the conditions.
-    bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition,
-                   const RayObjectCondition& postcondition, TraceThreadData* thread) const;
+    bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition, const RayObjectCondition& postcondition,
+                   TraceThreadData* thread) const;
 
     /// Only objects with none of the flags, and intersections beyond the given depth.
     bool Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const;

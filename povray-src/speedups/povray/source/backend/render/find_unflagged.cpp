@@ -14,8 +14,8 @@ namespace pov
 {
 
 /// A hierarchy takes the flags in place of the conditions, which saves two virtual calls per object.
-bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flags, double depth,
-                          const RayObjectCondition& precondition, const RayObjectCondition& postcondition)
+bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flags, double depth, const RayObjectCondition& precondition,
+                          const RayObjectCondition& postcondition)
 {
     if (sceneData->boundingMethod == 1)
         return sceneData->hierarchy->Intersect(ray, isect, flags, depth, threadData);
