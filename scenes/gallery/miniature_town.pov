@@ -28,7 +28,7 @@ camera {
   look_at <22, 0, 26>
   angle 39
   focal_point Focus
-  blur_samples Samples  confidence 0.95  variance 1/3000
+  blur_samples Samples  confidence 0.95  variance 1/1000
   tilt_lens {
     scene_unit 1000/220
     focus_tilt -36

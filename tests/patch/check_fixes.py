@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Each patch in patches/fixes stands alone: Debian's source takes it without our other patches, and compiles with it.
 
-usage: check_fixes.py apply|compile REPOSITORY WORK DOWNLOADS TARBALL [COMPILER COMPILE_COMMANDS]
+usage: check_fixes.py apply|compile REPOSITORY WORK DOWNLOADS TARBALL=[FOLDER] [COMPILER COMPILE_COMMANDS]
 
 Prints each fault; the exit code is not 0 if there is a fault. "compile" checks the syntax of the files that a patch touches, or of a
 file that includes a header that it touches. COMPILE_COMMANDS is the build's list of commands, for the options.
@@ -110,7 +110,7 @@ def main(arguments):
     if len(arguments) not in (6, 8) or arguments[1] not in ("apply", "compile"):
         sys.exit(__doc__)
     repository, work = pathlib.Path(arguments[2]), pathlib.Path(arguments[3])
-    tree = debian_source(repository, work, arguments[4], arguments[5])
+    tree = debian_source(repository, work, arguments[4], arguments[5].removeprefix("TARBALL="))
     found = list(faults(arguments[1], repository, tree, *arguments[6:]))
     for fault in found:
         print(fault)

@@ -65,14 +65,6 @@ bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& l
     return pixels >= settings.farShare * estimate.pixels.size();
 }
 
-/// Samples received from the block's own rounds and its neighbours' first rounds.
-std::shared_ptr<const PaddedSpread> ReceivedSpread(const Neighbourhood& around, const SpreadSums* own)
-{
-    std::array<const SpreadSums*, 9> sent = EachOf<SpreadSums>(around.rounds, &FirstRound::spread);
-    sent[4] = own;
-    return PaddedSpread::Of(sent, around.rounds[4]->samples);
-}
-
 std::vector<std::uint32_t> SamplesOf(const BlockEstimate& estimate)
 {
     std::vector<std::uint32_t> samples;
@@ -133,8 +125,6 @@ void Block::TakeRounds(BlockEstimate& current, const Neighbourhood& around, cons
     {
         samples = limits.NextRound(samples);
         TakeSamples(current, samples, limits, sent, trace);
-        if (sent != nullptr && current.spread)
-            current.spread = ReceivedSpread(around, sent->Spread(SamplesOf(current), firstRound->samples).get());
         UpdateVarianceRatios(current, samples);
     }
     while (UpdateConvergence(current, around, limits, samples));
@@ -147,7 +137,7 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
     const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     auto converged = std::make_unique<BlockEstimate>(*estimate);
     const std::uint32_t samples = converged->firstSamples;
-    converged->spread = ReceivedSpread(around, firstRound->spread.get());
+    converged->spread = PaddedSpread::Of(EachOf<SpreadSums>(around.rounds, &FirstRound::spread), samples);
     spread = firstRound->spread;
     if (UpdateConvergence(*converged, around, limits, samples))
     {
