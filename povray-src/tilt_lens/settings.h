@@ -110,7 +110,7 @@ struct Settings
     /// Risk over noise of a 3 by 3 window that chance can explain.
     float chanceRisk = 2.0f;
     /// Weight of a spread estimate made of other pixels' samples alone, relative to a filter with the same risk.
-    float spreadWeight = 12.0f;
+    float spreadWeight = 8.0f;
     /// Additional factor of this weight if other pixels' samples show all of the noise, and the pixel's own samples none.
     float missedWeight = 100.0f;
     /// A row of a block is reconstructed if its mean variance over `variance` is at least this.

@@ -20,7 +20,7 @@ def configure(folder):
     done = subprocess.run(
         (
             *("cmake", "--preset", "without-speedups", "-S", SETTINGS["source"], "-B", folder),
-            *(f"-DTILT_LENS_DOWNLOADS={SETTINGS['downloads']}", f"-DPOVRAY_TARBALL={SETTINGS['tarball']}"),
+            *(f"-DTILT_LENS_DOWNLOADS={SETTINGS['downloads']}", f"-DPOVRAY_TARBALL={SETTINGS['tarball'].removeprefix('TARBALL=')}"),
         ),
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
