@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The list of files that a render depends on, for programs that detect outdated pictures.
+/// The files that a render depends on, for programs that detect outdated pictures.
 ///
-/// If the environment variable `TILT_LENS_FILE_LIST` names a file, every file that the program opens for reading is appended to it, every
-/// file that it looked for in vain (its presence could change the picture), and every picture or layers' file that was completely written.
-/// An entry is `+` (read), `-` (missing) or `=` (written), the name as used (relative to the current folder), and a zero byte, which allows
-/// any name. Each name is listed once per run.
+/// If the environment variable `TILT_LENS_FILE_LIST` names a file, entries are appended to it, each name once per run. An entry starts
+/// with `+` (read), `-` (missing; its presence could change the picture) or `=` (a complete picture or layers' file), has the name as
+/// used (relative to the current folder), and ends with a zero byte.
 ///
-/// The files read by the current scene are also kept for the key of its state file.
+/// The current scene's files are also kept for the key of its state file.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H
@@ -20,16 +19,16 @@
 namespace tilt_lens
 {
 
-/// Lists `name`. Failure to write the list ends the render with an error, because an incomplete list is worse than none.
+/// Failure to write the list ends the render: an incomplete list is worse than none.
 void ListFile(const std::string& name, bool found);
 
-/// Lists a written picture; fails in the same way.
+/// Fails in the same way.
 void ListPicture(const std::string& name);
 
 /// Call when parsing of a scene begins.
 void StartSceneFiles();
 
-/// Files read since StartSceneFiles(), each once, in the order of reading.
+/// Files read since StartSceneFiles(), each once, in order.
 std::vector<std::string> SceneFiles();
 
 }  // namespace tilt_lens

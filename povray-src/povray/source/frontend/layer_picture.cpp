@@ -29,7 +29,7 @@ namespace
 
 const int kFloatBits = 32;
 
-/// The picture's name with the extension `.layers.exr`.
+/// The picture's name with extension `.layers.exr`.
 Path LayersBeside(const Path& picture)
 {
     Path path = picture;
@@ -56,7 +56,7 @@ shared_ptr<LayerPicture> LayerPicture::Create(POVMS_Object& options)
     const Path path = LayersBeside(Path(options.TryGetUCS2String(kPOVAttrib_OutputFile, "")));
     if (POV_ALLOW_FILE_WRITE(path().c_str(), POV_File_Image_EXR) == false)
         throw POV_EXCEPTION(kCannotOpenFileErr, "IO Restrictions prohibit write access to '" + Text(path) + "'");
-    // removes an older file, as for an older picture, lest it be taken for one of this render after an interruption
+    // an older file could pass for this render's after an interruption
     if (!options.TryGetBool(kPOVAttrib_ContinueTrace, false))
         POV_UCS2_REMOVE(path().c_str());
     return shared_ptr<LayerPicture>(

@@ -118,8 +118,8 @@ std::string Declared(POVMS_Object& options)
     return text;
 }
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo) of a file's bytes, in hexadecimal: detects changes, not attacks. "unknown" for a pipe or device, which
-/// cannot be read twice.
+/// Hexadecimal 64-bit FNV-1a (Fowler, Noll, Vo): detects changes, not attacks. "unknown" for a pipe or device, which cannot be read
+/// twice.
 std::string Hash(const std::string& name)
 {
     std::error_code ignored;
@@ -148,7 +148,7 @@ std::vector<Line> Lines(const std::string& key)
     for (size_t from = 0, end; (end = key.find('\n', from)) != std::string::npos; from = end + 1)
     {
         const std::string line = key.substr(from, end - from);
-        // names of files may contain '=', their hashes cannot; values of Declare may contain it
+        // names of files may contain '=', their hashes cannot; values of Declare may
         const size_t equals = line.compare(0, std::strlen(kFile), kFile) == 0 ? line.rfind('=') : line.find('=');
         lines.push_back({line.substr(0, equals), equals == std::string::npos ? "" : line.substr(equals + 1)});
     }
@@ -161,7 +161,7 @@ const Line* Find(const std::vector<Line>& lines, const std::string& name)
     return found == lines.end() ? NULL : &*found;
 }
 
-/// Describes the first difference between the keys of two renders.
+/// First difference between two renders' keys.
 std::string Difference(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -182,7 +182,7 @@ std::string Difference(const std::string& before, const std::string& now)
     return "its files were read in another order";
 }
 
-/// True if the tiles of one picture lie inside the other; POV-Ray's assertion would fail otherwise.
+/// True if tiles of one picture lie inside the other; else POV-Ray's assertion would fail.
 bool Fits(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -195,7 +195,7 @@ bool Fits(const std::string& before, const std::string& now)
     return true;
 }
 
-/// Contents of a state file before its tiles.
+/// A state file before its tiles.
 struct Start
 {
     enum Kind

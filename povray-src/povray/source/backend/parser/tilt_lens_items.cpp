@@ -99,7 +99,7 @@ const std::vector<TiltLensItem> kTiltLensItems = {
 namespace
 {
 
-/// Items of the camera that users expect inside the block.
+/// Camera items that users expect inside the block.
 const char* const kCameraWords[] = {"aperture",  "focal_point", "look_at",   "blur_samples", "confidence", "variance",   "bokeh",
                                     "angle",     "location",    "direction", "right",        "up",         "sky",        "normal",
                                     "translate", "rotate",      "scale",     "matrix",       "transform",  "perspective"};

@@ -16,7 +16,7 @@ using tilt_lens::Rgb;
 namespace
 {
 
-/// Blends a colour over another; the lower one keeps its own transparency.
+/// Blends a colour over another, which keeps its transparency.
 void Lay(Colour& under, const Colour& over, double opacity)
 {
     under *= COLC(1.0 - opacity);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_seeds.h
-/// Seeds random generators by the current sample, so that a picture does not depend on the order of tracing. Most samples draw no number; a
-/// seed is computed at the first draw.
+/// Seeds random generators by sample, so that pictures do not depend on the order of tracing. Most samples draw no number, so seeds are
+/// computed at the first draw.
 
 #ifndef POVRAY_BACKEND_SAMPLE_SEEDS_H
 #define POVRAY_BACKEND_SAMPLE_SEEDS_H
@@ -18,10 +18,10 @@ class SampleSeedSource
   public:
     virtual ~SampleSeedSource() = default;
 
-    /// Of the current sample.
+    /// The current sample's seed.
     virtual unsigned int Seed() const = 0;
 
-    /// Number of the current sample, from 1; 0 if none is being traced.
+    /// Counts samples from 1; 0 between samples.
     std::size_t Sample() const { return sample; }
 
   protected:
@@ -36,11 +36,11 @@ class SampleSeedSource
 class SampleSeeds
 {
   public:
-    /// @param itsSource  must outlive the generator's last draw
+    /// @param itsSource  must outlive the last draw
     void Follow(const SampleSeedSource& itsSource) { source = &itsSource; }
 
     /// Call before each draw.
-    /// @param state  of the generator; set to the seed at the sample's first draw
+    /// @param state  set to the seed at the sample's first draw
     template<class State>
     void Take(State& state)
     {
