@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Finds the widest ray to 1e-12 of the first surface.
+/// Widest ray, to 1e-12 of the first surface.
 constexpr int kHalvings = 40;
 
 double IndexBefore(const Prescription& prescription, std::size_t row)
@@ -48,7 +48,6 @@ CardinalPoints CardinalPointsOf(const Prescription& prescription)
     const ParaxialMap before = MapBetween(prescription, 0, stop);
     points.entrancePupil = frontPrincipal - before.b / before.a;
     points.entranceRadius = 1.0 / before.a;
-    // exit pupil
     const ParaxialMap behind = MapBetween(prescription, stop, count);
     points.exitPupil = points.rearVertex + behind.b / behind.d;
     points.exitMagnification = 1.0 / behind.d;
@@ -78,7 +77,7 @@ GlassLens::GlassLens(const Prescription& prescription) : cardinal(CardinalPoints
     cardinal.fNumber = cardinal.focalLength / (2.0 * WidestRay());
 }
 
-/// Height of the widest ray parallel to the axis that passes, by bisection.
+/// Height of the widest passing ray parallel to the axis, by bisection.
 double GlassLens::WidestRay() const
 {
     double passes = 0.0, ends = std::sqrt(surfaces.back().squaredRim);
@@ -101,7 +100,7 @@ void GlassLens::TakeIndices(const Prescription& prescription)
     }
 }
 
-/// The stop's radius is the height at which the beam's outermost ray crosses it.
+/// The stop's radius is the height of the beam's outermost ray there.
 void GlassLens::StopDown(double fNumber)
 {
     const double height = 0.5 * cardinal.focalLength / fNumber;
@@ -163,7 +162,7 @@ double GlassLens::RearRadius() const
 GlassLens::Front GlassLens::FrontBox() const
 {
     const GlassSurface& front = surfaces.back();
-    // an aspherical surface may bend back, so that its sag at the rim does not bound it; the ball around the vertex does
+    // an aspherical surface may bend back: its sag at the rim does not bound it, the ball around the vertex does
     const double radius = std::sqrt(front.squaredRim);
     return {radius, front.z - radius, front.z + radius};
 }
