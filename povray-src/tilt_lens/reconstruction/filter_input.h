@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file filter_input.h
-/// The planes that the kernels of the reconstruction read and write.
+/// Planes that the reconstruction's kernels read and write.
 
 #ifndef TILT_LENS_FILTER_INPUT_H
 #define TILT_LENS_FILTER_INPUT_H
@@ -10,22 +10,22 @@
 namespace tilt_lens
 {
 
-/// Planes of a PaddedSpread.
+/// Of a PaddedSpread.
 struct SpreadInput
 {
     const float *mean[3], *variance, *share, *samples, *ownShare;
 };
 
-/// Planes of a PaddedBlock, and the rows of its block to filter.
+/// Of a PaddedBlock, and the rows to filter.
 struct FilterInput
 {
     const float *mean[5], *noise, *missed, *samples;
     int channels;               ///< 3, or 5 if a pixel is transparent
     int firstRow, endRow;
-    const SpreadInput* spread;  ///< null: none
+    const SpreadInput* spread;
 };
 
-/// Planes of a ReconstructedBlock.
+/// Of a ReconstructedBlock.
 struct FilterOutput
 {
     float *mean[5], *residualVarianceRatio;
