@@ -5,17 +5,14 @@
 /// Film points, and their images under distortion.
 ///
 /// Distortion maps the film onto itself about the lens's axis: a picture point shows another point of an ideal lens's picture. For a
-/// turned lens the axis turns along, as if the picture were first formed on a film perpendicular to it. With r the tangent of a chief
-/// ray's angle to the axis,
+/// turned lens the axis turns along. With r the tangent of a chief ray's angle to the axis,
 ///
-///     r_ideal = r_picture (1 + K r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance)
+///     r_ideal = r_picture (1 + K r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance).
 ///
-/// A real entrance pupil moves with the angle, which shifts rays towards near points more than towards far ones. Therefore K = K1 + NEAR
-/// f/D, D being the focus distance along the lens's axis. For a turned lens it varies: 1/D = k.chief/(t.chief) is linear along each line
-/// through the axis.
+/// A real entrance pupil moves with the angle, which shifts rays towards near points more. Therefore K = K1 + NEAR f/D, D being the focus
+/// distance along the lens's axis: 1/D = k.chief/(t.chief) is linear along each line through the axis.
 ///
-/// The ideal point is a polynomial of the picture's point, which each ray computes; the inverse is its root. Plane of sharp focus, blur
-/// and rays are those of the ideal point.
+/// Plane of sharp focus, blur and rays are those of the ideal point, which each ray computes; the inverse is the polynomial's root.
 ///
 /// Source: D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering 37(8), 1971, for the polynomial and distortion
 /// linear in 1/D.

@@ -7,15 +7,12 @@
 /// The folder camera/ answers: where does the ray of a film point and a lens point go? It holds the thin lens with aberrations and
 /// vignetting, the aperture's shape, blur, and focus aids. It knows neither lenses of glass nor pixels' samples nor POV-Ray.
 ///
-/// Model: a thin lens, tilted about its centre, the camera's location. The film is flat and parallel to `right` and `up`. Chief rays pass
-/// the lens centre unbent: a tilt moves no image point, a shift moves the frame over the film.
+/// Model (docs/optics.md): a thin lens, tilted about its centre, the camera's location; a flat film parallel to `right` and `up`. With z
+/// the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
 ///
-/// With z the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
+///     k = t/f - z/s                                       (X relative to the lens centre).
 ///
-///     k = t/f - z/s                                       (X relative to the lens centre)
-///
-/// This is Scheimpflug's rule and the thin lens equation in one line. All formulas follow from it and divide by no distance that may
-/// vanish. k = 0 is a plane at infinity.
+/// All formulas follow from it and divide by no distance that may vanish. k = 0 is a plane at infinity.
 ///
 /// Sources: T. Nakane et al., "Simulating tilt-shift lens using distributed ray tracing" (equation 1 there is a special case); H. M.
 /// Merklinger, "Principles of View Camera Focus" (the hinge rule); A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model", Ray

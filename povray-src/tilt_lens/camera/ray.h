@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file ray.h
-/// Ray generation: film point and lens point in, ray out. Without divisions, so that a pixel may focus at infinity or behind the lens:
+/// Ray generation (docs/optics.md), without divisions, so that a pixel may focus at infinity or behind the lens:
 ///
-///     D = direction + x right + y up      chief ray of the film point
-///     w = k.D                             inverse of the parameter at which D meets the plane of sharp focus
-///     l = a lensX + b lensY               point of the tilted lens
-///     ray: from l, along D - w l
+///     D = direction + x right + y up      chief ray of the film point;
+///     w = k.D                             inverse of the parameter at which D meets the plane of sharp focus;
+///     l = a lensX + b lensY               point of the tilted lens;
+///     ray: from l, along D - w l.
 ///
 /// It meets the chief ray in front of the lens at D/w for w > 0; comes from that point behind the lens for w < 0; is parallel to it for w
-/// = 0.
-///
-/// Distortion replaces D by another film point's chief ray (film_point.h). Field curvature has w = k.D + c a^2/b for a D that lies a
+/// = 0. Distortion replaces D by another film point's chief ray (film_point.h). Field curvature has w = k.D + c a^2/b for a D that lies a
 /// across the lens's axis and b along it.
 ///
-/// A lens that reaches the film touches a film point in one lens point. No ray leads from a point to itself: the chief ray stands in.
+/// Where a lens touches a film point, no ray leads from a point to itself: the chief ray stands in.
 
 #ifndef TILT_LENS_RAY_H
 #define TILT_LENS_RAY_H
@@ -115,9 +113,9 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b, -hue * lens.axialColour);
 }
 
-/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is no such ray, or if it reaches P
-/// from beyond its film point's focus. On the ray, P = l + s (D - w l), so that Y = s D solves Y = P - l + w(Y) l with w(Y) = k.Y + c
-/// a^2/b. Y equals P along the lens's axis, so the equation is quadratic in w(Y).
+/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is none, or if it reaches P from
+/// beyond its film point's focus. On the ray, P = l + s (D - w l), so Y = s D solves Y = P - l + w(Y) l; w(Y) = k.Y + c a^2/b. Y equals P
+/// along the lens's axis, so the equation is quadratic in w(Y).
 inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const Vec3& l)
 {
     const double divisor = 1.0 - Dot(lens.focus, l);

@@ -2,24 +2,20 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_plane.h
-/// The plane k.X = 1 of least greatest blur over any number of points.
+/// The plane k.X = 1 of least greatest blur over any number of points; three points get the plane through them.
 ///
-/// A point P = z D, where D has a unit component along the camera's axis, has a circle of confusion proportional to the difference of
-/// vergences |1/z - k.D| (optics.h). The factor, film distance times lens diameter, is taken as fixed: it changes by a share of about the
-/// focal length times the change of k. The difference is linear in k. So the best plane is a linear program in k and the greatest blur v:
-/// the Chebyshev solution of one equation k.D = 1/z per point.
+/// A point P = z D, where D has a unit component along the camera's axis, has a blur proportional to |1/z - k.D| (optics.h). The factor,
+/// film distance times lens diameter, is taken as fixed: its relative change is about the focal length times the change of k. So the
+/// plane is the Chebyshev solution of the equations k.D = 1/z, with the greatest residual v.
 ///
-/// By duality v is determined by a *circuit*: equations whose directions D are linearly dependent, while any fewer are independent. Four
-/// directions in general position are one; so are three in a plane, or two equal ones. If sum(w D) = 0, no plane leaves less over the
-/// circuit than |sum(w / z)| / sum|w|, and planes that reach it leave exactly that, with the sign of w, at each point. The greatest such
-/// deviation is v (E. Stiefel, "Über diskrete und lineare Tschebyscheff-Approximationen", Numerische Mathematik 1, 1959, for directions
-/// in general position).
+/// By duality v is determined by a *circuit*: equations with linearly dependent D, any fewer of which are independent. Examples are four
+/// directions in general position, three in a plane, two equal ones. If sum(w D) = 0, no plane leaves less over the circuit than |sum(w /
+/// z)| / sum|w|; planes that reach it leave exactly that, with the sign of w, at each point. The greatest such deviation is v (E.
+/// Stiefel, "Über diskrete und lineare Tschebyscheff-Approximationen", Numerische Mathematik 1, 1959, for general position).
 ///
-/// A circuit of fewer than four points leaves a choice of planes. Then the plane also makes the greatest blur of all other points least,
-/// and so on: the strict Chebyshev solution (J. R. Rice, "Tchebycheff Approximation in a Compact Metric Space", 1962). It is unique where
-/// the directions span space, and does not depend on the points' order.
-///
-/// Three points get the plane through them.
+/// A circuit of fewer than four points leaves a choice of planes. Then the greatest blur of all other points is made least, too, and so
+/// on: the strict Chebyshev solution (J. R. Rice, "Tchebycheff Approximation in a Compact Metric Space", 1962). It is unique where the
+/// directions span space, and does not depend on the points' order.
 
 #ifndef TILT_LENS_SHARP_PLANE_H
 #define TILT_LENS_SHARP_PLANE_H

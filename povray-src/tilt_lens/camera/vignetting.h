@@ -4,20 +4,20 @@
 /// @file vignetting.h
 /// Light fall-off towards the picture's edges. The centre keeps its brightness.
 ///
-/// Natural vignetting is geometry: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's
-/// side, z the film's normal and t the lens's, irradiance falls with
+/// Natural vignetting: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's side, z the
+/// film's normal and t the lens's, irradiance falls with
 ///
-///     (z.C) (t.C) / |C|^4
+///     (z.C) (t.C) / |C|^4,
 ///
-/// which is cos^4 if both are parallel, and right for a tilted lens or a shifted frame.
+/// which is cos^4 if both are parallel.
 ///
-/// Optical vignetting is a second stop: a rim before the lens hides a part of the aperture from film points off the axis. A ray meets the
-/// rim's plane, at the distance h along the lens's axis, at m l + e, with
+/// Optical vignetting: a rim before the lens hides a part of the aperture. A ray meets the rim's plane, at the distance h along the
+/// lens's axis, at m l + e, with
 ///
-///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h)
+///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h),
 ///
-/// so a film point sees a disc of the aperture. Samples are drawn in the open part and weighted with its share of the aperture: a uniform
-/// surface stays free of noise.
+/// so a film point sees a disc of the aperture. Samples are drawn there and weighted with its share of the aperture: a uniform surface
+/// stays free of noise.
 
 #ifndef TILT_LENS_VIGNETTING_H
 #define TILT_LENS_VIGNETTING_H

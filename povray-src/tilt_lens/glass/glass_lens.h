@@ -81,7 +81,7 @@ class GlassLens
 
     const CardinalPoints& Cardinal() const { return cardinal; }
     double StopRadius() const { return stopRadius; }
-    /// Of the last surface's clear opening.
+    /// The last surface's clear opening.
     double RearRadius() const;
 
     /// Makes fNumber the focal length over the axial beam's diameter; never wider than built.

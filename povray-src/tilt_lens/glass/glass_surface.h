@@ -28,7 +28,7 @@ struct GlassRayOf
 
 using GlassRay = GlassRayOf<double>;
 
-/// Of the origin from the lens's axis.
+/// From the lens's axis.
 template<class Number>
 TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
 {

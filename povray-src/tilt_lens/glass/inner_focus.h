@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_focus.h
-/// Lenses that focus by moving groups of glass while the film stays.
+/// Lenses that focus by moving groups of glass while the film stays (docs/lenses.md). A prescription may state distances between surfaces
+/// for infinity and nearer focuses, states 0, 1, 2, ...; between states they are linear, and the state is solved for the wanted focus.
 ///
-/// A prescription may state the distances between surfaces for infinity and nearer focuses: states 0, 1, 2, ... Distances are linear
-/// between states. Real cams differ there, and so does the sharpness, but not the focus: the state is solved for the wanted focus.
-///
-/// The film stands at the image of infinity of state 0, plus the last row's difference of thickness between the state and infinity. Files
-/// state that back focus in few digits; the traced one focuses state 0 at infinity exactly. Nearer than the last state or beyond
-/// infinity, as a tilted plane may need, the film moves, as on bellows.
+/// The film stands at the image of infinity of state 0, plus the last row's difference of thickness between the state and infinity. The
+/// back focus is traced, since files round it. Nearer than the last state or beyond infinity, as a tilted plane may need, the film moves.
 
 #ifndef TILT_LENS_INNER_FOCUS_H
 #define TILT_LENS_INNER_FOCUS_H

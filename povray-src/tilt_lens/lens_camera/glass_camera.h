@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_camera.h
-/// Camera rays through a lens of glass that is tilted, swung and shifted as a whole about its front principal point.
+/// Camera rays through a lens of glass, tilted, swung and shifted as a whole about its front principal point. Film points are the ideal
+/// lens's, moved along the lens's axis by the principal points' separation: plane of sharp focus, tilt, swing and shift agree to first
+/// order.
 ///
-/// The film point of a picture point (x, y) is the ideal lens's, moved along the lens's axis by the principal points' separation. So
-/// plane of sharp focus, tilt, swing and shift agree with the ideal lens to first order.
-///
-/// Samples are uniform over the passing directions (pupil_view.h): drawn from an ellipse around them, tabulated over the frame, and drawn
-/// again if blocked. The open share is in the weight: a uniform surface has no noise.
+/// Samples are uniform over the passing directions (pupil_view.h): drawn from tabulated ellipses around them, again if blocked. The open
+/// share is in the weight, so a uniform surface has no noise.
 
 #ifndef TILT_LENS_GLASS_CAMERA_H
 #define TILT_LENS_GLASS_CAMERA_H
@@ -41,8 +40,8 @@ struct GlassSample
 class GlassCamera
 {
   public:
-    /// @param lens      with glass
-    /// @param aperture  uniform brightness, within the unit disc
+    /// @param lens      with glass.
+    /// @param aperture  uniform brightness, within the unit disc.
     /// @param natural   share of the natural light fall-off, 0 to 1
     /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the picture's middle
     GlassCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, double natural);

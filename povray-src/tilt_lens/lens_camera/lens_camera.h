@@ -25,8 +25,8 @@ namespace tilt_lens
 class LensCamera
 {
   public:
-    /// @param character  only its vignetting: Solve() has applied the rest
-    /// @param deflected  true if the renderer turns rays after the lens, as for a camera with `normal`
+    /// @param character  only its vignetting: Solve() has applied the rest.
+    /// @param deflected  true if the renderer turns rays after the lens, as for a camera with `normal`.
     /// @throws OpticsError            a rim that leaves at most 1 per cent of the light in the picture's middle
     /// @throws std::invalid_argument  glass that does so
     LensCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, const Character& character, bool deflected = false);

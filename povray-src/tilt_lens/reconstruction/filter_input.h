@@ -10,13 +10,13 @@
 namespace tilt_lens
 {
 
-/// Of a PaddedSpread.
+/// Planes of a PaddedSpread.
 struct SpreadInput
 {
     const float *mean[3], *variance, *share, *samples, *ownShare;
 };
 
-/// Of a PaddedBlock, and the rows to filter.
+/// Planes of a PaddedBlock, and the rows to filter.
 struct FilterInput
 {
     const float *mean[5], *noise, *missed, *samples;
@@ -25,7 +25,7 @@ struct FilterInput
     const SpreadInput* spread;
 };
 
-/// Of a ReconstructedBlock.
+/// Planes of a ReconstructedBlock.
 struct FilterOutput
 {
     float *mean[5], *residualVarianceRatio;

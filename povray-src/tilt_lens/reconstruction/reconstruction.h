@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file reconstruction.h
-/// Reconstructs the picture from its pixels' means: docs/sampling.md, section 5.
+/// Reconstructs the picture from its pixels' means: docs/sampling.md, section 5, with sources.
 ///
 /// The folder reconstruction/ answers: which picture do the samples make? It spreads samples over their circles of confusion, filters
 /// noise from the pixels' means, and estimates the rest of the noise. The sampler's stop rule uses the estimates.
@@ -12,23 +12,12 @@
 ///
 ///     risk = mean over the 7 by 7 pixels q around of (|F q - q|^2 - (1 - 2 F_0) var q) / var q.
 ///
-/// F_0 is the filter's tap of the pixel itself; squares and variances are summed over the channels. A filter's change is removed noise
-/// plus error; the part that noise cannot explain is error. Risk is relative to each pixel's noise, lest a dark pixel beside a lamp
-/// suffer from filters that suit the lamp. Errors well above the noise count in full for the 3 by 3 pixels around, for others at most
-/// settings.riskLimit times the noise, so that an edge does not leave its surroundings noisy.
+/// F_0 is the filter's tap of the pixel itself; squares and variances are summed over the channels. Risk is relative to each pixel's
+/// noise, lest a dark pixel beside a lamp suffer from filters that suit the lamp. Two more candidates are the spread estimate S
+/// (padded_spread.h), and S + mean9x9(q - S).
 ///
-/// Two candidates are each pixel's spread estimate S (padded_spread.h), and S corrected by a smoothed difference, S + mean9x9(q - S).
-/// Errors of S, as behind an edge or in a mirror, raise its risk.
-///
-/// Weights depend only on colours and their variances, not on depth or normals, so reflections, refractions, media and blurred lights
-/// need no rules. Pixels without noise around stay unchanged. The reconstruction is biased: it may smooth differences smaller than the
-/// noise. `denoise off` disables it.
-///
-/// Sources: C. M. Stein, "Estimation of the mean of a multivariate normal distribution", Ann. Statist. 9(6), 1981, for the risk; F.
-/// Rousselle, C. Knaus, M. Zwicker, "Adaptive sampling and reconstruction using greedy error minimization", ACM Trans. Graph. 30(6),
-/// 2011, and T.-M. Li, Y.-T. Wu, Y.-Y. Chuang, "SURE-based optimization for adaptive sampling and reconstruction", ACM Trans. Graph.
-/// 31(6), 2012, for choosing filters by it. Unlike there, no single filter is chosen, since the choice would be as noisy as the risk; and
-/// the remaining variance is bounded by the weighted mean of the candidates' variances, because the risk may vanish by chance.
+/// No single filter is chosen, since the choice would be as noisy as the risk. The remaining variance is bounded by the weighted mean of
+/// the candidates' variances, because the risk may vanish by chance. Pixels without noise around stay unchanged.
 
 #ifndef TILT_LENS_RECONSTRUCTION_H
 #define TILT_LENS_RECONSTRUCTION_H

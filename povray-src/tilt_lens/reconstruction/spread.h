@@ -2,17 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread.h
-/// Spreads each sample over its circle of confusion: docs/sampling.md, section 5. Every pixel of the circle sees the hit point, and
-/// receives a share of the radiance. Received radiance over received shares is the pixel's spread estimate S, from many pixels' rays.
-///
-/// Samples reach at most kReach pixels. A window, which falls with the distance, multiplies shares, since highlights would show as
-/// squares. In a wide circle some lens parts would send a pixel more samples. So a share is divided by the sum of the windows of all
-/// pixels that could have sent the sample to the receiving pixel (the balance heuristic).
-///
-/// S ignores occlusion between the point and other pixels, so it is only one candidate of the reconstruction.
-///
-/// Source: M. Potmesil, I. Chakravarty, "A lens and aperture camera model for synthetic image generation", SIGGRAPH 1981, for spreading
-/// points over their circles of confusion; here the points are hits of distributed rays.
+/// Spreads each sample over its circle of confusion, whose pixels all see the hit point: docs/sampling.md, section 5, with sources.
+/// Received radiance over received shares is a pixel's spread estimate S. It ignores occlusion, so it is one candidate of the
+/// reconstruction.
 
 #ifndef TILT_LENS_SPREAD_H
 #define TILT_LENS_SPREAD_H
@@ -60,7 +52,7 @@ class LensFootprint
     /// @param vergence  1/T - w, with the hit's ray parameter T, and w as in MakeRay
     CircleOfConfusion CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const;
 
-    /// Of the aperture, in its coordinates.
+    /// In aperture coordinates.
     TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
     /// True for the evenly bright unit disc.
     TILT_LENS_INLINED bool IsDisc() const { return isDisc; }

@@ -246,7 +246,7 @@ bool EmitterSampling::Aim(const Kept& emitter, double u, const SampleId& id, con
     return x >= id.x && x < id.x + 1.0 && y >= id.y && y < id.y + 1.0;
 }
 
-/// Of aimed samples over plain ones.
+/// Density of aimed samples over that of plain ones.
 double EmitterSampling::Density(const Kept& emitter, const CameraSample& sample) const
 {
     if (emitter.chooseLensPoint)

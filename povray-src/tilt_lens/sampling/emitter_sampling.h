@@ -2,20 +2,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file emitter_sampling.h
-/// Importance sampling of small bright objects: docs/sampling.md, section 4. If one ray in a thousand hits an emitter twenty times as
-/// bright as white, first samples of a pixel and its neighbours miss it, and no stop rule can notice; where they hit it, nearly all rays
-/// of its circle of confusion are wasted. Pixels that it may reach therefore aim half of their samples at it:
+/// Importance sampling of small bright objects that first samples would miss: docs/sampling.md, section 4, with the source. Pixels that
+/// one may reach aim half of their samples at it, weighted by the balance heuristic:
 ///
 /// - through the part of the lens that sees it from the film point, if its blur is wide;
 /// - from the part of the pixel that sees it through the lens point, if its blur is narrow.
 ///
-/// The weight is the density of plain samples over the combined density of all techniques (the balance heuristic). So the mean is
-/// unbiased, even if the object is hidden, larger, smaller or elsewhere than assumed.
-///
 /// The first lens coordinate selects the technique by interval, and is rescaled within it, so it stays well distributed. Every aligned
 /// block of four samples has equally many emitter samples, so even light stays free of noise.
-///
-/// Source: E. Veach, L. J. Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995, section 3.2.
 
 #ifndef TILT_LENS_EMITTER_SAMPLING_H
 #define TILT_LENS_EMITTER_SAMPLING_H

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file pixel_statistics.h
-/// Statistics of one pixel's samples: docs/sampling.md, section 3. Accumulates, decides nothing.
-///
-/// The samples are a prefix of one low-discrepancy sequence, taken in rounds that double their number, and summed in two buffers: all
-/// earlier rounds, and the last round (in the first round, its two halves).
+/// Statistics of one pixel's samples: docs/sampling.md, section 3. The samples are a prefix of one low-discrepancy sequence, summed in
+/// two buffers: all earlier rounds, and the last round (in the first round, its two halves).
 ///
 /// Sources: dual buffers as in F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering", ACM Trans. Graph.
 /// 31(6), 2012; the variance of stratified samples as in W. G. Cochran, "Sampling Techniques", 1977, chapter 5.

@@ -5,26 +5,25 @@
 /// A pixel's sample sequence (docs/sampling.md, section 2): points of [0, 1)^4, two coordinates for the lens and two for the pixel's
 /// square. Each pair is a two-dimensional Sobol sequence, the pixel pair reordered, Owen-scrambled by hashing.
 ///
-/// Properties (each has its test, but for the last sentence):
-/// - Pure: a sample depends on (pixel, index, seed) alone, not on threads, tiles or the order of calls. Every index below 2^32 is valid.
+/// Properties, tested except for the last sentence:
+/// - Pure: a sample depends on (pixel, index, seed) alone. Every index below 2^32 is valid.
 /// - Range: odd multiples of 2^-33, so neither 0 nor 1 occurs and the mean is exactly unbiased.
-/// - Stratification of the first 2^m samples, and of every aligned block of 2^m: each coordinate alone has one sample in each of 2^m
-///   equal intervals; the lens pair is a (0, m, 2)-net, with one sample in every elementary interval of area 2^-m, and so is the pixel
-///   pair. All four coordinates of the first 2^m are a (t, m, 4)-net with t <= 2 for m <= 6 and t <= 3 for m <= 14.
-/// - Independence: each pixel and seed has its own scrambling. Means over two seeds are independent and unbiased, so (A - B)^2 / 4
-///   estimates the variance of (A + B) / 2 without bias, whatever the integrand. Blocks of one seed repel each other: halves of one
-///   sequence would overestimate its error.
+/// - Stratification of every aligned block of 2^m: each coordinate has one sample in each of 2^m equal intervals; lens pair and pixel
+///   pair are (0, m, 2)-nets, with one sample in every elementary interval of area 2^-m. All four coordinates of the first 2^m are a (t,
+///   m, 4)-net with t <= 2 for m <= 6 and t <= 3 for m <= 14.
+/// - Independence: each pixel and seed has its own scrambling, so (A - B)^2 / 4 of means over two seeds estimates the variance of (A + B)
+///   / 2 without bias. Blocks of one seed repel each other: halves of one sequence would overestimate its error.
 ///
 /// Reason for the reordering: sharp surfaces depend on the pixel pair alone, strongly blurred ones on the lens pair, a blur of about a
-/// pixel on all four. Randomly shuffled pairs (padding) have no common strata, and for such a blur are little better than random samples;
-/// Sobol's third and fourth dimensions have common strata but are no (0, m, 2)-net, and 16 or 32 samples in all four dimensions gain
-/// little. The order was searched: for the first seven bits of the index by the least error over random edges, discs, checkers and sines
-/// (six in ten along an axis of the picture) at blurs of 0, 0.5, 1, 3, 10 and 50 pixels; for each further bit by the number of elementary
-/// intervals that contain their share of samples.
+/// pixel on all four. Randomly shuffled pairs (padding) have no common strata, and for such a blur are little better than random. Sobol's
+/// third and fourth dimensions have common strata but are no (0, m, 2)-net, and 16 or 32 samples in all four dimensions gain little. The
+/// order was searched. For the first seven bits of the index it minimises the error over random edges, discs, checkers and sines (six in
+/// ten along an axis of the picture) at blurs of 0, 0.5, 1, 3, 10 and 50 pixels; for each further bit it maximises the elementary
+/// intervals with their share of samples.
 ///
-/// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; I. M. Sobol', "On the distribution of points in a cube
-/// and the approximate evaluation of integrals", USSR Comput. Math. Math. Phys. 7(4), 1967; the hash is N. Vegdahl's improvement of Laine
-/// and Karras's, "Building a Better LK Hash", 2021. Unlike Burley's, indices are not shuffled: scrambling alone makes pixels independent.
+/// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020, but indices are not shuffled, since scrambling alone
+/// makes pixels independent; I. M. Sobol', "On the distribution of points in a cube and the approximate evaluation of integrals", USSR
+/// Comput. Math. Math. Phys. 7(4), 1967; the hash is N. Vegdahl's improvement of Laine and Karras's, "Building a Better LK Hash", 2021.
 
 #ifndef TILT_LENS_SEQUENCE_H
 #define TILT_LENS_SEQUENCE_H
