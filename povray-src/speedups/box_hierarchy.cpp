@@ -34,7 +34,6 @@ struct Bounds
         upper = Max(upper, otherUpper);
     }
 
-    /// Half the surface area.
     double Area() const
     {
         const double x = double(upper[0]) - lower[0], y = double(upper[1]) - lower[1], z = double(upper[2]) - lower[2];
@@ -42,7 +41,6 @@ struct Bounds
     }
 };
 
-/// Twice a box's centre on an axis.
 double Middle(const BoxItem& item, int axis)
 {
     return double(item.lower[axis]) + item.upper[axis];
@@ -92,7 +90,7 @@ class Bins
     int Of(const BoxItem& item) const { return std::min(kNumber - 1, int((Middle(item, axis) - start) * scale)); }
 
     double Cost() const { return cost; }  ///< sum over both parts of area times items; infinite: no split
-    int Split() const { return split; }   ///< first bin of the second part
+    int Split() const { return split; }
 
   private:
     struct Bin
@@ -151,7 +149,7 @@ ItemIterator SplitInHalves(const Range& range)
     return middle;
 }
 
-/// Partitions at least two items. Returns the second part's beginning; neither part is empty.
+/// At least two items. Returns the second part's beginning; neither part is empty.
 ItemIterator Split(const Range& range, bool even)
 {
     if (even)

@@ -30,7 +30,6 @@ struct BoxItem
 class BoxHierarchy
 {
   public:
-    /// For any boxes.
     static constexpr int kMostLevels = 40;
 
     /// @param items  finite boxes that bound their items in exact arithmetic
@@ -41,7 +40,7 @@ class BoxHierarchy
     struct Count
     {
         unsigned int tested = 0;
-        unsigned int entered = 0;  ///< of these, met by the ray
+        unsigned int entered = 0;
     };
 
     /// Calls test(item) for each item whose box the ray enters at or before `limit`, a node's nearer children first. The order does
@@ -63,11 +62,10 @@ class BoxHierarchy
 
     struct Waiting
     {
-        float begin;  ///< ray parameter of the entry
+        float begin;
         std::int32_t child;
     };
 
-    /// Removes the first child from those that the ray met.
     static TILT_LENS_INLINED Waiting Take(const Node& node, const float* begin, unsigned int& met, Count& count)
     {
         const int i = __builtin_ctz(met);
@@ -76,7 +74,7 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
-    /// Returns the nearest child that the ray met; pushes the others, the nearest on top.
+    /// Pushes the others on the stack, the nearest on top.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
     std::vector<Node> nodes;  ///< root first; empty without items

@@ -15,12 +15,11 @@
 namespace speedups
 {
 
-using namespace tilt_lens;  // tilt_lens/math/simd.h
+using namespace tilt_lens;
 
 /// Unused places hold empty boxes, which no ray meets.
 struct alignas(32) EightBoxes
 {
-    /// Lower planes of x, y, z, then upper ones.
     float planes[6][8];
 };
 
@@ -79,7 +78,7 @@ class BoxRay
     Vector enterFrom[3], leaveFrom[3], enterInverse[3], leaveInverse[3];
     std::ptrdiff_t enterPlanes[3], leavePlanes[3];  ///< byte offsets in EightBoxes
 
-    /// As many boxes as Vector has lanes, beginning with `first`.
+    /// As many as Vector has lanes, from `first`.
     TILT_LENS_INLINED unsigned int EnterSome(const EightBoxes& boxes, float limit, float* begin, std::size_t first) const
     {
         const char* const from = reinterpret_cast<const char*>(&boxes) + first * sizeof(float);

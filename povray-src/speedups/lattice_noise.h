@@ -13,7 +13,7 @@
 namespace speedups
 {
 
-using namespace tilt_lens;  // tilt_lens/math/simd.h
+using namespace tilt_lens;
 
 class LatticeNoise
 {
@@ -25,7 +25,6 @@ class LatticeNoise
     /// @param numbers    kNumbers numbers, `stride` apart
     void SetTables(const unsigned short* itsHashes, const double* numbers, int stride);
 
-    /// If false, do not call At() and VectorAt().
     bool Ready() const { return hashes != nullptr; }
 
     /// In [0, 1].

@@ -14,7 +14,6 @@
 namespace
 {
 
-/// Reason why the library could not be loaded, or empty.
 std::string trouble;
 
 void* Library()

@@ -22,7 +22,6 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Chooses each alternative's function; the generic one serves the others.
 template<class... Functions>
 struct Overloaded : Functions...
 {
@@ -44,7 +43,7 @@ struct Aperture::Outline
 {
     int blades, edges;                  ///< polygon edges, equally many per blade
     std::vector<AperturePoint> corner;  ///< first corner repeated at the end
-    double density;                     ///< inverse of the area
+    double density;
 
     AperturePoint Map(double u, double v) const
     {
@@ -75,7 +74,6 @@ struct Aperture::Outline
         }
     }
 
-    /// Edge crossed by the ray from the centre through the point.
     int EdgeTowards(const AperturePoint& point) const
     {
         const double first = std::atan2(corner[0].b, corner[0].a);
@@ -128,7 +126,7 @@ struct Aperture::Oval
 
 struct Aperture::Grade
 {
-    Aperture shape;  ///< disc or polygon
+    Aperture shape;
     double power;    ///< n of Aperture::Graded()
     bool rim;        ///< bright at the rim; else in the middle
 

@@ -78,7 +78,7 @@ class Aperture
     /// Density of the points per area of aperture coordinates; 0 outside.
     double Density(const AperturePoint& point) const;
 
-    /// The circle around the centre contains the opening.
+    /// Circle around the centre that contains the opening.
     double BoundingRadius() const;
     bool IsDisc() const { return std::holds_alternative<Round>(shape); }
 

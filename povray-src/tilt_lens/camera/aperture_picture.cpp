@@ -58,7 +58,6 @@ class Tabulation
         return std::isfinite(w) && w > 0 ? w : 0.0;
     }
 
-    /// Weights at side x side places of a cell.
     Range Survey(int i, int j, int side) const
     {
         Range range{HUGE_VAL, 0, 0};

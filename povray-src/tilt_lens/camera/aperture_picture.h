@@ -29,7 +29,7 @@ class CellDistribution
     struct Place
     {
         int cell;
-        double position;  ///< in [0, 1]
+        double position;
     };
 
     /// Quantile.
@@ -42,7 +42,7 @@ class CellDistribution
     /// Cumulative weight below each cell. Single precision keeps a picture in the second-level cache; a cell with less than 1e-7 of
     /// its column is invisibly dark.
     std::array<float, cells + 1> bound;
-    std::array<std::uint8_t, cells> first;  ///< search for i/cells begins here
+    std::array<std::uint8_t, cells> first;
 };
 
 class AperturePicture
@@ -59,7 +59,7 @@ class AperturePicture
 
   private:
     CellDistribution marginal;
-    std::vector<CellDistribution> conditional;  ///< of b, one per column
+    std::vector<CellDistribution> conditional;
 };
 
 }  // namespace tilt_lens

@@ -33,7 +33,6 @@ double FarthestOf(const Lens& lens)
     return farthest;
 }
 
-/// Refuses distortion that folds the picture within the frame.
 void RequireUnfolded(const Lens& lens, const Character& character, double unit, double farthest)
 {
     // across the axis, where distortionNear first folds the picture
@@ -49,7 +48,6 @@ void RequireUnfolded(const Lens& lens, const Character& character, double unit, 
                           Number(std::sqrt(farthest) / unit) + ". Give numbers nearer to 0, or shift or turn less.");
 }
 
-/// The corners' distorted chief rays must also lead into the scene.
 void RequireBefore(const Lens& lens)
 {
     ForCorners([&](const FilmPoint& corner)

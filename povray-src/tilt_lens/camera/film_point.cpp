@@ -19,7 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Tangent beyond which folds are ignored.
 constexpr double kFarthestTangent = 1e6;
 
-/// Components along the lens's axis and across it.
 struct Split
 {
     double along;
@@ -30,7 +29,6 @@ struct Split
     double SquaredTangent() const { return Dot(across, across) / (along * along); }
 };
 
-/// r_ideal / r_picture.
 double Factor(const Lens& lens, const Vec3& chief, const Split& split)
 {
     const double squaredTangent = split.SquaredTangent(), nearness = Dot(lens.focus, chief) / split.along;
@@ -90,7 +88,6 @@ double PictureTangent(const Bend& bend, double wanted)
     return r;
 }
 
-/// Zero of a falling function.
 template<typename Function>
 double Bisect(const Function& function, double low, double high)
 {

@@ -30,7 +30,7 @@ namespace tilt_lens
 /// Upright: 0 is the centre, +-0.5 are the frame's edges.
 struct FilmPoint
 {
-    double x, y;  ///< right, up
+    double x, y;
 };
 
 /// A vector in each lane of registers, or once; bit for bit, with signs of zeros.

@@ -47,14 +47,13 @@ struct Number
 const Number kNumbers[] = {{-64, "-64", true}, {-16, "-16", false}, {-4, "-4", false}, {-1, "-1", false}, {0, "0", true},
                            {1, "1", false},    {4, "4", false},     {16, "16", false}, {64, "64", true}};
 
-/// Layout of the scale, dots.
 enum Dots
 {
     kAdvance = 4,
-    kMargin = 2,    ///< around the box and its contents
-    kText = 5,      ///< line height
-    kBar = 5,       ///< height of the colours
-    kTick = 2,      ///< below a label's place
+    kMargin = 2,
+    kText = 5,
+    kBar = 5,
+    kTick = 2,
     kBoxHeight = kMargin + kText + 1 + kBar + kTick + kText + kMargin
 };
 
@@ -148,7 +147,7 @@ std::optional<Rgb> FocusMapScale::At(int x, int y) const
 FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) : lens(itsLens), width(itsWidth), height(itsHeight)
 {
     // grid lines follow the camera's right as far as the plane allows, and cross it
-    const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;  // at infinity
+    const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;
     const Vec3 across = lens.axisRight - Dot(lens.axisRight, normal) * normal;
     gridX = Normalized(Length(across) > 0.1 ? across : lens.axisUp - Dot(lens.axisUp, normal) * normal);
     gridY = Cross(normal, gridX);

@@ -33,10 +33,8 @@ struct FocusAids
     bool Any() const { return peaking || map || planes; }
 };
 
-/// Share of focus_peaking's colour in a sharp pixel.
 constexpr double kPeakingTint = 0.5;
 
-/// Largest blur on focus_map's scale, pixels.
 constexpr double kMapLimit = 64.0;
 
 /// Position on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that one pixel and fifty can
@@ -54,12 +52,11 @@ class FocusMapScale
     /// @param width, height  of the picture; nothing is drawn below 64 by 40
     FocusMapScale(int width, int height);
 
-    /// The scale's colour, if it covers this pixel.
     std::optional<Rgb> At(int x, int y) const;
 
   private:
     int unit = 0;  ///< pixels per dot of a character; 0: no scale
-    int left = 0, top = 0, width = 0, height = 0;  ///< box in the picture
+    int left = 0, top = 0, width = 0, height = 0;
     std::vector<Rgb> pixels;
 
     void Fill(int x, int y, int w, int h, const Rgb& colour);

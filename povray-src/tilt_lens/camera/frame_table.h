@@ -17,7 +17,7 @@ namespace tilt_lens
 
 struct TablePlace
 {
-    std::size_t at;      ///< index of its upper left entry
+    std::size_t at;
     double right, down;  ///< in the cell, 0 to 1
 };
 

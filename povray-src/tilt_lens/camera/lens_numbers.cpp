@@ -33,7 +33,6 @@ double Degrees(double radians)
     return radians * (180.0 / kPi);
 }
 
-/// Keeps a number below its limit from being printed as the limit.
 std::string NumberBelow(double value, double limit)
 {
     const std::string text = Number(value);

@@ -129,7 +129,6 @@ RealVec FocusOfSharpPoints(const Axes& axes, const CameraFrame& camera, const St
     return LeastGreatestBlur(VergenceEquations(points, given.sharpPoints, camera.location));
 }
 
-/// k of a stated plane of sharp focus.
 RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
     if (given.family == FocusFamily::FocalPoints)
@@ -159,10 +158,9 @@ struct Solution
     RealVec focus;
 };
 
-/// Lens turned as stated and focused on a point P, on the axis or beside it.
 Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const Real along = Dot(P, t);  // from P to the lens plane
+    const Real along = Dot(P, t);
     const Real aside = t.x * P.x + t.y * P.y;
     if (!(along > 0))
         throw OpticsError("The lens is turned so far that the focal point lies behind it (distance " + Number(along) +
@@ -186,7 +184,6 @@ Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<R
     return {t, f, f * P.z / (along - f), k};
 }
 
-/// Lens turned and film placed as stated; the focus follows.
 Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
 {
     return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
@@ -214,7 +211,6 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
     return SolveFilm(t, f, 2 * f * scale / (scale + sqrt(scale * (scale - least))));
 }
 
-/// Plane of sharp focus as stated; the lens follows.
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, J being the hinge line's distance
@@ -249,7 +245,7 @@ struct Scales
 {
     const Real millimetre, filmWidth;
     const Real rightLength;
-    const Real angleFilmDistance;  ///< film distance by the angle of view
+    const Real angleFilmDistance;
 
     Scales(const Axes& axes, const CameraFrame& camera, const Statement& given) :
         millimetre(Real(given.scale) / given.sceneUnit),

@@ -40,15 +40,14 @@ struct Prescription;
 struct CameraFrame
 {
     Vec3 location;   ///< lens centre
-    Vec3 direction;  ///< lens centre to frame centre
+    Vec3 direction;
     Vec3 right, up;  ///< full width and height of the frame at the end of `direction`
 };
 
-/// Exclude each other.
 enum class FocusFamily
 {
     LensTurn,    ///< `tilt`, `swing`, and focal point or film distance; default: neither turn
-    FocusTurn,   ///< `focus_tilt`, `focus_swing`, focal point
+    FocusTurn,
     FocalPlane,
     FocalPoints,
     SharpPoints
@@ -65,20 +64,20 @@ struct Statement
     double focusTilt = 0.0, focusSwing = 0.0;  ///< of the plane of sharp focus
     Vec3 planeNormal{0.0, 0.0, 1.0};           ///< any length but 0
     double planeDistance = 0.0;                ///< along the unit normal, from the world's origin
-    Vec3 points[3];                            ///< on the plane of sharp focus
+    Vec3 points[3];
     std::vector<Vec3> sharpPoints;             ///< given the least greatest blur by the plane of sharp focus
     std::optional<double> sharpWithin;         ///< greatest blur of these, mm on the film; replaces fStop
     double shiftRight = 0.0, shiftUp = 0.0;    ///< mm
-    std::optional<double> fStop;               ///< focal length / diameter
+    std::optional<double> fStop;
     int blades = 0;                            ///< 0: round
     double bladesAngle = 0.0;                  ///< degrees, counter-clockwise from the camera
     double bladeCurvature = 0.0;               ///< lens radius over edge radius; 0: straight
     double squeeze = 1.0;                      ///< aperture's height over width; the larger is the diameter
     Character character;
     std::shared_ptr<const Prescription> prescription;  ///< scaled lens of glass (solve.h); null: thin lens
-    bool dispersion = false;                   ///< glass has indices per wavelength
+    bool dispersion = false;
     bool denoise = true;                       ///< reconstruct the picture (reconstruction.h)
-    std::uint32_t sampleSeed = 0;              ///< selects the pattern of samples and noise
+    std::uint32_t sampleSeed = 0;
 
     /// Position of the film, in place of the focal point. LensTurn only; at most one of the two.
     std::optional<double> filmDistance;  ///< mm along the axis; with focalLength only

@@ -36,7 +36,6 @@ inline Vec3 ChiefRay(const Lens& lens, const FilmPoint& film)
     return IdealChiefRay(lens, ideal);
 }
 
-/// Field curvature's part of w.
 template<class Number>
 TILT_LENS_INLINED Number FieldVergence(const Lens& lens, const VecOf<Number>& chief)
 {
@@ -53,7 +52,6 @@ inline double FocusVergence(const Lens& lens, const Vec3& chief)
     return lens.fieldCurvature == 0.0 ? w : w + FieldVergence(lens, chief);
 }
 
-/// One ray, or several side by side.
 template<class Number>
 struct LensRayOf
 {
@@ -84,8 +82,6 @@ TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number&
     return {point, {none ? chief.x : direction.x, none ? chief.y : direction.y, none ? chief.z : direction.z}, w};
 }
 
-/// @param x, y  see FilmPoint
-/// @param a, b  see AperturePoint
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, {x, y}) : FilmPoint{x, y};
@@ -95,8 +91,8 @@ inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 /// One array per number of samples and rays, each of whole fours.
 struct RayArrays
 {
-    const double *x, *y, *a, *b;  ///< as in MakeRay()
-    double* origin[3];            ///< as in LensRay
+    const double *x, *y, *a, *b;
+    double* origin[3];
     double* direction[3];         ///< unit vectors
     double* length;               ///< of the directions before
     double* w;

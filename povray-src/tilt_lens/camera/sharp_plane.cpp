@@ -117,7 +117,6 @@ Circuit FirstCircuit(const Rows& rows)
     return {};
 }
 
-/// The circuit of greatest deviation among a few rows.
 Circuit GreatestCircuit(const Rows& rows, const Indices& few)
 {
     Circuit greatest;
@@ -148,7 +147,7 @@ Circuit GreatestCircuit(const Rows& rows, const Indices& few)
 struct Solved
 {
     RealVec k;
-    Circuit circuit;  ///< of the greatest deviation
+    Circuit circuit;
 };
 
 Solved StrictSolution(const Rows& rows, const Real& same);

@@ -51,7 +51,6 @@ class Vignetting
     /// Share of the aperture's light that passes the rim: bilinear in a table over the frame, to within 0.001.
     double OpenShare(const FilmPoint& film) const;
 
-    /// True if light passes from lens point to film point.
     bool Passes(const FilmPoint& film, const AperturePoint& point) const;
 
     /// Draws an open lens point: the sequence's own, or else a random one. Open points keep their relative density.

@@ -43,13 +43,11 @@ Prescription AtWavelength(const Prescription& prescription, double wavelength);
 /// @throws PrescriptionError  a glass without Abbe number
 void RequireAbbeNumbers(const Prescription& prescription);
 
-/// A lens of glass, stopped down, for each colour. Immutable, thread-safe.
 class GlassOfColours
 {
   public:
     GlassOfColours(const GlassLens& lens, const Prescription& prescription);
 
-    /// @param hue  from -1 to 1
     const GlassLens& Of(double hue) const;
 
   private:

@@ -16,7 +16,6 @@ namespace
 /// Direction cosines between neighbouring rays: its square vanishes beside 1, yet it is far above rounding.
 constexpr double kStep = 1e-5;
 
-/// Rays from a film point in the plane through the axis.
 struct Aimed
 {
     const GlassLens& lens;

@@ -38,7 +38,7 @@ CardinalPoints CardinalPointsOf(const Prescription& prescription)
     double length = 0.0;
     for (std::size_t i = 0; i + 1 < count; i++)
         length += prescription.rows[i].thickness;
-    const double frontPrincipal = (whole.d - 1.0) / whole.c, rearPrincipal = (1.0 - whole.a) / whole.c;  // from its vertex
+    const double frontPrincipal = (whole.d - 1.0) / whole.c, rearPrincipal = (1.0 - whole.a) / whole.c;
     points.frontVertex = frontPrincipal;
     points.rearVertex = frontPrincipal - length;
     points.separation = length + rearPrincipal - frontPrincipal;
@@ -77,7 +77,6 @@ GlassLens::GlassLens(const Prescription& prescription) : cardinal(CardinalPoints
     cardinal.fNumber = cardinal.focalLength / (2.0 * WidestRay());
 }
 
-/// Height of the widest passing ray parallel to the axis, by bisection.
 double GlassLens::WidestRay() const
 {
     double passes = 0.0, ends = std::sqrt(surfaces.back().squaredRim);

@@ -55,10 +55,10 @@ struct FourGlassRays
 enum class Passage
 {
     Passed,
-    Stopped,    ///< by the stop
+    Stopped,
     Rim,        ///< outside a surface's clear opening
-    Reflected,  ///< totally
-    Missed      ///< met no surface
+    Reflected,
+    Missed
 };
 
 /// Relative to the stop's radius: right and up as the camera sees it, left and down in the lens if the stop's image is inverted.

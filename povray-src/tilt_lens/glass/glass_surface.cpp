@@ -21,7 +21,6 @@ bool IntersectConic(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;
     const Vec3& d = ray.direction;
-    // at the plane through the vertex
     const double way = (surface.z - ray.origin.z) / d.z;
     const double x = ray.origin.x + way * d.x, y = ray.origin.y + way * d.y;
     // c (x^2 + y^2 + (1 + conic) z^2) = 2 z along the ray: square t^2 - 2 half t + constant = 0; the root near the vertex

@@ -19,7 +19,6 @@
 namespace tilt_lens
 {
 
-/// One or several side by side; unit directions.
 template<class Number>
 struct GlassRayOf
 {
@@ -28,7 +27,6 @@ struct GlassRayOf
 
 using GlassRay = GlassRayOf<double>;
 
-/// From the lens's axis.
 template<class Number>
 TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
 {
@@ -37,25 +35,23 @@ TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
 
 struct GlassSurface
 {
-    double z;  ///< vertex
+    double z;
     double curvature;  ///< 1/mm, positive if the centre lies towards the scene
     double ratio;  ///< index towards the film over that towards the scene
-    double squaredRim;  ///< of the clear radius
+    double squaredRim;
     bool stop, sphere;  ///< sphere or plane; else conic or aspherical
     double conic;
     std::vector<double> aspheric;  ///< coefficients of the sag towards the scene
 };
 
-/// Lane by lane.
 template<class Number>
 struct Crossing
 {
-    MaskOf<Number> met;  ///< meets the surface
-    MaskOf<Number> withinRim;  ///< in its clear opening
+    MaskOf<Number> met;
+    MaskOf<Number> withinRim;
     MaskOf<Number> refracted;  ///< else totally reflected
 };
 
-/// Negative towards the film.
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Number Signed(const Number& value)
 {

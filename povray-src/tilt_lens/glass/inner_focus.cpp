@@ -19,7 +19,6 @@ namespace
 /// Relative tolerance of stated distances: files round digits, and some sources estimate.
 constexpr double kStatedDistance = 0.05;
 
-/// Down to double precision.
 constexpr int kHalvings = 60;
 
 double ThicknessOf(const PrescriptionRow& row, double state)
@@ -31,7 +30,6 @@ double ThicknessOf(const PrescriptionRow& row, double state)
     return (1.0 - share) * from + share * row.nearThickness[before];
 }
 
-/// Last surface to film.
 double BehindLast(const Prescription& prescription, double state)
 {
     const PrescriptionRow& last = prescription.rows.back();

@@ -27,10 +27,10 @@ struct JsonValue
 
     Kind kind = Kind::kNull;
     int line = 0;                    ///< where the value begins, from 1
-    std::string name;                ///< of an object's member
+    std::string name;
     double number = 0.0;
     std::string text;
-    std::vector<JsonValue> members;  ///< list or object
+    std::vector<JsonValue> members;
 
     bool Is(Kind other) const { return kind == other; }
 

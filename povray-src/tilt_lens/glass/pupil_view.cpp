@@ -37,7 +37,6 @@ struct FourPupilPoints
     double l[4], m[4];
 };
 
-/// The lens from a film point.
 struct Seen
 {
     const GlassLens& lens;
@@ -162,7 +161,7 @@ class FourSpokes
             for (int i = 0; i < 4; i++)
                 if ((open >> i & 1u) != 0)
                 {
-                    if (ends[i] >= 4.0)  // beyond all direction cosines
+                    if (ends[i] >= 4.0)
                         open &= ~(1u << i);
                     passes[i] = ends[i];
                     ends[i] *= 1.5;
@@ -241,7 +240,6 @@ bool IsRound(const Spokes& spokes)
     return most < kRound * least;
 }
 
-/// Centroid within the spokes.
 PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
 {
     double area = 0.0, l = 0.0, m = 0.0;
@@ -259,7 +257,7 @@ PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
 /// @param larger  factor on the ellipse through the farthest end
 PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
 {
-    std::array<PupilPoint, kSpokes> ends;  // radial, tangential
+    std::array<PupilPoint, kSpokes> ends;
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     for (int i = 0; i < kSpokes; i++)
     {

@@ -32,7 +32,7 @@ using PupilPoint = PupilPointOf<double>;
 struct PupilEllipse
 {
     PupilPoint centre;
-    double radial, tangential;  ///< semi-axes
+    double radial, tangential;
 };
 
 struct PupilView

@@ -23,7 +23,6 @@ constexpr std::size_t kMostCoefficients = 20, kMostFocuses = 20;
 
 const char* const kKnown = "Known are lentil's form, with \"optical-elements-patent\", and that of ISET, with \"surfaces\".";
 
-/// Checked access to an object's members.
 class Members
 {
   public:
@@ -102,7 +101,6 @@ class Members
     }
 };
 
-/// Conic constant and aspheric coefficients of either form.
 void ReadShape(const Members& surface, PrescriptionRow& row)
 {
     row.conic = surface.NumberOr("conic_constant", 0.0);

@@ -19,7 +19,6 @@ constexpr int kColumns = PaddedBlock::kColumns;
 constexpr int kSide = int(settings.blockSide);
 constexpr int kPixels = kSide * kSide;
 
-/// Per pixel of a padded block.
 constexpr std::size_t kPlane = PaddedBlock::kRows * PaddedBlock::kColumns;
 using Plane = float[kPlane];
 
@@ -30,7 +29,6 @@ TILT_LENS_INLINED constexpr int At(int x, int y)
     return PaddedBlock::At(x, y);
 }
 
-/// The wanted rows, with a margin on all sides.
 struct Part
 {
     int left, right, top, bottom;

@@ -16,7 +16,6 @@ constexpr int kReach = Planes::kReach, kMostLanes = Planes::kMostLanes;
 
 /// Within reach of a sample: kReach before its own to kReach behind it.
 constexpr int kRows = 2 * kReach + 1;
-/// Whole vectors.
 constexpr int kLanes = kRows + 1;
 static_assert(kLanes % kMostLanes == 0, "vectors hold them without a rest");
 
@@ -36,7 +35,6 @@ constexpr LaneNumbers Numbered()
 
 constexpr LaneNumbers kOffsets = Numbered();
 
-/// End of a sample's window, pixels.
 constexpr float kWindowRadius = kReach + 1;
 
 /// Along rows and columns, 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.
@@ -69,7 +67,6 @@ constexpr float kInRow[2 * kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 
 constexpr int kWidth = kVectorWidth<Floats>;
 
-/// A circle of confusion along one axis.
 struct Extent
 {
     float middle, half;  ///< pixels
@@ -184,7 +181,6 @@ struct RowShares
 
     float DensityAt(int column) const { return density != nullptr ? density[column - begin] : 1.0f; }
 
-    /// Zero beyond the row.
     TILT_LENS_INLINED Floats From(int column) const
     {
         const int count = Min(kMostLanes, end - column);

@@ -63,7 +63,6 @@ class GlassCamera
     /// Through the centre of the film point's view; none if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
-    /// Relative to the picture's centre.
     double Brightness(const FilmPoint& film) const;
 
     /// Share of the stop's light that passes the rims.
@@ -80,7 +79,7 @@ class GlassCamera
     std::optional<GlassOfColours> colours;  ///< none: one wavelength
     Aperture disc = Aperture::Disc();
     GlassFilm frame;
-    std::vector<PupilNode> nodes;  ///< views, row by row
+    std::vector<PupilNode> nodes;
 
     void PlaceFilm();
     void Tabulate();

@@ -17,10 +17,9 @@
 namespace tilt_lens
 {
 
-/// With random numbers.
 struct FourGlassPoints
 {
-    double x[4], y[4];      ///< as FilmPoint
+    double x[4], y[4];
     double u[4], v[4];      ///< in [0, 1)
     std::uint32_t seed[4];  ///< for drawing blocked directions again
     unsigned int wanted;    ///< one bit per point that needs a sample, the lowest for the first
@@ -46,7 +45,7 @@ struct FourPupils
 struct PupilNode
 {
     double l = 0.0, m = 0.0, radial = 0.0, tangential = 0.0;
-    double open = 0.0;     ///< share that the rims leave open
+    double open = 0.0;
     double natural = 0.0;  ///< relative illumination by the stop alone
     bool seen = false;
 };
@@ -55,7 +54,6 @@ struct PupilNode
 /// derivative (up to 4 over the frame) over the squared number of steps: 1/2000.
 constexpr int kPupilTableSide = 33;
 
-/// Bilinear, side by side.
 template<class Vector>
 struct PupilInterpolation
 {
@@ -93,7 +91,6 @@ struct PupilInterpolation
     }
 };
 
-/// Film and lens frame.
 struct GlassFilm
 {
     const Lens* lens;
@@ -110,7 +107,6 @@ struct GlassFilm
         return {middle.x + x * right.x + y * up.x, middle.y + x * right.y + y * up.y, middle.z + x * right.z + y * up.z};
     }
 
-    /// Relative to the picture's centre.
     template<class Number>
     TILT_LENS_INLINED Number Brightness(const Number& open, const Number& itsNatural) const
     {

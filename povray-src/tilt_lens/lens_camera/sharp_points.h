@@ -33,7 +33,6 @@ Statement WithWidestStop(const CameraFrame& camera, const Statement& given);
 /// @param lens      of the statement there
 std::vector<double> SharpPointBlurs(const Vec3& location, const Statement& given, const Lens& lens);
 
-/// Greatest magnitude.
 double GreatestBlur(const std::vector<double>& blurs);
 
 /// Greatest blur of the sharp points, mm on the film, through the same lens at the same f-number, parallel to the film and focused best.

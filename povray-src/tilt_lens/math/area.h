@@ -25,7 +25,6 @@ struct Area
     std::uint32_t Bottom() const { return top + height; }  ///< first row outside
     std::size_t Size() const { return std::size_t(width) * height; }
     bool Has(std::uint32_t x, std::uint32_t y) const { return x >= left && x < Right() && y >= top && y < Bottom(); }
-    /// Row by row.
     std::size_t IndexOf(std::uint32_t x, std::uint32_t y) const { return (y - top) * std::size_t(width) + (x - left); }
 };
 

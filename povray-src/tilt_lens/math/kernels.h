@@ -56,11 +56,8 @@ struct Kernels
     /// @name Rays
     /// @{
 
-    /// From unit square to unit disc.
-    /// @param count  a multiple of 4
     void (*mapToDisc)(const double* u, const double* v, double* a, double* b, int count);
 
-    /// FindPosition() of four points.
     void (*findPositions)(const double* u, const double* v, double edges, double* positions, double* radii);
 
     /// Rays of a lens without distortion.
@@ -68,7 +65,6 @@ struct Kernels
     /// @return            false, with invalid rays, if a squared length may overflow or underflow
     bool (*makeRays)(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
 
-    /// GlassLens::Trace() through a round stop.
     unsigned int (*traceGlass)(const GlassSurface* begin, const GlassSurface* end, double stopScale, bool rims, FourGlassRays& rays,
                                FourStopPoints& stop);
 
@@ -80,7 +76,6 @@ struct Kernels
     /// @return      one bit per ray that exists
     unsigned int (*aimAtPupils)(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays);
 
-    /// Rays behind the lens, world frame.
     void (*leaveGlass)(const GlassFilm& film, const FourGlassPoints& points, const FourGlassRays& rays, FourGlassSamples& samples);
     /// @}
 

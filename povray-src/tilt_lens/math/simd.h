@@ -184,7 +184,6 @@ TILT_LENS_INLINED_FOR_AVX2 unsigned int SignBits(const LongMask4& mask)
 }
 /// @}
 
-/// True if a comparison holds in all lanes.
 template<class Mask>
 TILT_LENS_INLINED bool All(const Mask& mask)
 {

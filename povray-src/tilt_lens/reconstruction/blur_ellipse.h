@@ -30,7 +30,6 @@ struct BlurEllipse
         determinant = IsFinite(circle.x) ? xx * yy - xy * xy : 0.0f;
     }
 
-    /// True if wider than a pixel.
     TILT_LENS_INLINED bool IsWide() const { return Min(yy, xx) >= 1.0f && determinant >= 1.0f && IsFinite(determinant); }
 };
 

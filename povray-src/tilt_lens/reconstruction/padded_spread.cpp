@@ -56,7 +56,6 @@ PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t weight)
         Finish(*received, at);
 }
 
-/// Means and variances of four pixels from received sums.
 void PaddedSpread::Finish(const Received& received, std::size_t at)
 {
     const Float4 none{}, shares = Load<Float4>(&received[SpreadSums::kShare][at]);

@@ -31,7 +31,6 @@
 namespace tilt_lens
 {
 
-/// begin <= row < end
 struct Rows
 {
     int begin = 0, end = int(settings.blockSide);

@@ -54,7 +54,6 @@ class LensFootprint
 
     /// In aperture coordinates.
     TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
-    /// True for the evenly bright unit disc.
     TILT_LENS_INLINED bool IsDisc() const { return isDisc; }
     /// Relative brightness at `count` points of another aperture.
     void FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const;
@@ -69,7 +68,7 @@ class LensFootprint
     double width, height;
     float boundingRadius;
     bool isDisc;
-    std::vector<float> density;  ///< empty for a disc
+    std::vector<float> density;
 };
 
 /// The picture's range of columns or rows, relative to the block's first.
@@ -81,7 +80,6 @@ struct PictureSpan
 /// True if the circle contains another pixel's centre.
 bool ServesOthers(const CircleOfConfusion& circle);
 
-/// Sums of SpreadSums, for the kernel.
 struct SpreadPlanes
 {
     /// Greatest spread along rows and columns, pixels.
@@ -140,7 +138,6 @@ class SpreadSums : private SpreadPlanes
     /// Sum of the shares times weights that a pixel's samples kept for it; sum of these weights.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnWeight(int x, int y) const { return own[y * int(settings.blockSide) + x].weight; }
-    /// Sum of each pixel's sample weights.
     float PixelWeight() const { return own[0].weight; }
     bool IsSpread() const { return spread; }
 };

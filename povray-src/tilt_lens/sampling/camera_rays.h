@@ -63,7 +63,7 @@ class CameraRayBatch
 
   private:
     const SampledCamera& camera;
-    const GlassCamera* const glass;  ///< null: thin lens
+    const GlassCamera* const glass;
     const bool aims;
     bool empty = true;  ///< no run yet
     SampleRun last{};

@@ -84,7 +84,7 @@ bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
     const double pixels = std::max(plain.width / Length(plain.lens.right), plain.height / Length(plain.lens.up));
     const double imageRadius = emitter.radius * pixels * Dot(plain.lens.direction, plain.lens.axis) * distance / (ahead * ahead);
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
-    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected per sample
+    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);
     const double emission = hits * emitter.radiance;
     const double contrast = emitter.radiance - emitter.around;
     const bool foundByChance = hits > 1.0, negligible = hits * contrast * contrast < leastVariance;
@@ -189,11 +189,10 @@ bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const S
     return Aim(kept[targets.targets[i].emitter], u, id, point, sample);
 }
 
-/// Balance heuristic.
 void EmitterSampling::Weigh(const Targets& targets, CameraSample& sample) const
 {
     sample.weight = 1.0;
-    double density = 1.0 - targets.share;  // relative to plain samples
+    double density = 1.0 - targets.share;
     if (!plain.vignetting.None())
     {
         const FilmPoint film{sample.x, sample.y};

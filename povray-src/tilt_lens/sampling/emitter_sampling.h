@@ -23,7 +23,6 @@
 namespace tilt_lens
 {
 
-/// Bounding sphere.
 struct Emitter
 {
     Vec3 centre;  ///< relative to the lens centre, world axes, scene units
@@ -43,7 +42,6 @@ class EmitterSampling
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
 
-    /// A pixel's emitters.
     struct Targets
     {
         double share = 0.0;  ///< share of the pixel's samples
@@ -51,7 +49,7 @@ class EmitterSampling
         struct Target
         {
             std::uint32_t emitter;
-            double share;  ///< of all samples
+            double share;
         };
         std::vector<Target> targets;
     };

@@ -17,16 +17,14 @@
 namespace tilt_lens
 {
 
-/// Start of a ray.
 struct CameraSample
 {
-    double x, y;              ///< as in MakeRay
+    double x, y;
     AperturePoint point;
     double weight;            ///< of the radiance; 0: no ray to trace
     double expectedEmission;  ///< as in SampleResult
 };
 
-/// A group, one array per number.
 struct CameraSamples
 {
     OfGroup x, y, a, b, weight, expectedEmission;

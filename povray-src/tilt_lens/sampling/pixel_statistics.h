@@ -33,7 +33,7 @@ class PixelStatistics
     std::uint32_t Samples() const { return samples; }
     std::uint32_t EmitterSamples() const { return emitterSamples; }
     std::uint32_t NotFinite() const { return notFinite; }
-    double ExpectedEmission() const { return expectedEmission; }  ///< of the last emitter sample
+    double ExpectedEmission() const { return expectedEmission; }
 
     Radiance Mean() const;
     /// One sample's variance, stratified: a fixed share is aimed at emitters, so only deviations within the two groups count. 0 for
@@ -45,10 +45,10 @@ class PixelStatistics
 
   private:
     std::array<Radiance, 2> sum{};  ///< per buffer
-    Radiance squares{};             ///< of both buffers
+    Radiance squares{};
     Radiance emitterSum{};
     std::uint32_t samples = 0;
-    std::uint32_t firstBuffer = 0;  ///< in the first buffer
+    std::uint32_t firstBuffer = 0;
     std::uint32_t emitterSamples = 0, notFinite = 0;
     double expectedEmission = 0.0;
 

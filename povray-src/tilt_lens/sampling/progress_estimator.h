@@ -23,7 +23,6 @@
 namespace tilt_lens
 {
 
-/// Estimated from a few samples.
 double ExpectedSamples(const SamplingLimits& limits, const std::vector<Radiance>& tried);
 
 class ProgressEstimator
@@ -55,10 +54,10 @@ class ProgressEstimator
   private:
     Area area{};
     std::uint32_t columns = 0;
-    std::size_t given = 0, tried = 0;  ///< probes
-    double done = 0.0, all = 0.0;  ///< sums of pixels' weights
+    std::size_t given = 0, tried = 0;
+    double done = 0.0, all = 0.0;
     std::vector<double> weights;  ///< per pixel, by block
-    std::vector<std::uint32_t> pixels, finished;  ///< by block
+    std::vector<std::uint32_t> pixels, finished;
     mutable std::mutex mutex;
 };
 

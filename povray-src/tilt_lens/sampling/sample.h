@@ -20,7 +20,7 @@ namespace tilt_lens
 
 struct SampleId
 {
-    std::uint32_t x, y;   ///< in the whole picture
+    std::uint32_t x, y;
     std::uint32_t index;  ///< 0, 1, ... in the order taken
 };
 
@@ -63,7 +63,6 @@ struct Quads
     int Count() const { return int(end - begin); }
 };
 
-/// Traces the samples of PixelSampler(id.x, id.y, seed).
 class Tracer
 {
   public:

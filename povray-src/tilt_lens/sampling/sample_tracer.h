@@ -25,7 +25,6 @@
 namespace tilt_lens
 {
 
-/// A camera ray's end.
 struct Hit
 {
     Radiance radiance{};
@@ -36,9 +35,9 @@ struct Hit
 struct RayRange
 {
     std::uint32_t place, count;  ///< first ray in CameraRays, number of rays
-    std::uint32_t index;  ///< of the first ray's sample
+    std::uint32_t index;
     const PixelSampler& sequence;  ///< the pixel's; has more random numbers per sample
-    bool distances;  ///< needs Hit::distance
+    bool distances;
 };
 
 /// The library's only demand on a renderer: to follow camera rays, one after the other, to their radiance.
@@ -47,11 +46,9 @@ class RayTracer
   public:
     virtual ~RayTracer() = default;
 
-    /// @param hits  one per ray
     virtual void Trace(const CameraRays& rays, const RayRange& range, Hit* hits) = 0;
 };
 
-/// For one thread.
 class SampleTracer
 {
   public:

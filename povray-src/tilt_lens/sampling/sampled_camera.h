@@ -36,7 +36,6 @@ class SampledCamera
 
     const std::shared_ptr<const LensCamera> lens;
 
-    /// With the usual minimum of `blur_samples` in place of 0.
     const SamplingLimits limits;
 
     /// True if samples also serve other pixels of their circles of confusion.
@@ -46,7 +45,7 @@ class SampledCamera
     const LensSampler lensSampler;
     const EmitterSampling emitters;
 
-    const std::uint32_t seed;  ///< scrambles all sequences
+    const std::uint32_t seed;
 };
 
 } // namespace tilt_lens

@@ -18,8 +18,8 @@ struct SamplingStatistics
     std::map<std::uint32_t, std::uint64_t> pixelsBySamples;  ///< samples of a pixel -> number of pixels
     double variance = 0.0;                                   ///< sum of the pixels' largest channels
     std::uint64_t notFinite = 0;                             ///< samples with an infinite or NaN channel
-    std::uint64_t emitterSampled = 0;                        ///< samples aimed at emitters
-    std::uint64_t reconstructed = 0;                         ///< filtered pixels
+    std::uint64_t emitterSampled = 0;
+    std::uint64_t reconstructed = 0;
     std::uint64_t lightPoints = 0;                           ///< sampled points of area lights
     std::uint64_t lightPointsSkipped = 0;                    ///< skipped points of these
     std::uint64_t refusedRays = 0;                           ///< blocked by a glass lens, of all tried

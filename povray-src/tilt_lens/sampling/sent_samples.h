@@ -37,9 +37,9 @@ class SentSamples
   private:
     struct Sample
     {
-        CircleOfConfusion circle;  ///< relative to the block
+        CircleOfConfusion circle;
         float radiance[3];
-        std::uint32_t pixel;  ///< row by row in the block
+        std::uint32_t pixel;
     };
 
     const Area block;

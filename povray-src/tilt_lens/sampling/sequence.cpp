@@ -101,7 +101,6 @@ std::uint64_t PixelKey(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     return MixBits(pixel ^ MixBits((std::uint64_t{seed} + 1) * kGoldenStep));
 }
 
-/// Bits reversed.
 inline Lanes SobolPoint(std::uint32_t index)
 {
     Lanes point{};

@@ -17,9 +17,9 @@
 /// Reason for the reordering: sharp surfaces depend on the pixel pair alone, strongly blurred ones on the lens pair, a blur of about a
 /// pixel on all four. Randomly shuffled pairs (padding) have no common strata, and for such a blur are little better than random. Sobol's
 /// third and fourth dimensions have common strata but are no (0, m, 2)-net, and 16 or 32 samples in all four dimensions gain little. The
-/// order was searched. For the first seven bits of the index it minimises the error over random edges, discs, checkers and sines (six in
-/// ten along an axis of the picture) at blurs of 0, 0.5, 1, 3, 10 and 50 pixels; for each further bit it maximises the elementary
-/// intervals with their share of samples.
+/// order was searched. Its first seven bits minimise the error over random edges, discs, checkers and sines at blurs of 0, 0.5, 1, 3, 10
+/// and 50 pixels; six in ten lay along an axis of the picture. Each further bit maximises the number of elementary intervals with their
+/// share of samples.
 ///
 /// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020, but indices are not shuffled, since scrambling alone
 /// makes pixels independent; I. M. Sobol', "On the distribution of points in a cube and the approximate evaluation of integrals", USSR
@@ -35,11 +35,10 @@
 namespace tilt_lens
 {
 
-/// In (0, 1)^4.
 struct SequencePoint
 {
-    double lensU, lensV;  ///< for the aperture map
-    double pixelX, pixelY;  ///< in the pixel's square
+    double lensU, lensV;
+    double pixelX, pixelY;
 };
 
 /// One number per sample of a group. Groups begin at multiples of cameraRaysOfBatch.
@@ -52,7 +51,6 @@ struct SequencePoints
     SequencePoint operator[](std::uint32_t i) const { return {lensU[i], lensV[i], pixelX[i], pixelY[i]}; }
 };
 
-/// In (0, 1)^2.
 struct Pair
 {
     double u, v;
@@ -79,7 +77,6 @@ class PixelSampler
 
     SequencePoint operator()(std::uint32_t index) const;
 
-    /// The group of `index`.
     void FindGroup(std::uint32_t index, SequencePoints& points) const;
 
     /// Two further coordinates of a sample, as well distributed over the pixel's samples as its lens points, independent of these and

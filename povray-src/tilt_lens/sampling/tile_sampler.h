@@ -19,7 +19,6 @@ namespace tilt_lens
 class TileSampler
 {
   public:
-    /// @param cache  common to all tiles
     explicit TileSampler(BlockCache& cache) : cache(cache) {}
 
     /// Samples a tile inside the picture; once per tile.

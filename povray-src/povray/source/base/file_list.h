@@ -22,13 +22,11 @@ namespace tilt_lens
 /// Failure to write the list ends the render: an incomplete list is worse than none.
 void ListFile(const std::string& name, bool found);
 
-/// Fails in the same way.
 void ListPicture(const std::string& name);
 
-/// Call when parsing of a scene begins.
 void StartSceneFiles();
 
-/// Files read since StartSceneFiles(), each once, in order.
+/// Each once, in order.
 std::vector<std::string> SceneFiles();
 
 }  // namespace tilt_lens

@@ -30,7 +30,6 @@ enum
     kPOVAttrib_LayerValues = 'LayV'   ///< vector of floats
 };
 
-/// One per line.
 inline std::string JoinedNames(const std::vector<std::string>& names)
 {
     std::string text;

@@ -29,7 +29,6 @@ namespace
 
 const int kFloatBits = 32;
 
-/// The picture's name with extension `.layers.exr`.
 Path LayersBeside(const Path& picture)
 {
     Path path = picture;
@@ -146,7 +145,6 @@ void LayerPicture::TakeAttributes(POVMS_Object& message)
         attributes[names[i]].assign(value, value + sizes[i]);
 }
 
-/// Notes a finished tile without layers.
 void LayerPicture::RequireTile(POVMS_Object& message)
 {
     unsigned int x, y;

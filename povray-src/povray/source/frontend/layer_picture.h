@@ -29,20 +29,20 @@ class LayerPicture
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
-    /// Error of the layer options, one or two sentences; or empty.
+    /// One or two sentences about the layer options, or empty.
     static std::string Problem(POVMS_Object& options);
 
-    /// Warning about 32-bit colours in a file type that cannot hold them; or empty.
+    /// 32-bit colours in a file type that cannot hold them; or empty.
     static std::string Remark(POVMS_Object& options);
 
-    /// Handles the layers' part of a kPOVMsgClass_ViewImage message, and keeps a tile's layers in the state file.
+    /// Keeps a tile's layers in the state file.
     static void Take(const ViewData& view, POVMSType ident, POVMS_Object& message);
 
     /// Call after reading a state file.
     /// @throws pov_base::Exception  the render was begun without layers
     void RequireComplete() const;
 
-    /// Writes the file, under a temporary name until complete.
+    /// Under a temporary name until complete.
     /// @throws pov_base::Exception  unwritable file
     void Write() const;
 
@@ -51,8 +51,8 @@ class LayerPicture
     const unsigned int width, height;
     std::map<std::string, std::vector<std::vector<float>>> channels;  ///< rows; empty without a tile
     pov_base::OpenEXR::FloatAttributes attributes;
-    std::vector<bool> covered;  ///< pixels with layers
-    bool incomplete;  ///< a finished tile has no layers
+    std::vector<bool> covered;
+    bool incomplete;
 
     LayerPicture(const pov_base::Path& file, unsigned int width, unsigned int height);
 

@@ -41,7 +41,6 @@ struct Option
     POVMSType key, type;
 };
 
-/// Options that change pixels or the numbering of tiles.
 const Option kOptions[] = {
     {"Width", kPOVAttrib_Width, kPOVMSType_Int},
     {"Height", kPOVAttrib_Height, kPOVMSType_Int},
@@ -94,7 +93,7 @@ std::string Value(POVMS_Object& options, const Option& option)
     }
 }
 
-/// Variables of the command line and of animations, such as frame_number, one per line, sorted.
+/// From command line and animation, such as frame_number, one per line, sorted.
 std::string Declared(POVMS_Object& options)
 {
     std::vector<std::string> lines;
@@ -161,7 +160,6 @@ const Line* Find(const std::vector<Line>& lines, const std::string& name)
     return found == lines.end() ? NULL : &*found;
 }
 
-/// First difference between two renders' keys.
 std::string Difference(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -182,7 +180,7 @@ std::string Difference(const std::string& before, const std::string& now)
     return "its files were read in another order";
 }
 
-/// True if tiles of one picture lie inside the other; else POV-Ray's assertion would fail.
+/// Else POV-Ray's assertion would fail.
 bool Fits(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -195,7 +193,6 @@ bool Fits(const std::string& before, const std::string& now)
     return true;
 }
 
-/// A state file before its tiles.
 struct Start
 {
     enum Kind
@@ -223,7 +220,7 @@ Start ReadKey(IStream& stream, POV_LONG length)
         return kForeign;
     const POV_LONG size = POV_LONG(head[12]) << 24 | head[13] << 16 | head[14] << 8 | head[15];
     if (there < least || begin + least + size > length)
-        return kEmpty; // truncated while being written
+        return kEmpty;
     POVMS_Message message;
     try
     {

@@ -30,17 +30,15 @@ enum
 /// Call after parsing.
 std::string StateKey(POVMS_Object& options);
 
-/// Writes the key behind a new state file's header.
 /// @throws pov_base::Exception  unwritable file
 void WriteStateKey(pov_base::OStream& file, const std::string& key);
 
-/// Compares a state file with the render that continues it. Removes a file without tiles, as left by a program stopped at once.
+/// Removes a file without tiles, as left by a program stopped at once.
 /// @param refuse  differences are errors (scenes with `tilt_lens`), else remarks
 /// @return        a remark or an empty string
 /// @throws pov_base::Exception  the file belongs to another render, or to none; always if that picture was larger
 std::string CompareState(const pov_base::Path& file, const std::string& key, bool refuse);
 
-/// Checks a state file's message before drawing.
 /// @throws pov_base::Exception  a tile is outside the picture or incomplete
 void RequireWholeTile(const ViewData& view, POVMS_Object& message);
 

@@ -25,7 +25,6 @@ using pov_base::UCS2String;
 namespace
 {
 
-/// A symbolic link's target; other names unchanged.
 std::string Resolved(const std::string& name)
 {
     char* path = realpath(name.c_str(), NULL);

@@ -30,10 +30,9 @@ class WholeFile
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// Place to write: the final name if it is no regular file (standard output, a device) or in a read-only folder.
+    /// The final name if it is no regular file (standard output, a device) or in a read-only folder.
     pov_base::UCS2String Place() const;
 
-    /// Closes and renames the file.
     /// @throws pov_base::Exception  incompletely written
     void Finish(boost::scoped_ptr<pov_base::OStream>& file);
 

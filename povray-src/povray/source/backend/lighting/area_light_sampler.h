@@ -34,7 +34,6 @@ class AreaLightSampler
     /// @return                false: walk the whole grid
     bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
 
-    /// Points of all lights.
     std::uint64_t sampled = 0, skipped = 0;
 
   private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file photon_order.h
-/// Makes photon maps independent of threads. Any free thread shoots the photons of a light and a target, with that pair's random numbers
-/// (Trace::BeginPhotons); tree and sums of light depend on their order.
+/// Makes photon maps independent of threads. Any free thread shoots the photons of a light and a target (Trace::BeginPhotons); tree and
+/// sums of light depend on their order.
 
 #ifndef POVRAY_BACKEND_PHOTON_ORDER_H
 #define POVRAY_BACKEND_PHOTON_ORDER_H

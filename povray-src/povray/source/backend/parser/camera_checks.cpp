@@ -49,7 +49,6 @@ void RequireOneMeaning(const Camera& camera)
                s.bladeCurvature);
 }
 
-/// The first item that gives an ideal lens an aberration, or NULL.
 const char* CharacterAsked(const Character& c)
 {
     return c.edgeLight != 0.0           ? "edge_light"
@@ -61,7 +60,6 @@ const char* CharacterAsked(const Character& c)
                                         : NULL;
 }
 
-/// Refuses items that a prescription determines.
 void RequireOneLens(const Camera& camera)
 {
     const Statement& s = camera.TiltLens.statement;
@@ -95,7 +93,6 @@ void RequireOneLens(const Camera& camera)
         Refuse("%s and prescription in one camera: the lens of glass has aberrations of its own. Remove %s.", word, word);
 }
 
-/// A lens with a placed film is focused before it is turned.
 void RequireFilm(const Statement& s)
 {
     if (!s.filmDistance && !s.focusScale)
@@ -132,7 +129,6 @@ void RequireSharpPoints(const Camera& camera)
                word, limit, s.fStop ? "f_stop" : "aperture", s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
 }
 
-/// A pinhole has no blur for a focus aid.
 void RequireAperture(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;

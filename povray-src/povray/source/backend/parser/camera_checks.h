@@ -15,7 +15,6 @@
 namespace pov
 {
 
-/// Items that exclude each other.
 void RequireConsistent(const Camera& camera);
 
 /// Other cameras get a warning and the default.
@@ -28,10 +27,8 @@ void RequireFocalPoint(const TiltLensCamera& lens);
 /// @param across  from the lower left to the lower right corner
 void RequireFacade(const tilt_lens::Vec3& across, const tilt_lens::Vec3& right);
 
-/// A focal point without effect.
 std::string FocalPointWarning(const Camera& camera);
 
-/// A sky other than the macros of tilt_lens.inc assume.
 std::string SkyWarning(const tilt_lens::Vec3& sky, const tilt_lens::Vec3& assumed);
 
 } // namespace pov

@@ -18,7 +18,6 @@ namespace pov
 
 std::string Printed(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-/// Throws tilt_lens::OpticsError.
 [[noreturn]] void Refuse(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 extern const NumberRange kFinite, kPositive;
@@ -38,7 +37,6 @@ class ItemReader
     tilt_lens::Vec3 Vector();
     /// A number or a vector. @return  its length
     int Numbers(const std::string& name, EXPRESS values);
-    /// Takes a comma only.
     bool NextIsComma();
 };
 

@@ -73,7 +73,7 @@ const char* KindOf(int token)
     }
 }
 
-/// A number may stand for a point with equal coordinates, as everywhere in the language.
+/// As everywhere in the language, a number may stand for a point.
 bool IsAllowed(const char* found, const char* wanted)
 {
     return found == wanted || (wanted == kVector && found == kNumber.kind) || (wanted == kPair && found == kVector);

@@ -34,14 +34,13 @@ using tilt_lens::Vec3;
 namespace
 {
 
-const int kReservedWords = 0;  // symbol table of reserved words
+const int kReservedWords = 0;
 
 bool IsMacroOfInclude(const char* name)
 {
     return std::strncmp(name, "Tilt_Lens_", 10) == 0;
 }
 
-/// Refuses repeated items, a second family of focus, and a second focus distance.
 void RequireNew(const TiltLensItem& item, const std::set<std::string>& words)
 {
     if (words.count(item.word) > 0)
@@ -72,7 +71,7 @@ void RequireAidsTogether(const tilt_lens::FocusAids& aids)
 
 void TiltLensParser::DeclareFeature()
 {
-    const int kGlobal = 1;  // table of #declare
+    const int kGlobal = 1;
     SYM_ENTRY* entry = parser.Add_Symbol(kGlobal, "Tilt_Lens_Available", FLOAT_ID_TOKEN);
     entry->Data = Create_Float();
     *static_cast<DBL*>(entry->Data) = 1.0;
@@ -100,7 +99,6 @@ std::optional<TiltLensPlace> TiltLensParser::Call() const
     return place;
 }
 
-/// For messages: the current token, or the call of tilt_lens.inc's macro.
 TiltLensPlace TiltLensParser::Here() const
 {
     if (const std::optional<TiltLensPlace> call = Call())
@@ -199,7 +197,6 @@ void TiltLensParser::ParseBlockBehindIdentifier(Camera& camera)
     CheckBlock(camera);
 }
 
-/// @return  false at the block's end
 bool TiltLensParser::ParseItem(TiltLensCamera& lens)
 {
     parser.Get_Token();
@@ -253,7 +250,6 @@ std::vector<SYM_ENTRY*> TiltLensParser::MacrosNamedAsItems()
     return macros;
 }
 
-/// A vector that the scene has declared.
 std::optional<Vec3> TiltLensParser::DeclaredVector(const char* name)
 {
     for (int table = parser.Table_Index; table > 0; table--)
@@ -271,7 +267,6 @@ void TiltLensParser::WarnLater(Camera& camera, const char* text)
     Draft(camera).warnings.push_back({Here(), text});
 }
 
-/// A word for another type of camera, behind the block.
 void TiltLensParser::RefuseOtherType(const Camera& camera)
 {
     if (camera.TiltLens.given)
@@ -280,7 +275,6 @@ void TiltLensParser::RefuseOtherType(const Camera& camera)
                      parser.Token.Token_String);
 }
 
-/// At the camera's end.
 void TiltLensParser::RefuseStrangeItem(const Camera& camera)
 {
     parser.Get_Token();

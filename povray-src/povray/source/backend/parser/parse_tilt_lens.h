@@ -24,7 +24,7 @@ struct Sym_Table_Entry;
 /// Data of a camera statement during parsing that POV-Ray's Camera does not keep.
 struct CameraDraft
 {
-    bool hasBlock = false;                    ///< statement has `tilt_lens`
+    bool hasBlock = false;
     bool aperture = false;                    ///< written, even as 0
     double variance = 0.0, confidence = 0.9;  ///< written or default
     tilt_lens::Vec3 facade;  ///< lower left to lower right corner of Tilt_Lens_Facade; 0: none
@@ -37,25 +37,22 @@ struct CameraDraft
     std::vector<Warning> warnings;  ///< errors if the camera has `tilt_lens`
 };
 
-/// A friend of Parser.
 class TiltLensParser
 {
   public:
     explicit TiltLensParser(Parser& parser) : parser(parser) {}
 
-    /// Declares the identifier by which scenes detect this camera.
     void DeclareFeature();
 
-    /// Draft of the camera statement being parsed.
     CameraDraft& Draft(const Camera& camera);
 
     /// Parses `{ ... }` behind `tilt_lens`. Inside, items hide macros of their names.
     void ParseBlock(Camera& camera);
 
-    /// The same behind a camera's identifier: the block replaces the camera's block, other items stay.
+    /// Behind a camera's identifier: the block replaces the camera's block, other items stay.
     void ParseBlockBehindIdentifier(Camera& camera);
 
-    /// Keeps a warning until the camera's end: with `tilt_lens` the value is an error, and an unused default needs no warning.
+    /// Until the camera's end: with `tilt_lens` the value is an error, and an unused default needs no warning.
     void WarnLater(Camera& camera, const char* text);
 
     /// @name Errors that upstream would give without naming the block.
@@ -68,8 +65,7 @@ class TiltLensParser
     /// POV-Ray fills in unwritten items.
     void TakeCameraItems(Camera& camera);
 
-    /// Solves the lens of a parsed and transformed camera, for errors and warnings, and ends the draft. Records any camera
-    /// (camera_record.h).
+    /// Solves a parsed and transformed camera's lens, for errors and warnings. Records any camera (camera_record.h).
     void Check(Camera& camera);
 
     /// @name Inside a macro of tilt_lens.inc, send a message that names the macro's call.
@@ -79,7 +75,6 @@ class TiltLensParser
     bool WarningAtCall(unsigned int level, const char* text);
     /// @}
 
-    /// Refuses wrong types of arguments for a macro of tilt_lens.inc.
     /// @param names  of its parameters
     void CheckMacro(const char* macro, Sym_Table_Entry* const* arguments, char* const* names, int count);
 
@@ -98,7 +93,6 @@ class TiltLensParser
     void ErrorAt(const TiltLensPlace& place, const std::string& text);
     void WarningAt(const TiltLensPlace& place, const std::string& text, unsigned int level = 0);
 
-    /// Runs a task, and gives its OpticsError a place.
     template<class Task>
     void At(const TiltLensPlace& place, const Task& task);
 };

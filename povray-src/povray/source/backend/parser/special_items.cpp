@@ -45,7 +45,7 @@ void ReadBrace(Parser& parser, int brace, const char* sign)
            found.c_str());
 }
 
-/// A point, or `focus_on` or `focus_at` with its value, unless the scene has declared that name.
+/// Or `focus_on` or `focus_at` with its value, unless the scene has declared that name.
 Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
 {
     TiltLensCamera other;
@@ -78,7 +78,6 @@ struct FileChoice
     }
 };
 
-/// Searches like the scene's other files.
 std::string ReadWhole(Parser& parser, const std::string& name)
 {
     UCS2String found;

@@ -39,11 +39,10 @@ struct TiltLensItem
     const char* values;  ///< as in the manual, by units or types
     const char* example;
     std::vector<ItemNumber> numbers;  ///< all but the first are optional
-    void (*read)(ItemReader& reader, TiltLensCamera& lens) = NULL;  ///< for other values
+    void (*read)(ItemReader& reader, TiltLensCamera& lens) = NULL;
     std::optional<tilt_lens::FocusFamily> family = {};
-    bool statesDistance = false;  ///< of the focus
+    bool statesDistance = false;
 
-    /// Item with values.
     std::string Example() const;
 };
 
@@ -55,12 +54,12 @@ const TiltLensItem* FindTiltLensItem(const std::string& word);
 /// Nearest by Levenshtein distance, ignoring case.
 const TiltLensItem& NearestTiltLensItem(const std::string& word);
 
-/// True if the word was probably meant as `tilt_lens`.
+/// Probably meant as `tilt_lens`.
 bool LooksLikeTiltLens(const std::string& word);
 
 std::string TiltLensItemNames();
 
-/// True for a camera item that users expect inside the block.
+/// Camera items that users expect inside the block.
 bool IsCameraWord(const std::string& word);
 
 }  // namespace pov

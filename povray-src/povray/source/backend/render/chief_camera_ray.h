@@ -17,14 +17,13 @@ class Camera;
 class Ray;
 class TracePixel;
 
-/// Chief ray of a pixel's centre: POV-Ray's own, unless the lens distorts or is of glass. Friend of TracePixel.
+/// Through a pixel's centre: POV-Ray's own, unless the lens distorts or is of glass.
 /// @return  false: none
 bool MakeChiefRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
 
 /// Distance along a unit ray to the first visible surface, or HUGE_VAL.
 DBL FirstHit(Trace& trace, const Camera& camera, const Ray& ray);
 
-/// Bends a ray by the camera's normal.
 /// @param x, y  film point
 void BendByNormal(Ray& ray, const Camera& camera, double x, double y, TraceThreadData* thread);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forget_rays.cpp
-/// Clears caches that carry over from ray to ray and may change the next ray's result: pixels with `tilt_lens` depend on the scene alone.
-/// Random numbers are seeded by the sample instead.
+/// Clears caches that may change the next ray's result: pixels with `tilt_lens` depend on the scene alone. Samples seed the random
+/// numbers.
 
 #include <algorithm>
 
@@ -32,7 +32,6 @@ void Trace::ForgetRays()
     threadData->Facets_Last_Seed = int(0x80000000);
 }
 
-/// Photons of a light and a target do not depend on the thread.
 void Trace::BeginPhotons()
 {
     ForgetRays();

@@ -18,16 +18,13 @@ namespace pov
 class LightPath
 {
   public:
-    /// Set only while needed.
     bool wanted = false;
 
-    /// Brightest secondary ray.
     struct Brightest
     {
         double light = 0.0, length = 0.0;
     };
 
-    /// A ray has hit; its light is computed next.
     /// @return  argument for End()
     Brightest Begin()
     {
@@ -36,7 +33,6 @@ class LightPath
         return outer;
     }
 
-    /// The ray's light is computed.
     /// @param hit       object, or NULL
     /// @param distance  scene units
     /// @param weight    as in TraceRay

@@ -19,7 +19,6 @@ namespace pov
 namespace
 {
 
-/// Opaque objects larger than the tolerance.
 struct MayBeKept : public RayObjectCondition
 {
     virtual bool operator()(const Ray&, const ObjectBase* object, double) const
@@ -32,7 +31,6 @@ struct MayBeKept : public RayObjectCondition
 
 } // namespace
 
-/// @param lightDepth  of the light along the ray
 bool Trace::IsInNearShadow(const Ray& ray, double lightDepth)
 {
     Intersection nearest;

@@ -26,13 +26,12 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// A tile's layers, one after the other.
 class LayerBlock
 {
   public:
     explicit LayerBlock(size_t itsArea) : area(itsArea) {}
 
-    /// Adds a layer of zeros. @return  its index
+    /// @return  its index
     size_t Add(const char* name)
     {
         names.push_back(name);

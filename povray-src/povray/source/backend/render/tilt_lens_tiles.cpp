@@ -45,8 +45,7 @@ void EstimateWork(TiltLensTracer& tracer)
 }
 
 /// @param alone   share no samples with other tiles: pixels depend on the order of tracing
-/// @param pixels  row by row
-/// @param effort  row by row
+/// @param pixels, effort  row by row
 void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect, bool alone, std::vector<Colour>& pixels,
                std::vector<TiltLensEffort>& effort)
 {

@@ -121,7 +121,6 @@ RenderStatistics& TiltLensTracer::Stats()
     return trace.threadData->Stats();
 }
 
-/// Tests only objects that may contain lens points.
 void TiltLensTracer::EnterInteriors(Ray& ray) const
 {
     for (const ObjectAroundLens& around : view->aroundLens)
@@ -132,7 +131,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     }
 }
 
-/// Seeds generators by sample. Not in the constructor, which runs before that of media.
+/// Not in the constructor, which runs before that of media.
 void TiltLensTracer::LeadGenerators()
 {
     trace.crandSeeds.Follow(*this);
@@ -141,8 +140,7 @@ void TiltLensTracer::LeadGenerators()
         ofMedia->seeds.Follow(*this);
 }
 
-/// Creates the sequences of subsurface light, one per recursion level, so that the sample determines their first numbers. Trace would
-/// create them when needed.
+/// One sequence per recursion level, so that the sample determines their first numbers. Trace would create them when needed.
 void TiltLensTracer::SeedSubsurface(unsigned int seed)
 {
     const size_t levels = 3, length = 32767;  // sizes as in Trace

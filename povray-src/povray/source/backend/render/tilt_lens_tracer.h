@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tracer.h
-/// Bridge from the camera library to POV-Ray's tracing: follows camera rays to their hits. A TracePixel owns one if its view has a lens
-/// with an aperture; a friend, since tracing needs private members.
+/// Bridge from the camera library to POV-Ray's tracing: follows camera rays to their hits. A friend of TracePixel, since tracing needs
+/// private members.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_TRACER_H
 #define POVRAY_BACKEND_TILT_LENS_TRACER_H
@@ -34,11 +34,10 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     /// @param owner  must outlive the result
     static shared_ptr<TiltLensTracer> Create(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    /// @return  NULL: none
     static TiltLensTracer* Of(const TracePixel& owner);
 
     const shared_ptr<TiltLensView> view;
-    tilt_lens::SampleTracer samples;  ///< final picture
+    tilt_lens::SampleTracer samples;
     AreaLightSampler areaLights;
 
     /// A few samples of a pixel for a preview, one for a radiosity pretrace.
@@ -49,15 +48,14 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     DBL TraceAlone(const Ray& ray, unsigned int x, unsigned int y, Colour& colour);
 
     const Camera& GetCamera() const;
-    RenderStatistics& Stats();  ///< this thread's
+    RenderStatistics& Stats();
 
   private:
     TracePixel& trace;
     tilt_lens::SampleTracer plainSamples;  ///< previews
     const bool interiorsVary;  ///< lens partly inside an object: rays start in different interiors
 
-    /// The current sample.
-    const tilt_lens::PixelSampler* pixel = NULL;  ///< sequence of its pixel
+    const tilt_lens::PixelSampler* pixel = NULL;
     unsigned int index = 0;
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);

@@ -134,7 +134,7 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// Statement of a solved camera, with a point or plane in place of the film's position, and the f-number found for sharpWithin.
+/// With a point or plane in place of the film's position, and the f-number found for sharpWithin.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
@@ -160,7 +160,7 @@ Statement WithFocus(const Camera& camera)
     return s;
 }
 
-/// Statement with a glass lens's focal length when focused.
+/// With a glass lens's focal length when focused.
 Statement Ideal(const Camera& camera, const Statement& s)
 {
     return IdealStatement(WithGroups(s, camera.TiltLens.lens ? camera.TiltLens.lens->groups : 0.0));
@@ -217,7 +217,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
         {
             FindFocus(recorded.camera, scene, width);
         }
-        catch (const tilt_lens::OpticsError&)  // reported only for the picture's camera
+        catch (const tilt_lens::OpticsError&)
         {
         }
         text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) +
@@ -238,7 +238,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
     view.TiltLens.statement.fStop.reset();
     view.TiltLens.statement.sharpWithin.reset();
     if (view.TiltLens.given)
-        TiltLensCamera::Solve(view);  // as solved at the statement's end
+        TiltLensCamera::Solve(view);
 }
 
 } // namespace pov

@@ -30,7 +30,6 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Rays around the centre of an object with a hole there.
 const int kRaysAround = 1024;
 
 /// Each step multiplies the disagreement of frame and focus by about focal length / distance, unless the ray alternates between objects.
@@ -129,7 +128,6 @@ Vec3 Finder::InPicture(const FocusTarget& target, const Lens& lens)
     return *point;
 }
 
-/// The lens focused at infinity.
 Lens Unfocused(const Camera& camera)
 {
     Camera unfocused(camera);
@@ -146,7 +144,6 @@ Lens Unfocused(const Camera& camera)
     return *unfocused.TiltLens.lens;
 }
 
-/// Calls `todo` for each target with its point.
 template<class Todo>
 void ForEachTarget(TiltLensCamera& camera, FocusTarget::Kind kind, const Todo& todo)
 {
@@ -157,7 +154,6 @@ void ForEachTarget(TiltLensCamera& camera, FocusTarget::Kind kind, const Todo& t
             todo(camera.pointTargets[i], camera.TargetPoint(i));
 }
 
-/// The found points, for errors of a lens that cannot focus there.
 std::string Found(TiltLensCamera& block)
 {
     std::string text;
@@ -167,8 +163,7 @@ std::string Found(TiltLensCamera& block)
     return text;
 }
 
-/// Iterates focus and angle of view.
-/// @return  true if they agree
+/// @return  true if focus and angle of view agree
 bool FindInPicture(Finder& finder, Camera& camera)
 {
     TiltLensCamera& block = camera.TiltLens;

@@ -18,10 +18,10 @@ namespace pov
 
 class SceneData;
 
-/// Completes the camera's statement by the points, and the blur given in pixels, and solves its lens.
+/// Completes the camera's statement, and solves its lens.
 ///
-/// - Object: first intersection with the ray from the lens centre to its bounding box's centre, even behind other objects. If it misses,
-///   the next of 1024 rays around it, by growing angle.
+/// - Object: first intersection with the ray from the lens centre to its bounding box's centre, even behind other objects; else the next
+///   of 1024 rays around it, by growing angle.
 /// - Place in the picture: first intersection of its chief ray with a visible surface, transparent or not. Iterated if focusing changes
 ///   the angle of view (`focal_length`).
 ///

@@ -93,7 +93,7 @@ void AddLens(std::vector<LayerAttribute>& list, const Camera& camera, unsigned i
     // n.X = d in world coordinates
     const double distance = Length(lens.focus);
     if (distance == 0.0)
-        return;  // focus at infinity
+        return;
     const Vec3 normal = lens.focus / distance;
     list.push_back({"tiltLens:focusNormal", Numbers(normal)});
     list.push_back({"tiltLens:focusDistance", {1.0 / distance + Dot(normal, FromPov(camera.Location))}});

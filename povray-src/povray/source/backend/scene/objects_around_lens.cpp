@@ -35,7 +35,7 @@ struct LensBox
     double low[3], high[3];
 };
 
-/// Box around a glass lens's first surface, where rays start.
+/// Around a glass lens's first surface, where rays start.
 LensBox BoxOfGlass(const Camera& camera, const tilt_lens::SolvedLens& lens)
 {
     const tilt_lens::GlassLens::Front front = lens.glass->FrontBox();
@@ -68,7 +68,6 @@ LensBox BoxOfLens(const Camera& camera, const tilt_lens::SolvedLens& lens)
     return box;
 }
 
-/// True if the object's box shows that it contains no point of the box.
 bool IsApart(const LensBox& box, const ObjectBase& object)
 {
     for (int i = X; i <= Z; i++)
@@ -93,7 +92,6 @@ int CornersInside(const LensBox& box, const ObjectBase& object)
     return inside;
 }
 
-/// A convex solid that contains the corners contains the box.
 bool IsConvexSolid(const ObjectBase& object)
 {
     const bool solid = dynamic_cast<const Sphere*>(&object) != NULL || dynamic_cast<const Box*>(&object) != NULL;

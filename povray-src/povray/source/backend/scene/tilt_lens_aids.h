@@ -25,15 +25,12 @@ class TiltLensAids
     TiltLensAids(const tilt_lens::FocusAids& aids, const shared_ptr<const tilt_lens::LensCamera>& camera, int width, int height,
                  pov_base::GammaCurvePtr display);
 
-    /// False if only distances count.
     bool NeedsLight() const { return !aids.map; }
 
-    /// Pixel with the aids drawn in.
     /// @param film   the pixel's centre
-    /// @param depth  of its hit, along the camera's axis; infinite for none
+    /// @param depth  along the camera's axis; infinite without a hit
     Colour Drawn(int x, int y, const tilt_lens::FilmPoint& film, double depth, const Colour& picture) const;
 
-    /// Line of the report before the render.
     std::string Describe() const;
 
   private:

@@ -36,14 +36,14 @@ struct TiltLensPlace
     POV_LONG line = 0, column = 0, offset = 0;
 };
 
-/// Items of the camera's statement, for a block behind the camera's identifier.
+/// For a block behind the camera's identifier.
 struct CameraItems
 {
     bool angle = false, aperture = false;
     bool focalPoint = false;  ///< `focal_point` or `look_at`: the statement's focalPoint
 };
 
-/// A point in focus, found by a ray after parsing.
+/// Found by a ray after parsing.
 struct FocusTarget
 {
     enum Kind
@@ -53,11 +53,11 @@ struct FocusTarget
         Picture
     } kind = NotUsed;
     std::string name;
-    shared_ptr<ObjectBase> object; ///< a copy
+    shared_ptr<ObjectBase> object;
     double x = 0.0, y = 0.0;       ///< in the picture: from the lower left corner, 0 to 1
     tilt_lens::Vec3 found;         ///< world
 
-    std::string Written() const;  ///< as in the scene
+    std::string Written() const;
 };
 
 struct TiltLensCamera
@@ -66,9 +66,9 @@ struct TiltLensCamera
                          ///< and scale are used
     CameraItems items;
     TiltLensPlace place; ///< the block's first word
-    std::set<std::string> words;  ///< the block's items
+    std::set<std::string> words;
     tilt_lens::Statement statement;
-    tilt_lens::FocusAids aids;  ///< replace the lens's picture
+    tilt_lens::FocusAids aids;
 
     FocusTarget focusTarget;                ///< replaces the statement's focalPoint
     std::vector<FocusTarget> pointTargets;  ///< replace its points or sharpPoints; may be empty
@@ -76,19 +76,17 @@ struct TiltLensCamera
     /// `sharp_within`; becomes the statement's sharpWithin by the picture's width.
     std::optional<double> sharpWithinPixels;
 
-    /// False if FindFocus() (focus_target.h) must complete the statement.
+    /// False before FindFocus() (focus_target.h).
     bool IsComplete() const;
 
     /// The statement's point for pointTargets[i].
     tilt_lens::Vec3& TargetPoint(std::size_t i);
 
-    /// The item that sets the aperture by the blur of sharp_points, or NULL.
     const char* BlurLimitWord() const;
 
     /// Set at the end of a camera statement, or before the render if the focus must be found; NULL before and after a transformation.
     shared_ptr<const tilt_lens::SolvedLens> lens;
 
-    /// Transforms plane, points and scale.
     void Transform(const TRANSFORM* trans);
 
     /// @throws tilt_lens::OpticsError  says where the camera was transformed

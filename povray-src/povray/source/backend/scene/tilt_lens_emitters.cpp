@@ -25,7 +25,6 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Emitted radiance.
 double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
 {
     double brightest = 0.0;
@@ -45,9 +44,8 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
     return brightest;
 }
 
-/// Bounding sphere, relative to the camera's location.
-/// @param light   the object's radiance
-/// @param around  greatest radiance around it
+/// Relative to the camera's location.
+/// @param light, around  radiance of the object, greatest radiance around it
 tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double light, double around)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -72,7 +70,6 @@ double LeastRadiance(const SceneData& scene)
     return known ? std::min(lights, tilt_lens::settings.greatestLitRadiance) : tilt_lens::settings.greatestLitRadiance;
 }
 
-/// @param leastRadiance  white is 1
 void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, double leastRadiance,
              std::vector<tilt_lens::Emitter>& emitters)
 {

@@ -32,7 +32,7 @@ std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
     return text;
 }
 
-/// Components within rounding error of 0, relative to `scale`, become 0.
+/// Rounding errors, relative to `scale`, become 0.
 std::string Text(const Vec3& v, double scale)
 {
     const double least = 1e-12 * scale;
@@ -62,7 +62,6 @@ std::string Count(double number, const char* what)
     return Line("%.0f ", number) + what + (number == 1.0 ? "" : "s");
 }
 
-/// Size and shift of the frame on the film, and angle of view.
 std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const tilt_lens::Statement& given = camera.TiltLens.statement;
@@ -78,7 +77,7 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
-/// Corner brightness relative to the centre, by natural vignetting alone.
+/// By natural vignetting alone, relative to the centre.
 double DarkestCorner(const TiltLensCamera& block)
 {
     tilt_lens::Character natural;
@@ -89,7 +88,6 @@ double DarkestCorner(const TiltLensCamera& block)
     return darkest;
 }
 
-/// Aberrations, one line each.
 std::string CharacterOf(const TiltLensCamera& block)
 {
     const tilt_lens::SolvedLens& lens = *block.lens;
@@ -121,7 +119,7 @@ std::string CharacterOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Cardinal points along the glass's axis, from the front principal point: the camera's location.
+/// Along the glass's axis, from the front principal point: the camera's location.
 std::string GlassOf(const tilt_lens::SolvedLens& lens, double filmWidth)
 {
     const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
@@ -162,7 +160,6 @@ std::string SqueezeOf(double squeeze)
     return squeeze > 1.0 ? Line(", squeezed to %.4g of its width", 1.0 / squeeze) : Line(", squeezed to %.4g of its height", squeeze);
 }
 
-/// A focus stated neither as a point nor as a plane.
 std::string FocusOf(const TiltLensCamera& block)
 {
     std::string text;
@@ -184,7 +181,6 @@ std::string FocusOf(const TiltLensCamera& block)
 /// Rounding of a sharp point's blur, pixels.
 const double kSharp = 1e-6;
 
-/// Blur of the sharp points without tilt.
 std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, double greatest, const std::function<std::string(double)>& blur)
 {
     const double stop = lens.focalLength / lens.diameter;
@@ -197,7 +193,6 @@ std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, doubl
     return text + Line("f/%.4g in place of f/%.4g for the same\n", stop * *without / greatest, stop);
 }
 
-/// Each point's blur, and the points that set it.
 std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, double width)
 {
     const TiltLensCamera& block = camera.TiltLens;
@@ -228,7 +223,6 @@ std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, dou
     return lens.diameter > 0.0 ? text + WithoutTilt(camera, lens, greatest, blurText) : text;
 }
 
-/// Positions of focusing groups, and the film's additional movement.
 std::string GroupsOf(const TiltLensCamera& block)
 {
     const tilt_lens::SolvedLens& lens = *block.lens;
@@ -248,7 +242,7 @@ std::string GroupsOf(const TiltLensCamera& block)
     return text;
 }
 
-/// A point to check the plane of sharp focus: its intersection with the axis, if in front, else its nearest point.
+/// Its intersection with the axis, if in front, else its nearest point.
 std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -262,7 +256,6 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
-/// Omitted or unusable work, one line each.
 std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics)
 {
     const tilt_lens::SamplingLimits& limits = view.camera.limits;

@@ -16,7 +16,6 @@ class Camera;
 class TiltLensAids;
 class TiltLensView;
 
-/// From POV-Ray's statistics.
 struct TiltLensCost
 {
     double seconds, cpuSeconds;  ///< longest thread; sum of all threads
@@ -25,11 +24,9 @@ struct TiltLensCost
     double shadowTests;  ///< pairs of object and shadow ray
 };
 
-/// Lens and aids for a picture `width` pixels wide.
 /// @param camera  with a solved lens
 std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensAids* aids);
 
-/// Statistics after the render.
 std::string SummarizeTiltLens(const TiltLensView& view, const TiltLensCost& cost);
 
 } // namespace pov

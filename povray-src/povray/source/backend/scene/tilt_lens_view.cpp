@@ -62,7 +62,6 @@ shared_ptr<const tilt_lens::LensCamera> LensCameraOf(const Camera& camera, share
                                                          camera.TiltLens.statement.character, camera.Tnormal != NULL);
 }
 
-/// Minimum 0 if the scene states none.
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 {
     tilt_lens::SamplingLimits limits;
@@ -103,7 +102,7 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
     camera.Direction[X] = lens.direction.x;
     camera.Direction[Y] = lens.direction.y;
     camera.Direction[Z] = lens.direction.z;
-    camera.Aperture = 0.0;  // disables POV-Ray's focal blur
+    camera.Aperture = 0.0;
     if (IsPlainPinhole(lens, camera.TiltLens.statement.character))
         return shared_ptr<TiltLensView>();
     shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view));
@@ -137,8 +136,7 @@ void TiltLensView::AddProgress(POVMS_Object& message) const
     }
 }
 
-/// Prepares the threads' common data for `tilt_lens`, sends its report, and replaces anti-aliasing. Other cameras are only recorded for
-/// TILT_LENS_PREVIEW.
+/// Other cameras are only recorded for TILT_LENS_PREVIEW.
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
@@ -182,7 +180,6 @@ void View::StartTiltLens(unsigned int& tracingmethod)
     PlanTiltLensWork();
 }
 
-/// Plans the progress display, with tiles that a continued render has.
 void View::PlanTiltLensWork()
 {
     const POVRect& area = viewData.renderArea;

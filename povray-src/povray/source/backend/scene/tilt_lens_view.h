@@ -28,7 +28,6 @@ namespace pov
 
 class ViewData;
 
-/// Pixels of the whole picture.
 inline tilt_lens::Area AreaOf(const POVRect& rect)
 {
     return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(), (unsigned int)rect.GetHeight()};
@@ -54,10 +53,8 @@ class TiltLensView
 
     const shared_ptr<tilt_lens::BlockCache> blocks;
 
-    /// Only these are tested for interiors around lens points.
     const std::vector<ObjectAroundLens> aroundLens;
 
-    /// For the report.
     const std::size_t objectsWithInterior;
 
     tilt_lens::ProgressEstimator progress;
@@ -74,7 +71,7 @@ class TiltLensView
     tilt_lens::SamplingStatistics Statistics() const;
     /// @}
 
-    /// Adds the finished share of the work, per cent, to a progress message, if known.
+    /// Per cent of the work, if known.
     void AddProgress(POVMS_Object& message) const;
 
   private:

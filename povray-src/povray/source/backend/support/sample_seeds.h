@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_seeds.h
-/// Seeds random generators by sample, so that pictures do not depend on the order of tracing. Most samples draw no number, so seeds are
-/// computed at the first draw.
+/// Seeds random generators by sample, so that pictures do not depend on the order of tracing: at the first draw, since most samples draw
+/// nothing.
 
 #ifndef POVRAY_BACKEND_SAMPLE_SEEDS_H
 #define POVRAY_BACKEND_SAMPLE_SEEDS_H
@@ -18,7 +18,6 @@ class SampleSeedSource
   public:
     virtual ~SampleSeedSource() = default;
 
-    /// The current sample's seed.
     virtual unsigned int Seed() const = 0;
 
     /// Counts samples from 1; 0 between samples.
@@ -32,15 +31,13 @@ class SampleSeedSource
     std::size_t sample = 0, begun = 0;
 };
 
-/// Member of a generator: takes one seed per sample.
+/// Member of a generator.
 class SampleSeeds
 {
   public:
     /// @param itsSource  must outlive the last draw
     void Follow(const SampleSeedSource& itsSource) { source = &itsSource; }
 
-    /// Call before each draw.
-    /// @param state  set to the seed at the sample's first draw
     template<class State>
     void Take(State& state)
     {
@@ -52,7 +49,7 @@ class SampleSeeds
 
   private:
     const SampleSeedSource* source = NULL;
-    std::size_t seeded = 0;  ///< sample of the last draw
+    std::size_t seeded = 0;
 };
 
 }  // namespace pov

@@ -32,7 +32,6 @@ namespace
 /// Place in a file: OpenEXR 2 has its own type, OpenEXR 3 uint64_t.
 using Place = decltype(std::declval<Imf::OStream&>().tellp());
 
-/// Adapter from POV-Ray's file to OpenEXR's.
 class FloatStream : public Imf::OStream
 {
   public:

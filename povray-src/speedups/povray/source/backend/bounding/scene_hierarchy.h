@@ -23,11 +23,10 @@ namespace pov
 class SceneHierarchy
 {
   public:
-    /// Gives each mesh a hierarchy, also in CSG, bounding and clipping objects.
+    /// Also in CSG, bounding and clipping objects.
     /// @param all  the scene's objects; must outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
 
-    /// Must precede Intersect().
     void AddObjects(const std::vector<ObjectPtr>& all);
 
     unsigned int FiniteObjects() const { return objects.size() - infinite.size(); }
@@ -40,13 +39,12 @@ class SceneHierarchy
     bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition, const RayObjectCondition& postcondition,
                    TraceThreadData* thread) const;
 
-    /// Only objects with none of the flags, and intersections beyond the depth.
     bool Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const;
 
   private:
     std::vector<std::unique_ptr<speedups::BoxHierarchy>> meshes;
-    std::vector<ObjectPtr> objects;          ///< in the scene's order
-    std::vector<const ObjectPtr*> infinite;  ///< without a finite box
+    std::vector<ObjectPtr> objects;
+    std::vector<const ObjectPtr*> infinite;
     std::unique_ptr<speedups::BoxHierarchy> finite;
 
     void AddMeshes(const std::vector<ObjectPtr>& among);

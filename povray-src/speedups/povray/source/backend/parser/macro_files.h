@@ -25,14 +25,13 @@ class MacroFiles
     pov_base::ITextStream* Take(const UCS2* name);
     /// Takes ownership. Beyond `most` files, closes the oldest.
     void Keep(pov_base::ITextStream* file);
-    /// For files that the scene may have changed.
     void Forget() { files.clear(); }
 
     /// Far below the usual limit of about a thousand open files.
     static constexpr std::size_t most = 32;
 
   private:
-    std::vector<std::unique_ptr<pov_base::ITextStream>> files;  ///< oldest first
+    std::vector<std::unique_ptr<pov_base::ITextStream>> files;
 };
 
 } // namespace pov
