@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_hierarchy.h
-/// Bounding volume hierarchy of axis-aligned boxes, eight children per node, for the nearest intersection. Built by the binned surface
-/// area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller intersects rays with its
-/// items.
+/// Bounding volume hierarchy of axis-aligned boxes, eight children per node, built by the binned surface area heuristic (I. Wald, "On
+/// fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller intersects rays with its items.
 ///
 /// The library speedups/ makes POV-Ray faster and changes no pixel. It knows no camera; of the camera's library it includes
 /// tilt_lens/math/simd.h alone. Below speedups/povray/ are the files at upstream's paths that use it.
@@ -77,7 +76,7 @@ class BoxHierarchy
     /// Pushes the others on the stack, the nearest on top.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
-    std::vector<Node> nodes;  ///< root first; empty without items
+    std::vector<Node> nodes;
     std::vector<const void*> whats;
 };
 

@@ -34,11 +34,8 @@ class Aperture
     /// bijection of the closed square and the disc.
     static Aperture Disc();
 
-    /// Regular polygon with corners on the unit circle. Blades stop the lens of the f-number down to N/(2 pi) sin(2 pi/N) of the
-    /// disc's area. The first corner lies on the a axis, turned by the angle towards b.
-    ///
-    /// The disc's map with triangles for sectors: equal angles become equal lengths along an edge, which preserves areas. A
-    /// continuous bijection.
+    /// Regular polygon with corners on the unit circle: N/(2 pi) sin(2 pi/N) of the disc's area. The first corner lies on the a axis,
+    /// turned by the angle towards b. Equal angles become equal lengths along an edge, which preserves areas. A continuous bijection.
     ///
     /// With a curvature c the edges are arcs of radius 1/c between the corners: 0 is straight, 1 the unit circle. At least 512 chords
     /// approximate them to 2e-5; their triangles with the centre have equal areas, so the map remains a polygon's.
@@ -56,16 +53,16 @@ class Aperture
 
     /// Any brightness over the square around the lens, tabulated in 256 x 256 cells.
     ///
-    /// weight(u, v) for (u, v) in [0, 1]^2 is the relative brightness at a = 2u - 1, b = 1 - 2v: v grows *downward*. POV-Ray's `bokeh
-    /// { pigment { ... } }` lies so over the lens. Its focal blur moves the ray's origin by (u - 0.5) `XPerp` - (v - 0.5) `YPerp`,
-    /// times half of `aperture`; `XPerp` = up x direction, `YPerp` = direction x `XPerp` points up. The caller passes the pigment's
-    /// value at <u, v, 0>. (Up x direction is the right of a left-handed camera, the left of any other.)
+    /// weight(u, v) for (u, v) in [0, 1]^2 is the relative brightness at a = 2u - 1, b = 1 - 2v: v grows *downward*, as POV-Ray's
+    /// `bokeh { pigment { ... } }` at <u, v, 0> lies over the lens. Its focal blur moves the ray's origin by (u - 0.5) `XPerp` - (v -
+    /// 0.5) `YPerp`, times half of `aperture`; `XPerp` = up x direction (right of a left-handed camera, left of any other), `YPerp` =
+    /// direction x `XPerp` points up.
     ///
     /// Only ratios of weights count; negative and non-finite weights count as 0. Each cell averages 4, or 16 where they vary within
     /// or around it. Details smaller than half a cell may be missed.
     ///
-    /// Inversion: u chooses a from the marginal distribution, v chooses b from that column's conditional one, linearly within a cell.
-    /// Monotone, a in u and b in falling v. Continuous except across cells without weight and, in b, between columns.
+    /// Inversion: u chooses a from the marginal distribution, v chooses b from that column's, linearly within a cell. Monotone, a in
+    /// u and b in falling v. Continuous except across cells without weight and, in b, between columns.
     /// @throws std::invalid_argument  no place has a positive weight
     static Aperture Picture(const std::function<double(double u, double v)>& weight);
 

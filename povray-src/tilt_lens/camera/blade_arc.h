@@ -15,7 +15,6 @@
 namespace tilt_lens
 {
 
-/// Twice the triangle's signed area with the origin.
 inline double Cross(const AperturePoint& p, const AperturePoint& q)
 {
     return p.a * q.b - p.b * q.a;

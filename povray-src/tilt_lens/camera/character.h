@@ -22,9 +22,9 @@ struct Character
     double distortion1 = 0.0;        ///< of r^2, r being half film widths from the lens's axis
     double distortion2 = 0.0;        ///< of r^4
     double distortionNear = 0.0;     ///< added to distortion1 times focal length / focus distance
-    double fieldCurvature = 0.0;     ///< mm from image to film, half a film's width off the axis
-    double lateralColour = 0.0;      ///< mm by which the red end's image lies farther out than the blue end's there
-    double axialColour = 0.0;        ///< mm from the blue end's image back to the red end's
+    double fieldCurvature = 0.0;     ///< mm of the image before the film, half a film's width off the axis
+    double lateralColour = 0.0;      ///< mm of the red end's image outside the blue end's there
+    double axialColour = 0.0;        ///< mm of the red end's image behind the blue end's
 
     bool Distorts() const { return distortion1 != 0.0 || distortion2 != 0.0 || distortionNear != 0.0; }
 };

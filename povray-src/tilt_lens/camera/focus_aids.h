@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// Drawings over a picture that is sharp throughout: focus_peaking's tint, focus_map's colours and scale, show_planes' surfaces.
-/// Functions of the pixel in the whole picture alone.
+/// Drawings over a picture that is sharp throughout, functions of the pixel in the whole picture alone.
 ///
-/// Colours here are display colours (sRGB, 0 to 1), which the caller converts to scene light. Blur is BlurDiameter() of optics.h: pixels,
+/// Colours are display colours (sRGB, 0 to 1), which the caller converts to scene light. Blur is BlurDiameter() of optics.h: pixels,
 /// positive before the plane of sharp focus.
 
 #ifndef TILT_LENS_FOCUS_AIDS_H

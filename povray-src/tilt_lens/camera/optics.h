@@ -39,7 +39,7 @@ struct Prescription;
 /// POV-Ray's perspective camera after all transformations. World frame, scene units.
 struct CameraFrame
 {
-    Vec3 location;   ///< lens centre
+    Vec3 location;
     Vec3 direction;
     Vec3 right, up;  ///< full width and height of the frame at the end of `direction`
 };
@@ -164,11 +164,10 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 
 /// @name Blur in the picture.
 ///
-/// The circle of confusion: the film patch that one surface point's light reaches. It is the lens outline times the vergence difference
-/// 1/T - w (ray.h), an ellipse for a tilted lens. Its longest diameter is the lens's own, since one diameter of every lens is parallel to
-/// the film; distortion stretches it further. "Blur" is this longest diameter in pixels, throughout the program. A polygon or bokeh
-/// picture counts as the disc around it. Positive before the plane of sharp focus (nearer to the camera), negative behind it, 0 on it and
-/// for a pinhole.
+/// The circle of confusion, the film patch that one surface point's light reaches, is the lens outline times the vergence difference 1/T
+/// - w (ray.h). Its longest diameter is the lens's own, since one diameter of every lens is parallel to the film; distortion stretches it
+/// further. "Blur" is this diameter in pixels, throughout the program. A polygon or bokeh picture counts as the disc around it. Positive
+/// before the plane of sharp focus (nearer to the camera), negative behind it, 0 on it and for a pinhole.
 /// @{
 
 /// Blur per vergence difference, for a frame `width` pixels wide.
@@ -178,11 +177,11 @@ double BlurPerVergence(const Lens& lens, double width);
 /// @param chief  direction + x right + y up, not normalised
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
 
-/// All points with the given blur, as k of the plane k.X = 1; 0: the plane of sharp focus. All such planes meet in the hinge line, like a
-/// book's pages, or are parallel for a lens parallel to the film. Only for lenses without distortion and field curvature; no pinholes.
+/// k of the plane k.X = 1 with the given blur; 0: the plane of sharp focus. All such planes meet in the hinge line, or are parallel for a
+/// lens parallel to the film. Not with distortion or field curvature; no pinholes.
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
 
-/// 1/T at which a chief ray meets the surface of the given blur; negative behind the lens. No pinholes.
+/// 1/T at which a chief ray meets the given blur; negative behind the lens. No pinholes.
 double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width);
 /// @}
 

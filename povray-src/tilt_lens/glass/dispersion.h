@@ -23,7 +23,7 @@
 namespace tilt_lens
 {
 
-/// @name Wavelengths, nm.
+/// @name nm.
 /// @{
 constexpr double kLineD = 587.5618, kLineF = 486.1327, kLineC = 656.2725, kLineG = 435.8343;
 

@@ -17,8 +17,8 @@ namespace tilt_lens
 struct FieldAberrations
 {
     double distortion;  ///< relative: an ideal lens shows the point (1 + this) times as far from the axis
-    double sagittal;    ///< mm from the sagittal image (rays equally far from the axis) to the film
-    double tangential;  ///< mm from the tangential image (rays in the plane through the axis) to the film
+    double sagittal;    ///< mm of the sagittal image (rays equally far from the axis) before the film
+    double tangential;  ///< mm of the tangential image (rays in the plane through the axis) before the film
 };
 
 /// From rays near the chief ray, which passes the stop's centre.

@@ -94,14 +94,13 @@ class GlassLens
     void TakeIndices(const Prescription& prescription);
 
     /// Traces from film to scene.
-    /// @param[in,out] ray  starts behind the lens with direction.z > 0; if it passes, becomes the ray that leaves the first surface;
-    /// else ends anywhere
+    /// @param[in,out] ray  starts behind the lens with direction.z > 0; if it passes, becomes the ray that leaves the first surface
     /// @param[out] stop    set if the ray reaches the stop
     /// @param rims         false: only the stop blocks rays
     Passage Trace(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
     /// Four rays side by side, with the results of one, to the last bit.
-    /// @param[in,out] rays  those that do not pass end anywhere, and may be NaN
+    /// @param[in,out] rays  those that do not pass may be NaN
     /// @return              one bit per passing ray, the lowest for the first
     unsigned int Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims = true) const;
 

@@ -3,10 +3,7 @@
 
 /// @file glass_surface.h
 /// One surface of glass: intersection and Snell's law. Spheres and planes, the most common, are written once for one ray and for rays
-/// side by side (simd.h), equal to the last bit.
-///
-/// Frame: see glass_lens.h. Source: W. J. Smith, Modern Optical Engineering, chapter 10 (a transfer to a surface that needs no special
-/// case for planes).
+/// side by side (simd.h), equal to the last bit. Frame and source: glass_lens.h.
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H

@@ -2,17 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription.h
-/// The table of a lens's surfaces, read from a file of one of three forms:
-///
-/// - `.dat` of the renderer pbrt: rows of radius, thickness, index, clear diameter and, as an extension, Abbe number; `#` begins a
-///   comment;
-/// - JSON of the lens shader lentil: an object with `optical-elements-patent` (or `-adjusted`), or a database of them, chosen by name;
-/// - JSON of the ISET toolboxes: an object with `surfaces`.
-///
-/// JSON may state how groups move to focus nearer: `object-distance`, distances from the first surface that begin with infinity, and
-/// thicknesses with one value for each.
-///
-/// Order and signs are the file's: from scene to film, radius positive if the sphere's centre lies towards the film.
+/// The table of a lens's surfaces, read from a `.dat` file of the renderer pbrt (with Abbe numbers as an extension), or a JSON file of
+/// the lens shader lentil or of the ISET toolboxes: docs/lenses.md. Order and signs are the file's: from scene to film, radius positive
+/// if the sphere's centre lies towards the film.
 
 #ifndef TILT_LENS_PRESCRIPTION_H
 #define TILT_LENS_PRESCRIPTION_H

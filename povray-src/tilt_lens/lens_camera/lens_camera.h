@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_camera.h
-/// A picture's camera: a thin lens or a lens of glass, with aperture and vignetting. Sampler and renderer ask it for rays and their uses.
+/// A picture's camera: a thin lens or a lens of glass, with aperture and vignetting.
 ///
 /// The folder lens_camera/ joins the thin lens of camera/ and the lenses of glass/: it solves statements for either, and puts glass
 /// before a film.
@@ -33,7 +33,6 @@ class LensCamera
 
     const SolvedLens& Solved() const { return *lens; }
     const Aperture& Opening() const { return aperture; }
-    /// Null for a thin lens.
     const GlassCamera* Glass() const { return std::get_if<GlassCamera>(&kind); }
     /// None for glass, whose rims are in its rays.
     const Vignetting& ThinVignetting() const;
@@ -47,7 +46,6 @@ class LensCamera
     /// True if a sample may serve the pixels of its circle of confusion: the lens images planes onto planes, to scale, its whole
     /// aperture is visible from everywhere, and the sample's ray is the lens's.
     bool CanSpread() const;
-    /// True if rays can be aimed at emitters.
     bool CanAimAtEmitters() const { return !deflected && Glass() == nullptr; }
     /// @}
 

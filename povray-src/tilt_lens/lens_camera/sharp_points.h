@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_points.h
-/// `sharp_points`: the plane of sharp focus that serves them best (sharp_plane.h), the aperture that holds them within a blur, and
-/// numbers for photographers.
-///
-/// The plane is the best for an ideal lens; blurs and aperture are the real lens's, with distortion and field curvature.
+/// Aperture and blurs for `sharp_points`. The plane of sharp focus is the best for an ideal lens (sharp_plane.h); blurs and aperture are
+/// the real lens's, with distortion and field curvature.
 
 #ifndef TILT_LENS_SHARP_POINTS_H
 #define TILT_LENS_SHARP_POINTS_H

@@ -16,7 +16,7 @@ namespace tilt_lens
 
 class GlassLens;
 
-/// A solved thin lens, and the glass traced in its place.
+/// The glass is traced in the thin lens's place.
 struct SolvedLens : Lens
 {
     std::shared_ptr<const GlassLens> glass;          ///< stopped down; null: thin lens

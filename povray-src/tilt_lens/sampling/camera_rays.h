@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file camera_rays.h
-/// Camera rays: the sequence or emitter sampling gives a sample's film point and lens point, these give the ray. A group's rays are
-/// computed together in vector registers.
+/// Camera rays from film points and lens points, which the sequence or emitter sampling gives. A group's rays are computed together in
+/// vector registers.
 
 #ifndef TILT_LENS_CAMERA_RAYS_H
 #define TILT_LENS_CAMERA_RAYS_H

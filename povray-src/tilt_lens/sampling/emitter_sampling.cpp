@@ -121,7 +121,6 @@ void EmitterSampling::Distribute()
     }
 }
 
-/// True if the emitter is visible from a film point of the pixel through a lens point.
 bool EmitterSampling::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
 {
     const Box& box = emitter.covers;
@@ -245,7 +244,6 @@ bool EmitterSampling::Aim(const Kept& emitter, double u, const SampleId& id, con
     return x >= id.x && x < id.x + 1.0 && y >= id.y && y < id.y + 1.0;
 }
 
-/// Density of aimed samples over that of plain ones.
 double EmitterSampling::Density(const Kept& emitter, const CameraSample& sample) const
 {
     if (emitter.chooseLensPoint)

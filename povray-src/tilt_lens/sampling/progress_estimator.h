@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file progress_estimator.h
-/// Estimates the finished share of a picture's work, though a pixel costs from a few rays to a thousand. Thread-safe.
-///
-/// Finished tiles do not predict the rest: sky often comes first. So one pixel per block of blockSide by blockSide is probed first with
-/// probeSamples samples (about 0.03 per pixel of the picture): samples until its variance is reached, times rays per sample, are the
-/// block's fixed weight. The displayed share never falls, and ends at 1.
+/// Estimates the finished share of a picture's work. Thread-safe. Finished tiles do not predict the rest: sky often comes first. So one
+/// pixel per block of blockSide by blockSide is probed first with probeSamples samples (about 0.03 per pixel of the picture). Its
+/// expected samples times rays per sample are the block's fixed weight: the displayed share never falls, and ends at 1.
 
 #ifndef TILT_LENS_PROGRESS_ESTIMATOR_H
 #define TILT_LENS_PROGRESS_ESTIMATOR_H

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The files that a render depends on, for programs that detect outdated pictures.
-///
-/// If the environment variable `TILT_LENS_FILE_LIST` names a file, entries are appended to it, each name once per run. An entry starts
-/// with `+` (read), `-` (missing; its presence could change the picture) or `=` (a complete picture or layers' file), has the name as
-/// used (relative to the current folder), and ends with a zero byte.
-///
-/// The current scene's files are also kept for the key of its state file.
+/// The files that a render depends on, for programs that detect outdated pictures, and for the key of its state file. If the environment
+/// variable `TILT_LENS_FILE_LIST` names a file, entries are appended, each name once per run: `+` (read), `-` (missing; its presence
+/// could change the picture) or `=` (a complete picture or layers' file), the name as used (relative to the current folder), and a zero
+/// byte.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H

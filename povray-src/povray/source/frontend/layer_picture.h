@@ -32,7 +32,7 @@ class LayerPicture
     /// One or two sentences about the layer options, or empty.
     static std::string Problem(POVMS_Object& options);
 
-    /// 32-bit colours in a file type that cannot hold them; or empty.
+    /// Warning about 32-bit colours in a file type that cannot hold them; or empty.
     static std::string Remark(POVMS_Object& options);
 
     /// Keeps a tile's layers in the state file.

@@ -180,7 +180,7 @@ std::string Difference(const std::string& before, const std::string& now)
     return "its files were read in another order";
 }
 
-/// Else POV-Ray's assertion would fail.
+/// True if tiles of one picture lie inside the other; POV-Ray asserts it.
 bool Fits(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);

@@ -30,7 +30,7 @@ class WholeFile
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// The final name if it is no regular file (standard output, a device) or in a read-only folder.
+    /// For writing: the final name if it is no regular file (standard output, a device) or in a read-only folder.
     pov_base::UCS2String Place() const;
 
     /// @throws pov_base::Exception  incompletely written

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The installation's folders, relative to the program's place at run time, so that a moved program finds its files.
-///
-/// Stock POV-Ray compiles them in as string literals POVLIBDIR and POVCONFDIR. This header, included ahead of vfe's files, makes them
-/// expressions of type `const char*` that also work before a literal such as "/include"; no line of upstream changes.
+/// The installation's folders, relative to the program's place at run time, so that a moved program finds its files. Replaces upstream's
+/// string literals POVLIBDIR and POVCONFDIR by expressions of type `const char*` that also work before a literal such as "/include".
 
 #ifndef POVRAY_TILT_LENS_INSTALL_FOLDERS_H
 #define POVRAY_TILT_LENS_INSTALL_FOLDERS_H

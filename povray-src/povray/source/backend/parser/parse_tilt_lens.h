@@ -52,7 +52,7 @@ class TiltLensParser
     /// Behind a camera's identifier: the block replaces the camera's block, other items stay.
     void ParseBlockBehindIdentifier(Camera& camera);
 
-    /// Until the camera's end: with `tilt_lens` the value is an error, and an unused default needs no warning.
+    /// Keeps a warning until the camera's end: with `tilt_lens` the value is an error, and an unused default needs no warning.
     void WarnLater(Camera& camera, const char* text);
 
     /// @name Errors that upstream would give without naming the block.

@@ -45,7 +45,7 @@ void ReadBrace(Parser& parser, int brace, const char* sign)
            found.c_str());
 }
 
-/// Or `focus_on` or `focus_at` with its value, unless the scene has declared that name.
+/// Also `focus_on` or `focus_at` with its value, unless the scene has declared that name.
 Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
 {
     TiltLensCamera other;

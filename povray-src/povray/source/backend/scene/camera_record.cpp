@@ -134,7 +134,7 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// With a point or plane in place of the film's position, and the f-number found for sharpWithin.
+/// A solved camera's: a point or plane replaces the film's position, the f-number found replaces sharpWithin.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;

@@ -56,7 +56,6 @@ double Tidy(double degrees)
     return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;
 }
 
-/// "1 thread", "2 threads".
 std::string Count(double number, const char* what)
 {
     return Line("%.0f ", number) + what + (number == 1.0 ? "" : "s");

@@ -71,7 +71,7 @@ class TiltLensView
     tilt_lens::SamplingStatistics Statistics() const;
     /// @}
 
-    /// Per cent of the work, if known.
+    /// Adds the finished share of the work, per cent, if known.
     void AddProgress(POVMS_Object& message) const;
 
   private:
