@@ -25,6 +25,7 @@ class LatticeNoise
     /// @param numbers    kNumbers numbers, `stride` apart
     void SetTables(const unsigned short* itsHashes, const double* numbers, int stride);
 
+    /// If false, do not call At() and VectorAt().
     bool Ready() const { return hashes != nullptr; }
 
     /// In [0, 1].

@@ -29,7 +29,7 @@ class CellDistribution
     struct Place
     {
         int cell;
-        double position;
+        double position;  ///< in [0, 1]
     };
 
     /// Quantile.

@@ -21,7 +21,7 @@ struct Character
     double edgeLight = 0.0;          ///< brighter at the aperture's rim (above 0) or middle (below 0)
     double distortion1 = 0.0;        ///< of r^2, r being half film widths from the lens's axis
     double distortion2 = 0.0;        ///< of r^4
-    double distortionNear = 0.0;     ///< added to distortion1 times focal length / focus distance
+    double distortionNear = 0.0;     ///< times focal length / focus distance, added to distortion1
     double fieldCurvature = 0.0;     ///< mm of the image before the film, half a film's width off the axis
     double lateralColour = 0.0;      ///< mm of the red end's image outside the blue end's there
     double axialColour = 0.0;        ///< mm of the red end's image behind the blue end's

@@ -52,7 +52,7 @@ struct Bend
     double Slope(double r) const { return 1.0 + r * r * (3.0 * square + 4.0 * r * cube + 5.0 * fourth * r * r); }
 };
 
-/// Chief ray ends in the frame's plane; `up` may lean to `right`.
+/// For a chief ray that ends in the frame's plane; `up` may lean to `right`.
 FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
 {
     const Vec3 offset = chief - lens.direction;

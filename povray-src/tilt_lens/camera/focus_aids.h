@@ -34,6 +34,7 @@ struct FocusAids
 
 constexpr double kPeakingTint = 0.5;
 
+/// Largest blur on focus_map's scale, pixels.
 constexpr double kMapLimit = 64.0;
 
 /// Position on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that one pixel and fifty can

@@ -39,8 +39,8 @@ struct Prescription;
 /// POV-Ray's perspective camera after all transformations. World frame, scene units.
 struct CameraFrame
 {
-    Vec3 location;
-    Vec3 direction;
+    Vec3 location;   ///< lens centre
+    Vec3 direction;  ///< lens centre to frame centre
     Vec3 right, up;  ///< full width and height of the frame at the end of `direction`
 };
 
@@ -64,7 +64,7 @@ struct Statement
     double focusTilt = 0.0, focusSwing = 0.0;  ///< of the plane of sharp focus
     Vec3 planeNormal{0.0, 0.0, 1.0};           ///< any length but 0
     double planeDistance = 0.0;                ///< along the unit normal, from the world's origin
-    Vec3 points[3];
+    Vec3 points[3];                            ///< on the plane of sharp focus
     std::vector<Vec3> sharpPoints;             ///< given the least greatest blur by the plane of sharp focus
     std::optional<double> sharpWithin;         ///< greatest blur of these, mm on the film; replaces fStop
     double shiftRight = 0.0, shiftUp = 0.0;    ///< mm

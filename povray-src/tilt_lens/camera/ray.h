@@ -82,6 +82,8 @@ TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number&
     return {point, {none ? chief.x : direction.x, none ? chief.y : direction.y, none ? chief.z : direction.z}, w};
 }
 
+/// @param x, y  see FilmPoint
+/// @param a, b  see AperturePoint
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, {x, y}) : FilmPoint{x, y};
@@ -94,7 +96,7 @@ struct RayArrays
     const double *x, *y, *a, *b;
     double* origin[3];
     double* direction[3];         ///< unit vectors
-    double* length;               ///< of the directions before
+    double* length;               ///< of the directions before normalisation
     double* w;
 };
 

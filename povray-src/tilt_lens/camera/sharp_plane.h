@@ -27,6 +27,7 @@
 namespace tilt_lens
 {
 
+/// k.direction = vergence
 struct VergenceEquation
 {
     RealVec direction;  ///< D, not zero
@@ -46,6 +47,7 @@ std::vector<VergenceEquation> VergenceEquations(const std::vector<RealVec>& poin
 /// True if the directions span space: the strict solution is unique.
 bool SpanSpace(const std::vector<VergenceEquation>& equations);
 
+/// Greatest |vergence - k.direction|.
 Real GreatestResidual(const std::vector<VergenceEquation>& equations, const RealVec& k);
 
 /// The strict Chebyshev solution k; the shortest one if directions do not span space.

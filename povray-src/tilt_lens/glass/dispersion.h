@@ -43,6 +43,7 @@ Prescription AtWavelength(const Prescription& prescription, double wavelength);
 /// @throws PrescriptionError  a glass without Abbe number
 void RequireAbbeNumbers(const Prescription& prescription);
 
+/// A lens of glass, stopped down, for each colour. Immutable, thread-safe.
 class GlassOfColours
 {
   public:

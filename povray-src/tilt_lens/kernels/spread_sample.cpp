@@ -35,6 +35,7 @@ constexpr LaneNumbers Numbered()
 
 constexpr LaneNumbers kOffsets = Numbered();
 
+/// End of a sample's window, pixels.
 constexpr float kWindowRadius = kReach + 1;
 
 /// Along rows and columns, 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.

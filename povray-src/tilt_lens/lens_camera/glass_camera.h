@@ -63,6 +63,7 @@ class GlassCamera
     /// Through the centre of the film point's view; none if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
+    /// Relative to the picture's centre.
     double Brightness(const FilmPoint& film) const;
 
     /// Share of the stop's light that passes the rims.

@@ -33,6 +33,7 @@ class LensCamera
 
     const SolvedLens& Solved() const { return *lens; }
     const Aperture& Opening() const { return aperture; }
+    /// Null for a thin lens.
     const GlassCamera* Glass() const { return std::get_if<GlassCamera>(&kind); }
     /// None for glass, whose rims are in its rays.
     const Vignetting& ThinVignetting() const;

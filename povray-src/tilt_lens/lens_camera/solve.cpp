@@ -44,6 +44,8 @@ double GroupsOf(const CameraFrame& camera, const Statement& given)
     return StateFor(*given.prescription, [&](double focalLength) { return FilmVergence(camera, given, focalLength); });
 }
 
+/// Gives a solved thin lens its glass.
+/// @throws OpticsError  an aperture wider than the glass; a film within the glass
 void ApplyPrescription(SolvedLens& lens, const Statement& given)
 {
     const auto glass = std::make_shared<GlassLens>(*given.prescription);

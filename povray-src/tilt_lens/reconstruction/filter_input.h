@@ -22,7 +22,7 @@ struct FilterInput
     const float *mean[5], *noise, *missed, *samples;
     int channels;               ///< 3, or 5 if a pixel is transparent
     int firstRow, endRow;
-    const SpreadInput* spread;
+    const SpreadInput* spread;  ///< null: none
 };
 
 /// Planes of a ReconstructedBlock.

@@ -26,6 +26,7 @@ enum Filter
     kFilters
 };
 
+/// From the centre to one end.
 constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {1.0f},
     {17.0f / 35, 12.0f / 35, -3.0f / 35},

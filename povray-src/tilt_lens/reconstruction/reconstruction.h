@@ -31,6 +31,7 @@
 namespace tilt_lens
 {
 
+/// begin <= row < end
 struct Rows
 {
     int begin = 0, end = int(settings.blockSide);

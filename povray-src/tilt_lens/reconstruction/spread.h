@@ -68,7 +68,7 @@ class LensFootprint
     double width, height;
     float boundingRadius;
     bool isDisc;
-    std::vector<float> density;
+    std::vector<float> density;  ///< empty for a disc
 };
 
 /// The picture's range of columns or rows, relative to the block's first.

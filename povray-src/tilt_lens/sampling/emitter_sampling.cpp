@@ -191,7 +191,7 @@ bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const S
 void EmitterSampling::Weigh(const Targets& targets, CameraSample& sample) const
 {
     sample.weight = 1.0;
-    double density = 1.0 - targets.share;
+    double density = 1.0 - targets.share;  // relative to plain samples
     if (!plain.vignetting.None())
     {
         const FilmPoint film{sample.x, sample.y};

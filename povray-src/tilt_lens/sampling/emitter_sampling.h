@@ -44,7 +44,7 @@ class EmitterSampling
 
     struct Targets
     {
-        double share = 0.0;
+        double share = 0.0;  ///< share of the pixel's samples
         double emission = 0.0;  ///< mean radiance that all add to the pixel if nothing hides them
         struct Target
         {

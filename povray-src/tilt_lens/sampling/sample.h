@@ -20,7 +20,7 @@ namespace tilt_lens
 
 struct SampleId
 {
-    std::uint32_t x, y;
+    std::uint32_t x, y;   ///< in the whole picture
     std::uint32_t index;  ///< 0, 1, ... in the order taken
 };
 

@@ -46,9 +46,11 @@ class RayTracer
   public:
     virtual ~RayTracer() = default;
 
+    /// @param hits  one per ray
     virtual void Trace(const CameraRays& rays, const RayRange& range, Hit* hits) = 0;
 };
 
+/// For one thread.
 class SampleTracer
 {
   public:

@@ -37,9 +37,9 @@ class SentSamples
   private:
     struct Sample
     {
-        CircleOfConfusion circle;
+        CircleOfConfusion circle;  ///< relative to the block
         float radiance[3];
-        std::uint32_t pixel;
+        std::uint32_t pixel;  ///< row by row in the block
     };
 
     const Area block;

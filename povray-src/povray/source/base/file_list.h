@@ -21,6 +21,7 @@ void ListFile(const std::string& name, bool found);
 
 void ListPicture(const std::string& name);
 
+/// Call when parsing of a scene begins.
 void StartSceneFiles();
 
 /// Each once, in order.

@@ -41,6 +41,7 @@ struct Option
     POVMSType key, type;
 };
 
+/// Options that change pixels or the numbering of tiles.
 const Option kOptions[] = {
     {"Width", kPOVAttrib_Width, kPOVMSType_Int},
     {"Height", kPOVAttrib_Height, kPOVMSType_Int},

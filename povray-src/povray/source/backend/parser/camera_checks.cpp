@@ -93,6 +93,7 @@ void RequireOneLens(const Camera& camera)
         Refuse("%s and prescription in one camera: the lens of glass has aberrations of its own. Remove %s.", word, word);
 }
 
+/// A lens with a placed film is focused before it is turned.
 void RequireFilm(const Statement& s)
 {
     if (!s.filmDistance && !s.focusScale)
@@ -129,6 +130,7 @@ void RequireSharpPoints(const Camera& camera)
                word, limit, s.fStop ? "f_stop" : "aperture", s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
 }
 
+/// A pinhole has no blur for a focus aid.
 void RequireAperture(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;

@@ -49,6 +49,7 @@ struct TiltLensItem
 /// In the order of messages.
 extern const std::vector<TiltLensItem> kTiltLensItems;
 
+/// NULL: there is none.
 const TiltLensItem* FindTiltLensItem(const std::string& word);
 
 /// Nearest by Levenshtein distance, ignoring case.

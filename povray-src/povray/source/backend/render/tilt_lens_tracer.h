@@ -34,6 +34,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     /// @param owner  must outlive the result
     static shared_ptr<TiltLensTracer> Create(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
+    /// @return  NULL: none
     static TiltLensTracer* Of(const TracePixel& owner);
 
     const shared_ptr<TiltLensView> view;

@@ -21,6 +21,7 @@ class ViewData;
 /// @param x, y  pixel; between pixels in a radiosity pretrace
 Colour AidPixel(TracePixel& trace, DBL x, DBL y, DBL width, DBL height);
 
+/// Appends a tile's pixels, row by row.
 void TraceAidTile(TracePixel& trace, const ViewData& view, const POVRect& rect, std::vector<Colour>& pixels);
 
 } // namespace pov

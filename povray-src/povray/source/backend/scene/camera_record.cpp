@@ -217,7 +217,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
         {
             FindFocus(recorded.camera, scene, width);
         }
-        catch (const tilt_lens::OpticsError&)
+        catch (const tilt_lens::OpticsError&)  // reported only for the picture's camera
         {
         }
         text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) +

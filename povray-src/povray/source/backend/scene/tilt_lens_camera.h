@@ -82,6 +82,7 @@ struct TiltLensCamera
     /// The statement's point for pointTargets[i].
     tilt_lens::Vec3& TargetPoint(std::size_t i);
 
+    /// The item that sets the aperture by the blur of sharp_points, or NULL.
     const char* BlurLimitWord() const;
 
     /// Set at the end of a camera statement, or before the render if the focus must be found; NULL before and after a transformation.

@@ -38,6 +38,8 @@ class SampleSeeds
     /// @param itsSource  must outlive the last draw
     void Follow(const SampleSeedSource& itsSource) { source = &itsSource; }
 
+    /// Call before each draw.
+    /// @param state  set to the seed at the sample's first draw
     template<class State>
     void Take(State& state)
     {

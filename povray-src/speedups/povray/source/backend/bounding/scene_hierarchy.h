@@ -27,6 +27,7 @@ class SceneHierarchy
     /// @param all  the scene's objects; must outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
 
+    /// Must precede Intersect().
     void AddObjects(const std::vector<ObjectPtr>& all);
 
     unsigned int FiniteObjects() const { return objects.size() - infinite.size(); }
@@ -39,6 +40,7 @@ class SceneHierarchy
     bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition, const RayObjectCondition& postcondition,
                    TraceThreadData* thread) const;
 
+    /// Only objects with none of the flags, and intersections beyond the depth.
     bool Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const;
 
   private:
