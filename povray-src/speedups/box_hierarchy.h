@@ -73,7 +73,7 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
-    /// Pushes the others on the stack, the nearest on top.
+    /// The nearest child that the ray met; pushes the others on the stack, the nearest on top.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
     std::vector<Node> nodes;

@@ -164,8 +164,8 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 
 /// @name Blur in the picture.
 ///
-/// The circle of confusion, the film patch that one surface point's light reaches, is the lens outline times the vergence difference 1/T
-/// - w (ray.h). Its longest diameter is the lens's own, since one diameter of every lens is parallel to the film; distortion stretches it
+/// The circle of confusion, the film patch that one surface point's light reaches, is the lens outline times the difference of vergences
+/// (ray.h). Its longest diameter is the lens's own, since one diameter of every lens is parallel to the film; distortion stretches it
 /// further. "Blur" is this diameter in pixels, throughout the program. A polygon or bokeh picture counts as the disc around it. Positive
 /// before the plane of sharp focus (nearer to the camera), negative behind it, 0 on it and for a pinhole.
 /// @{

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription.h
-/// The table of a lens's surfaces, read from a `.dat` file of the renderer pbrt (with Abbe numbers as an extension), or a JSON file of
-/// the lens shader lentil or of the ISET toolboxes: docs/lenses.md. Order and signs are the file's: from scene to film, radius positive
-/// if the sphere's centre lies towards the film.
+/// The table of a lens's surfaces, read from a file: the renderer pbrt's `.dat`, with Abbe numbers as an extension, or JSON of the lens
+/// shader lentil or the ISET toolboxes (docs/lenses.md). Order and signs are the file's: from scene to film, radius positive if the
+/// sphere's centre lies towards the film.
 
 #ifndef TILT_LENS_PRESCRIPTION_H
 #define TILT_LENS_PRESCRIPTION_H

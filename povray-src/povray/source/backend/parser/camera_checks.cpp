@@ -130,7 +130,6 @@ void RequireSharpPoints(const Camera& camera)
                word, limit, s.fStop ? "f_stop" : "aperture", s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
 }
 
-/// A pinhole has no blur for a focus aid.
 void RequireAperture(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;

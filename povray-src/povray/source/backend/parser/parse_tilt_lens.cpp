@@ -205,7 +205,7 @@ bool TiltLensParser::ParseItem(TiltLensCamera& lens)
         parser.Unget_Token();
         return false;
     }
-    // even if the scene has declared the name
+    // by spelling, even if the scene has declared the name
     const std::string word = parser.Token.Token_String;
     const TiltLensItem* const item = parser.Token.Token_Id == STRING_LITERAL_TOKEN ? NULL : FindTiltLensItem(word);
     At(Here(), [&] // a value may end lines later
