@@ -45,7 +45,7 @@ struct FourPupils
 struct PupilNode
 {
     double l = 0.0, m = 0.0, radial = 0.0, tangential = 0.0;
-    double open = 0.0;
+    double open = 0.0;     ///< share that the rims leave open
     double natural = 0.0;  ///< relative illumination by the stop alone
     bool seen = false;
 };

@@ -35,14 +35,14 @@ class LayerPicture
     /// Warning about 32-bit colours in a file type that cannot hold them; or empty.
     static std::string Remark(POVMS_Object& options);
 
-    /// Keeps a tile's layers in the state file.
+    /// Handles layers in a kPOVMsgClass_ViewImage message, and keeps a tile's in the state file.
     static void Take(const ViewData& view, POVMSType ident, POVMS_Object& message);
 
     /// Call after reading a state file.
     /// @throws pov_base::Exception  the render was begun without layers
     void RequireComplete() const;
 
-    /// Under a temporary name until complete.
+    /// Writes under a temporary name until complete.
     /// @throws pov_base::Exception  unwritable file
     void Write() const;
 

@@ -33,7 +33,7 @@ std::string StateKey(POVMS_Object& options);
 /// @throws pov_base::Exception  unwritable file
 void WriteStateKey(pov_base::OStream& file, const std::string& key);
 
-/// Removes a file without tiles, as left by a program stopped at once.
+/// Compares a state file with the render that continues it. Removes a file without tiles, as left by a program stopped at once.
 /// @param refuse  differences are errors (scenes with `tilt_lens`), else remarks
 /// @return        a remark or an empty string
 /// @throws pov_base::Exception  the file belongs to another render, or to none; always if that picture was larger

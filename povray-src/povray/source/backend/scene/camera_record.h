@@ -39,7 +39,7 @@ class SceneData;
 
 bool CamerasAreRecorded();
 
-/// Only if TILT_LENS_PREVIEW is set.
+/// Records a statement, if TILT_LENS_PREVIEW is set.
 /// @param end  its closing brace
 void RecordCamera(const Camera& camera, const TiltLensPlace& end);
 

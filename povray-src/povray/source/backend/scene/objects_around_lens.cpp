@@ -35,7 +35,7 @@ struct LensBox
     double low[3], high[3];
 };
 
-/// Around a glass lens's first surface, where rays start.
+/// Box around a glass lens's first surface, where rays start.
 LensBox BoxOfGlass(const Camera& camera, const tilt_lens::SolvedLens& lens)
 {
     const tilt_lens::GlassLens::Front front = lens.glass->FrontBox();

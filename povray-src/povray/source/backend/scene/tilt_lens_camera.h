@@ -36,14 +36,14 @@ struct TiltLensPlace
     POV_LONG line = 0, column = 0, offset = 0;
 };
 
-/// For a block behind the camera's identifier.
+/// Items of the statement, for a block behind the camera's identifier.
 struct CameraItems
 {
     bool angle = false, aperture = false;
     bool focalPoint = false;  ///< `focal_point` or `look_at`: the statement's focalPoint
 };
 
-/// Found by a ray after parsing.
+/// A point in focus, found by a ray after parsing.
 struct FocusTarget
 {
     enum Kind

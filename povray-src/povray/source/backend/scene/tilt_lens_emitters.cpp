@@ -44,7 +44,7 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
     return brightest;
 }
 
-/// Relative to the camera's location.
+/// Bounding sphere, relative to the camera's location.
 /// @param light, around  radiance of the object, greatest radiance around it
 tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double light, double around)
 {

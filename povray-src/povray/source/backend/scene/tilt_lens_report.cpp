@@ -76,7 +76,7 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
-/// By natural vignetting alone, relative to the centre.
+/// Brightness by natural vignetting alone, relative to the centre.
 double DarkestCorner(const TiltLensCamera& block)
 {
     tilt_lens::Character natural;
@@ -118,7 +118,7 @@ std::string CharacterOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Along the glass's axis, from the front principal point: the camera's location.
+/// Cardinal points along the axis, from the front principal point: the camera's location.
 std::string GlassOf(const tilt_lens::SolvedLens& lens, double filmWidth)
 {
     const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
@@ -241,7 +241,7 @@ std::string GroupsOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Its intersection with the axis, if in front, else its nearest point.
+/// A point of the plane: its intersection with the axis, if in front, else its nearest point.
 std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const Vec3 location = FromPov(camera.Location);

@@ -31,7 +31,7 @@ class SampleSeedSource
     std::size_t sample = 0, begun = 0;
 };
 
-/// Member of a generator.
+/// Member of a generator: one seed per sample.
 class SampleSeeds
 {
   public:

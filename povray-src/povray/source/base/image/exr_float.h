@@ -33,7 +33,7 @@ typedef std::map<std::string, std::vector<float>> FloatAttributes;
 void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels, const FloatRows& rows,
                  const FloatAttributes& attributes);
 
-/// With 32 bits; otherwise as POV-Ray's 16-bit writer.
+/// Writes 32-bit colours; otherwise as POV-Ray's 16-bit writer.
 /// @throws pov_base::Exception  unwritable file
 void WriteFloatImage(OStream& file, const Image& image, const Image::WriteOptions& options);
 
