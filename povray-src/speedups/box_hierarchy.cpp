@@ -34,7 +34,6 @@ struct Bounds
         upper = Max(upper, otherUpper);
     }
 
-    /// Half of the surface area.
     double Area() const
     {
         const double x = double(upper[0]) - lower[0], y = double(upper[1]) - lower[1], z = double(upper[2]) - lower[2];
@@ -42,13 +41,11 @@ struct Bounds
     }
 };
 
-/// Twice the centre of a box on an axis.
 double Middle(const BoxItem& item, int axis)
 {
     return double(item.lower[axis]) + item.upper[axis];
 }
 
-/// Consecutive items and their bounds.
 struct Range
 {
     ItemIterator begin, end;
@@ -63,7 +60,7 @@ struct Range
     std::ptrdiff_t Size() const { return end - begin; }
 };
 
-/// Surface area heuristic along one axis: the boxes of a range in bins of equal width, by their centres.
+/// Surface area heuristic along one axis: boxes in bins of equal width, by their centres.
 class Bins
 {
   public:
@@ -92,8 +89,8 @@ class Bins
 
     int Of(const BoxItem& item) const { return std::min(kNumber - 1, int((Middle(item, axis) - start) * scale)); }
 
-    double Cost() const { return cost; }  ///< sum over both parts of area times number of items; infinite if there is no split
-    int Split() const { return split; }   ///< first bin of the second part
+    double Cost() const { return cost; }  ///< sum over both parts of area times items; infinite: no split
+    int Split() const { return split; }
 
   private:
     struct Bin
@@ -137,7 +134,7 @@ class Bins
     }
 };
 
-/// Deeper nodes split their items evenly: 14 more levels hold 8^14 = 2^42 items.
+/// Deeper nodes split evenly: 14 more levels hold 8^14 = 2^42 items.
 constexpr int kEvenFrom = BoxHierarchy::kMostLevels - 14;
 
 ItemIterator SplitInHalves(const Range& range)
@@ -152,7 +149,7 @@ ItemIterator SplitInHalves(const Range& range)
     return middle;
 }
 
-/// Partitions a range of at least two items. Returns the beginning of the second part; neither part is empty.
+/// At least two items. Returns the second part's beginning; neither part is empty.
 ItemIterator Split(const Range& range, bool even)
 {
     if (even)

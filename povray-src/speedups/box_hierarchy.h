@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_hierarchy.h
-/// A bounding volume hierarchy of axis-aligned boxes, eight children per node, for finding the nearest intersection. It is built by the
-/// binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller defines the
-/// items and intersects rays with them.
+/// Bounding volume hierarchy of axis-aligned boxes, eight children per node, built by the binned surface area heuristic (I. Wald, "On
+/// fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller intersects rays with its items.
 ///
 /// The library speedups/ makes POV-Ray faster and changes no pixel. It knows no camera; of the camera's library it includes
 /// tilt_lens/math/simd.h alone. Below speedups/povray/ are the files at upstream's paths that use it.
@@ -21,7 +20,6 @@
 namespace speedups
 {
 
-/// An item of the hierarchy and its bounding box.
 struct BoxItem
 {
     float lower[3], upper[3];
@@ -31,10 +29,9 @@ struct BoxItem
 class BoxHierarchy
 {
   public:
-    /// Greatest depth in levels of nodes, for any boxes.
     static constexpr int kMostLevels = 40;
 
-    /// @param items  the boxes must be finite and bound their items in exact arithmetic
+    /// @param items  finite boxes that bound their items in exact arithmetic
     explicit BoxHierarchy(std::vector<BoxItem> items);
 
     std::size_t Bytes() const { return nodes.size() * sizeof(Node) + whats.size() * sizeof(void*); }
@@ -42,13 +39,13 @@ class BoxHierarchy
     struct Count
     {
         unsigned int tested = 0;
-        unsigned int entered = 0;  ///< boxes among them that the ray met
+        unsigned int entered = 0;
     };
 
-    /// Calls test(item) for each item whose box the ray enters at or before `limit`. Nearer children of a node come first. The order does
+    /// Calls test(item) for each item whose box the ray enters at or before `limit`, a node's nearer children first. The order does
     /// not depend on Vector.
     /// @tparam Vector  see BoxRay: Float8 inside functions for AVX2, else Float4
-    /// @param origin, direction  three numbers each, in the boxes' frame and unit; the direction may have any length but 0
+    /// @param origin, direction  in the boxes' frame and unit; the direction may have any length but 0
     /// @param limit  ray parameter, in lengths of the direction; read again after each test, which may lower it
     template<class Vector, class Test>
     Count Walk(const double* origin, const double* direction, const double& limit, const Test& test) const;
@@ -64,11 +61,10 @@ class BoxHierarchy
 
     struct Waiting
     {
-        float begin;  ///< ray parameter of the entry
+        float begin;
         std::int32_t child;
     };
 
-    /// Removes the first child from the set of those that the ray met.
     static TILT_LENS_INLINED Waiting Take(const Node& node, const float* begin, unsigned int& met, Count& count)
     {
         const int i = __builtin_ctz(met);
@@ -77,10 +73,10 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
-    /// Returns the nearest of the children that the ray met and pushes the others on the stack, the nearest on top.
+    /// The nearest child that the ray met; pushes the others on the stack, the nearest on top.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
-    std::vector<Node> nodes;  ///< the first is the root; empty without items
+    std::vector<Node> nodes;
     std::vector<const void*> whats;
 };
 
@@ -112,7 +108,7 @@ TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, c
     const BoxRay<Vector> ray(origin, direction);
     Waiting waiting[7 * kMostLevels + 8];
     Waiting* top = waiting;
-    // rounded up, so that no box is lost
+    // rounded up: no box is lost
     const auto reach = [&limit] { return float(limit * (1.0 + 1.2e-7)); };
     float farthest = reach();
     Waiting next = {0.0f, 0};

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_ray.h
-/// Intersection of a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded conservatively, so that it
-/// reports every box that the ray meets in exact arithmetic (T. Ize, "Robust BVH Ray Traversal", JCGT 2013).
+/// Intersects a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded conservatively, so that it
+/// reports every box met in exact arithmetic (T. Ize, "Robust BVH Ray Traversal", JCGT 2013).
 
 #ifndef SPEEDUPS_BOX_RAY_H
 #define SPEEDUPS_BOX_RAY_H
@@ -15,24 +15,23 @@
 namespace speedups
 {
 
-using namespace tilt_lens;  // vector registers: tilt_lens/math/simd.h
+using namespace tilt_lens;
 
-/// Eight boxes. Unused places hold empty boxes, which no ray meets.
+/// Unused places hold empty boxes, which no ray meets.
 struct alignas(32) EightBoxes
 {
-    /// Lower planes of x, y, z, then upper planes of x, y, z.
     float planes[6][8];
 };
 
-/// A ray, repeated in the lanes of Vector: Float8 for AVX2, Float4 for every processor. Both give the same results to the last bit.
+/// Repeated in Vector's lanes: Float8 for AVX2, Float4 for every processor. Both give the same results to the last bit.
 template<class Vector>
 class BoxRay
 {
   public:
-    /// @param origin, direction  three numbers each, in the boxes' frame and unit; the direction may have any length but 0
+    /// @param origin, direction  in the boxes' frame and unit; the direction may have any length but 0
     TILT_LENS_INLINED BoxRay(const double* origin, const double* direction)
     {
-        // the axes side by side; the fourth lane is unused
+        // axes side by side; the fourth lane is unused
         const Double4 from = {origin[0], origin[1], origin[2], 0.0}, slope = {direction[0], direction[1], direction[2], 1.0};
         const LongMask4 bits = LongMask4(slope), sign = bits & (1ll << 63);
         const Double4 length = Double4(bits ^ sign), steepest = Double4() + 1.0 / kLeastSlope;
@@ -43,7 +42,7 @@ class BoxRay
         Float4 leaveFroms = __builtin_convertvector(from - signedMargin, Float4);
         Float4 enterInverses = __builtin_convertvector(inverse * (1.0 - kRounding), Float4);
         Float4 leaveInverses = __builtin_convertvector(inverse * (1.0 + kRounding), Float4);
-        // forces these into memory: broadcasting a number from there takes one instruction, from a lane two
+        // into memory: broadcasting a number from there takes one instruction, from a lane two
         asm volatile("" : "+m"(enterFroms), "+m"(leaveFroms), "+m"(enterInverses), "+m"(leaveInverses));
         for (int axis = 0; axis < 3; axis++)
         {
@@ -59,7 +58,7 @@ class BoxRay
 
     /// @param limit  ray parameter, in lengths of the direction; boxes entered behind it do not count
     /// @param begin  output, aligned to 32 bytes: ray parameters of the eight entries, 0 if the ray starts inside
-    /// @return       one bit for each box that the ray meets
+    /// @return       one bit per box met
     TILT_LENS_INLINED unsigned int Enter(const EightBoxes& boxes, float limit, float* begin) const
     {
         unsigned int met = 0;
@@ -71,15 +70,15 @@ class BoxRay
   private:
     /// A product has at most three roundings (origin, inverse, product) of 2^-24 each; this allows for eight.
     static constexpr double kRounding = 4.8e-7;
-    /// Keeps a ray that starts on a plane at 0 and runs along it inside the slab.
+    /// Keeps a ray along a plane at 0 inside the slab.
     static constexpr double kLeastMargin = 1e-15;
-    /// Smaller components of the direction count as this, so that no inverse is infinite.
+    /// Least slope, so that no inverse is infinite.
     static constexpr double kLeastSlope = 1e-36;
 
     Vector enterFrom[3], leaveFrom[3], enterInverse[3], leaveInverse[3];
     std::ptrdiff_t enterPlanes[3], leavePlanes[3];  ///< byte offsets in EightBoxes
 
-    /// Tests as many boxes as Vector has lanes, beginning with `first`.
+    /// As many as Vector has lanes, from `first`.
     TILT_LENS_INLINED unsigned int EnterSome(const EightBoxes& boxes, float limit, float* begin, std::size_t first) const
     {
         const char* const from = reinterpret_cast<const char*>(&boxes) + first * sizeof(float);

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-/// Four of the eight numbers of two registers, by their places. GCC 11 has a function of its own for it.
+/// Four of two registers' eight numbers. GCC 11 has its own function for it.
 #if __has_builtin(__builtin_shufflevector)
 #define TILT_LENS_CHOOSE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -15,12 +15,12 @@
 namespace speedups
 {
 
-/// The lattice cell of a point: the hashed gradients and the blending weights of its eight corners.
+/// Hashed gradients and blending weights of a lattice cell's corners.
 struct LatticeNoise::Cell
 {
-    Double4 from, to;     ///< point relative to the cell's lower corner, and to its upper one
-    Double4 weights[2];   ///< of the four corners at near z, at far z; in each, x varies fastest
-    int gradients[2][4];  ///< offsets of the corners' gradients, in the same order
+    Double4 from, to;     ///< point relative to the lower corner, and to the upper one
+    Double4 weights[2];   ///< four corners at near z, at far z; in each, x varies fastest
+    int gradients[2][4];  ///< corners' offsets, in the same order
 
     TILT_LENS_INLINED Cell(const LatticeNoise& noise, const double* point)
     {
@@ -65,7 +65,7 @@ TILT_LENS_FOR_AVX2 double LatticeNoise::At(const double* point, bool wide) const
     for (int level = 0; level < 2; level++)
     {
         const double z = (level == 0 ? cell.from : cell.to)[2];
-        // transposed: from one corner after the other to one component after the other
+        // transposed: from corner after corner to component after component
         const int* const gradients = cell.gradients[level];
         const auto numbers = [&](int i) TILT_LENS_FOR_AVX2 -> Double4
         {

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lattice_noise.h
-/// POV-Ray's scalar noise (generators 1 and 2) and vector noise for processors with AVX2: gradient noise on a lattice (K. Perlin, "An Image
-/// Synthesizer", 1985). Axes, components or corners are computed side by side, each with the operations of POV-Ray's own functions in their
-/// order, so that the values are equal to the last bit.
+/// POV-Ray's scalar noise (generators 1 and 2) and vector noise for AVX2: gradient noise on a lattice (K. Perlin, "An Image Synthesizer",
+/// 1985). Axes, components or corners are computed side by side, each with POV-Ray's operations in their order: equal to the last bit.
 
 #ifndef SPEEDUPS_LATTICE_NOISE_H
 #define SPEEDUPS_LATTICE_NOISE_H
@@ -14,7 +13,7 @@
 namespace speedups
 {
 
-using namespace tilt_lens;  // vector registers: tilt_lens/math/simd.h
+using namespace tilt_lens;
 
 class LatticeNoise
 {
@@ -26,22 +25,21 @@ class LatticeNoise
     /// @param numbers    kNumbers numbers, `stride` apart
     void SetTables(const unsigned short* itsHashes, const double* numbers, int stride);
 
-    /// If false, At() and VectorAt() must not be called.
+    /// If false, do not call At() and VectorAt().
     bool Ready() const { return hashes != nullptr; }
 
-    /// Scalar noise in [0, 1].
+    /// In [0, 1].
     /// @param point  three coordinates
     /// @param wide   generator 2, which uses the whole range; else generator 1
     double At(const double* point, bool wide) const;
 
-    /// Vector noise.
     /// @param point, vector  three numbers each; may be the same array
     void VectorAt(const double* point, double* vector) const;
 
   private:
     struct Cell;
 
-    /// Offset of a corner's gradient in `row`; each component has four numbers.
+    /// Offset of a corner's gradient in `row`; four numbers per component.
     int Gradient(int hash, int z) const { return hashes[hash ^ z] & 0xFF; }
 
     const unsigned short* hashes = nullptr;

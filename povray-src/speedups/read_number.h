@@ -14,15 +14,15 @@
 namespace speedups
 {
 
-/// Sets value to the double nearest to the decimal number in [begin, end), which a zero byte must follow. The result equals that of sscanf
-/// and takes a tenth of the time.
-/// @return  false if there is no number; value is then unchanged
+/// Sets value to the double nearest to the decimal number in [begin, end), before a zero byte. Equals sscanf's result, in a tenth of the
+/// time.
+/// @return  false, value unchanged, if there is no number
 inline bool ReadNumber(const char* begin, const char* end, double* value)
 {
     const std::from_chars_result read = std::from_chars(begin, end, *value);
     if (read.ec == std::errc() && read.ptr == end)
         return true;
-    return std::sscanf(begin, "%lf", value) != 0;  // an incomplete exponent, or a number outside the range of double
+    return std::sscanf(begin, "%lf", value) != 0;  // incomplete exponent, or outside the range of double
 }
 
 } // namespace speedups

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sdl_on_demand.cpp
-/// The functions of SDL that the preview window calls. The library is loaded at the first call, not with the program, because it loads
-/// about thirty others (sound, window system), a quarter of the time before the first ray.
+/// The preview window's SDL functions. The library is loaded at the first call: it loads about thirty others (sound, window system), a
+/// quarter of the time before the first ray.
 
 #include <string>
 
@@ -14,7 +14,6 @@
 namespace
 {
 
-/// Reason why the library could not be loaded; empty if it was.
 std::string trouble;
 
 void* Library()
@@ -37,7 +36,7 @@ Function* Find(const char* name)
 
 } // namespace
 
-// without a library SDL_Init fails, and then only SDL_GetError is called
+// without a library SDL_Init fails, then only SDL_GetError is called
 #define TILT_LENS_FORWARD(Result, Name, Parameters, arguments)       \
     extern "C" Result Name Parameters                                \
     {                                                                \

@@ -22,7 +22,6 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Chooses the function for each alternative of a variant; the generic one serves those without their own.
 template<class... Functions>
 struct Overloaded : Functions...
 {
@@ -42,9 +41,9 @@ inline AperturePoint PointOnDisc(double u, double v)
 
 struct Aperture::Outline
 {
-    int blades, edges;                  ///< edges of the polygon: each blade has the same number
-    std::vector<AperturePoint> corner;  ///< the first corner is repeated at the end
-    double density;                     ///< inverse of the area
+    int blades, edges;                  ///< polygon edges, equally many per blade
+    std::vector<AperturePoint> corner;  ///< first corner repeated at the end
+    double density;
 
     AperturePoint Map(double u, double v) const
     {
@@ -75,7 +74,6 @@ struct Aperture::Outline
         }
     }
 
-    /// The edge that the ray from the centre through the point crosses.
     int EdgeTowards(const AperturePoint& point) const
     {
         const double first = std::atan2(corner[0].b, corner[0].a);
@@ -112,7 +110,6 @@ struct Aperture::Outline
     }
 };
 
-/// A narrower aperture.
 struct Aperture::Oval
 {
     Aperture shape;
@@ -127,15 +124,14 @@ struct Aperture::Oval
     double Density(const AperturePoint& point) const { return shape.Density({point.a / width, point.b / height}) / (width * height); }
 };
 
-/// An aperture whose brightness varies with the radius.
 struct Aperture::Grade
 {
-    Aperture shape;  ///< a disc or a polygon
+    Aperture shape;
     double power;    ///< n of Aperture::Graded()
-    bool rim;        ///< bright at the rim, not in the middle
+    bool rim;        ///< bright at the rim; else in the middle
 
-    /// Moves a point of the unit square along the line through the centre. The concentric square with a share of the area becomes the one
-    /// with the same share of the light.
+    /// Moves a point of the unit square along the line through the centre: the concentric square with a share of the area becomes the
+    /// one with the same share of the light.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;

@@ -34,7 +34,7 @@ class Tabulation
 
     const double* Column(int i) const { return &mean[i * cells]; }
 
-    /// Scales the greatest mean to 1, so that no sum overflows.
+    /// Scales the greatest mean to 1: no sum overflows.
     /// @return  false if no mean is positive
     bool Normalize()
     {
@@ -58,7 +58,6 @@ class Tabulation
         return std::isfinite(w) && w > 0 ? w : 0.0;
     }
 
-    /// Weights at side x side evenly spread places of a cell.
     Range Survey(int i, int j, int side) const
     {
         Range range{HUGE_VAL, 0, 0};
@@ -73,7 +72,7 @@ class Tabulation
         return range;
     }
 
-    /// True if an edge runs near: weights in the cell and around it differ by more than 1/16 of the brightest.
+    /// True at an edge: weights in and around the cell differ by more than 1/16 of the brightest.
     bool Varies(int i, int j) const
     {
         double low = HUGE_VAL, high = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file aperture_picture.h
-/// The tables behind Aperture::Picture(), and sampling from them.
+/// Tables of Aperture::Picture(), and sampling from them.
 
 #ifndef TILT_LENS_APERTURE_PICTURE_H
 #define TILT_LENS_APERTURE_PICTURE_H
@@ -17,14 +17,13 @@
 namespace tilt_lens
 {
 
-/// Piecewise constant distribution over [0, 1] in equal cells, inverted in constant expected time with the index table of H.-C. Chen and Y.
-/// Asau (1974).
+/// Piecewise constant over [0, 1] in equal cells, inverted in constant expected time by the index table of H.-C. Chen and Y. Asau (1974).
 class CellDistribution
 {
   public:
     static constexpr int cells = 256;
 
-    /// @return  the total weight; if 0, the distribution must not be sampled
+    /// @return  total weight; if 0, do not sample
     double Build(const double* weight);
 
     struct Place
@@ -40,10 +39,10 @@ class CellDistribution
     double Density(double position) const;
 
   private:
-    /// Cumulative weight below each cell. Single precision keeps a picture within the second-level cache; a cell with less than 1e-7 of its
-    /// column is invisibly dark.
+    /// Cumulative weight below each cell. Single precision keeps a picture in the second-level cache; a cell with less than 1e-7 of
+    /// its column is invisibly dark.
     std::array<float, cells + 1> bound;
-    std::array<std::uint8_t, cells> first;  ///< cell where the search for i/cells begins
+    std::array<std::uint8_t, cells> first;
 };
 
 class AperturePicture
@@ -55,12 +54,12 @@ class AperturePicture
     /// @param u, v  uniform in [0, 1)
     AperturePoint Map(double u, double v) const;
 
-    /// Density of the mapped points, per area of aperture coordinates.
+    /// Density of the points per area of aperture coordinates.
     double Density(const AperturePoint& point) const;
 
   private:
     CellDistribution marginal;
-    std::vector<CellDistribution> conditional;  ///< of b, one for each column
+    std::vector<CellDistribution> conditional;
 };
 
 }  // namespace tilt_lens

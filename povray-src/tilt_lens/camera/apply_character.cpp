@@ -17,7 +17,7 @@ namespace
 
 constexpr double kMostLateralColour = 0.25;
 
-/// Squared tangent of the largest angle between the lens's axis and a chief ray of the frame.
+/// Squared tangent of the largest angle between the lens's axis and the frame's chief rays.
 double FarthestOf(const Lens& lens)
 {
     double farthest = 0.0;
@@ -33,10 +33,9 @@ double FarthestOf(const Lens& lens)
     return farthest;
 }
 
-/// Refuses distortion that folds the picture within the frame.
 void RequireUnfolded(const Lens& lens, const Character& character, double unit, double farthest)
 {
-    // the direction across the axis in which distortionNear makes the picture fold first
+    // across the axis, where distortionNear first folds the picture
     const Vec3 across = lens.focus - Dot(lens.focus, lens.normal) * lens.normal;
     const double atAxis = lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal);
     const double fold = FoldOf(atAxis, lens.distortion4, -std::fabs(lens.distortionNear) * Length(across));
@@ -49,7 +48,6 @@ void RequireUnfolded(const Lens& lens, const Character& character, double unit, 
                           Number(std::sqrt(farthest) / unit) + ". Give numbers nearer to 0, or shift or turn less.");
 }
 
-/// Requires that the distorted chief rays of the corners lead into the scene, too.
 void RequireBefore(const Lens& lens)
 {
     ForCorners([&](const FilmPoint& corner)
@@ -61,7 +59,7 @@ void RequireBefore(const Lens& lens)
     });
 }
 
-/// The two ends of the spectrum lie half the difference before and behind the film.
+/// The spectrum's ends lie half the difference before and behind the film.
 double AxialColourOf(const Lens& lens, const Character& character)
 {
     return 0.5 * character.axialColour * lens.millimetre / (lens.filmDistance * lens.filmDistance);

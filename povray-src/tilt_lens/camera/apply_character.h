@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file apply_character.h
-/// The part of Solve() (optics.h) that gives the ideal lens the aberrations of a real one.
+/// Part of Solve() (optics.h): gives the ideal lens a real one's aberrations.
 
 #ifndef TILT_LENS_APPLY_CHARACTER_H
 #define TILT_LENS_APPLY_CHARACTER_H
@@ -12,9 +12,8 @@
 namespace tilt_lens
 {
 
-/// Sets distortion, field curvature and colour fringes of a solved ideal lens.
-/// @throws OpticsError  the picture folds back within the frame; the frame reaches behind the lens; the vignetting rim is
-///     narrower than the aperture
+/// @throws OpticsError  the picture folds back within the frame; the frame reaches behind the lens; the vignetting rim is narrower than
+///                      the aperture
 void ApplyCharacter(Lens& lens, const Statement& given);
 
 } // namespace tilt_lens

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file blade_arc.h
-/// The curved edge of a diaphragm blade, as chords for the map of a polygon (aperture.h).
+/// Curved edge of a diaphragm blade, as chords for a polygon's map (aperture.h).
 
 #ifndef TILT_LENS_BLADE_ARC_H
 #define TILT_LENS_BLADE_ARC_H
@@ -15,20 +15,19 @@
 namespace tilt_lens
 {
 
-/// Twice the signed area of the triangle with the origin.
 inline double Cross(const AperturePoint& p, const AperturePoint& q)
 {
     return p.a * q.b - p.b * q.a;
 }
 
-/// Chords of the arc between the corners at the angles 0 and 2 pi/blades. Each chord spans a triangle of the same area with the origin.
+/// Chords of the arc between the corners at 0 and 2 pi/blades; each spans a triangle of equal area with the origin.
 inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
 {
     constexpr double kPi = 3.14159265358979323846;
-    // frame: middle of the edge, looking outward; half the chord, and half the angle of the arc
+    // frame: middle of the edge, looking outward; half the chord, half the arc's angle
     const double half = std::sin(kPi / blades), middle = std::cos(kPi / blades);
     const double spread = std::asin(curvature * half);
-    // point of the arc at the fraction t, -1 to 1; the limit for a curvature of 0
+    // arc at the fraction t, -1 to 1; the limit for a curvature of 0
     const auto at = [&](double t) -> AperturePoint
     {
         if (spread < 1e-8)
@@ -42,7 +41,7 @@ inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
     std::vector<double> place(chords + 1), sum(chords + 1), moved(chords + 1);
     for (int i = 0; i <= chords; ++i)
         place[i] = 2.0 * i / chords - 1;
-    // Moves the points to equal steps of area, interpolated linearly. Each pass reduces the inequality to a small part.
+    // Moves the points to equal steps of area, interpolated linearly; each pass reduces the inequality to a small part.
     for (int pass = 0; pass < 20; ++pass)
     {
         for (int i = 0; i < chords; ++i)

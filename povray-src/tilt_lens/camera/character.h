@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file character.h
-/// Aberrations of a real lens, as stated in a `tilt_lens` block (docs/lenses.md). All are off by default.
+/// A real lens's aberrations, as stated in a `tilt_lens` block (docs/lenses.md); off by default.
 
 #ifndef TILT_LENS_CHARACTER_H
 #define TILT_LENS_CHARACTER_H
@@ -12,24 +12,24 @@
 namespace tilt_lens
 {
 
-/// Items of the block. Solve() turns some into members of Lens; vignetting.h and aperture.h use the others directly.
+/// Solve() turns some into members of Lens; vignetting.h and aperture.h use the others directly.
 struct Character
 {
-    double naturalVignetting = 0.0;  ///< share of the natural light fall-off, 0 to 1
-    double opticalVignetting = 0.0;  ///< shift of a rim before the lens over the aperture, seen from the film's corners; rim diameters
-    std::optional<double> rimStop;   ///< f-number of that rim; if absent, it is as wide as the aperture
-    double edgeLight = 0.0;          ///< brighter at the rim of the aperture (above 0) or in its middle (below 0)
-    double distortion1 = 0.0;        ///< coefficient of r^2, r being the distance from the lens's axis in half widths of the film
-    double distortion2 = 0.0;        ///< coefficient of r^4
-    double distortionNear = 0.0;     ///< added to distortion1 in proportion to focal length / focus distance
-    double fieldCurvature = 0.0;     ///< mm by which the image lies before the film, half a film's width off the axis
-    double lateralColour = 0.0;      ///< mm by which the red end's image is farther out than the blue end's there
-    double axialColour = 0.0;        ///< mm by which the red end's image lies behind the blue end's
+    double naturalVignetting = 0.0;  ///< share of the natural fall-off, 0 to 1
+    double opticalVignetting = 0.0;  ///< shift of a rim before the lens over the aperture, from the film's corners; rim diameters
+    std::optional<double> rimStop;   ///< f-number of that rim; absent: as wide as the aperture
+    double edgeLight = 0.0;          ///< brighter at the aperture's rim (above 0) or middle (below 0)
+    double distortion1 = 0.0;        ///< of r^2, r being half film widths from the lens's axis
+    double distortion2 = 0.0;        ///< of r^4
+    double distortionNear = 0.0;     ///< times focal length / focus distance, added to distortion1
+    double fieldCurvature = 0.0;     ///< mm of the image before the film, half a film's width off the axis
+    double lateralColour = 0.0;      ///< mm of the red end's image outside the blue end's there
+    double axialColour = 0.0;        ///< mm of the red end's image behind the blue end's
 
     bool Distorts() const { return distortion1 != 0.0 || distortion2 != 0.0 || distortionNear != 0.0; }
 };
 
-/// @name Limits of the items.
+/// @name Limits.
 /// @{
 constexpr double kMostOpticalVignetting = 2.0;
 constexpr double kMostEdgeLight = 0.9;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file concentric.h
-/// The concentric map from the unit square to the disc (aperture.h), of a point or of several side by side.
+/// Concentric map from the unit square to the disc (aperture.h), of one point or several side by side.
 
 #ifndef TILT_LENS_CONCENTRIC_H
 #define TILT_LENS_CONCENTRIC_H
@@ -12,7 +12,7 @@
 namespace tilt_lens
 {
 
-/// @name Sine and cosine for |x| <= pi/4, of a number or a register of them.
+/// @name Sine and cosine for |x| <= pi/4, of a number or register.
 /// Taylor series; the first omitted term is below 3e-14. Faster than the C library's, and equal on every machine.
 /// @{
 template<class Number>
@@ -33,14 +33,13 @@ TILT_LENS_INLINED Number SmallCos(const Number& x)
 }
 /// @}
 
-/// The concentric map in polar form. Concentric squares of [-1, 1]^2 become concentric circles. The diagonals divide the square into four
-/// quarters.
+/// Polar form: concentric squares of [-1, 1]^2 become concentric circles. The diagonals divide the square into quarters.
 template<class Number>
 struct Concentric
 {
-    decltype(Number() > Number()) sideways;  ///< the point lies in the left or right quarter
+    decltype(Number() > Number()) sideways;  ///< in the left or right quarter
     Number radius;  ///< signed as the quarter's main coordinate
-    Number slope;   ///< in [-1, 1]: 4/pi times the angle from the quarter's axis towards the other axis
+    Number slope;   ///< in [-1, 1]: 4/pi times the angle from the quarter's axis to the other axis
 };
 
 template<class Number>
@@ -64,7 +63,7 @@ TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Numbe
 }
 
 /// Polar position on a polygon.
-/// @param position  edges from the first corner, as a real number
+/// @param position  edges from the first corner, real
 /// @param radius    0 at the centre, 1 on the edge
 template<class Number>
 TILT_LENS_INLINED void FindPosition(const Number& u, const Number& v, double edges, Number& position, Number& radius)

@@ -19,7 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Tangent beyond which folds are ignored.
 constexpr double kFarthestTangent = 1e6;
 
-/// A chief ray's components along the lens's axis and across it.
 struct Split
 {
     double along;
@@ -30,20 +29,18 @@ struct Split
     double SquaredTangent() const { return Dot(across, across) / (along * along); }
 };
 
-/// r_ideal / r_picture.
 double Factor(const Lens& lens, const Vec3& chief, const Split& split)
 {
     const double squaredTangent = split.SquaredTangent(), nearness = Dot(lens.focus, chief) / split.along;
     return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
 
-/// The same polynomial along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4, because the nearness of the focus changes
-/// linearly with r.
+/// The polynomial along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4: the focus's nearness is linear in r.
 struct Bend
 {
     double square, cube, fourth;
 
-    /// @param across  unit vector at right angles to the axis
+    /// @param across  unit vector, perpendicular to the axis
     Bend(const Lens& lens, const Vec3& across) :
         square(lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal)),
         cube(lens.distortionNear * Dot(lens.focus, across)),
@@ -55,7 +52,7 @@ struct Bend
     double Slope(double r) const { return 1.0 + r * r * (3.0 * square + 4.0 * r * cube + 5.0 * fourth * r * r); }
 };
 
-/// Film point of a chief ray that ends in the frame's plane; `up` need not be at right angles to `right`.
+/// For a chief ray that ends in the frame's plane; `up` may lean to `right`.
 FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
 {
     const Vec3 offset = chief - lens.direction;
@@ -63,8 +60,8 @@ FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
     return {(Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight), y};
 }
 
-/// Solves Ideal(r) = wanted for r below the fold; negative if there is no solution. Newton's method within a bracket; a step that leaves
-/// the bracket is replaced by bisection.
+/// Solves Ideal(r) = wanted for r below the fold; negative: no solution. Newton's method in a bracket, with bisection for steps out of
+/// it.
 double PictureTangent(const Bend& bend, double wanted)
 {
     const double fold = std::sqrt(FoldOf(bend.square, bend.fourth, bend.cube));
@@ -91,7 +88,6 @@ double PictureTangent(const Bend& bend, double wanted)
     return r;
 }
 
-/// Zero of a falling function.
 template<typename Function>
 double Bisect(const Function& function, double low, double high)
 {
@@ -135,7 +131,7 @@ double FoldOf(double distortion2, double distortion4, double cube)
     const double root = a * a - 4.0 * b;
     if (root < 0.0)
         return kInfinity;
-    const double divisor = -a + std::sqrt(root);  // 2/divisor is the least positive root, if there is one
+    const double divisor = -a + std::sqrt(root);  // 2/divisor is the least positive root, if any
     return divisor > 0.0 ? 2.0 / divisor : kInfinity;
 }
 
@@ -181,7 +177,7 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
     const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
     const Vec3 right = step * lens.axisRight, up = step * lens.axisUp;
     const Vec3 byX = (moved(right) - moved(-right)) / (2.0 * step), byY = (moved(up) - moved(-up)) / (2.0 * step);
-    // inverse of the least singular value of that map, from the eigenvalues of its square
+    // inverse of that map's least singular value, from the eigenvalues of its square
     const double xx = Dot(byX, byX), yy = Dot(byY, byY), xy = Dot(byX, byY);
     const double least = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
     return 1.0 / std::sqrt(least);

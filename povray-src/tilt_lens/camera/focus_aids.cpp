@@ -22,10 +22,10 @@ const Rgb kBefore[4] = {{0.97, 0.97, 0.97}, {0.99, 0.76, 0.48}, {0.89, 0.46, 0.0
 const Rgb kBox{0.10, 0.10, 0.10}, kInk{1.0, 1.0, 1.0};
 
 const Rgb kNearLimit{0.95, 0.50, 0.05}, kFarLimit{0.05, 0.30, 0.95}, kSharpPlane{1.0, 1.0, 1.0};
-// surfaces behind all three must stay visible, and so must the blue of the last
+// surfaces behind all three must stay visible, as must the last one's blue
 const double kNearOpacity = 0.25, kFarOpacity = 0.50, kSharpOpacity = 0.20, kLineOpacity = 0.75;
 
-/// Bitmap of a character: five rows of three dots, the left one counting 4.
+/// Five rows of three dots, the left one counting 4.
 struct Glyph
 {
     char character;
@@ -37,7 +37,7 @@ const Glyph kGlyphs[] = {{'0', {7, 5, 5, 5, 7}}, {'1', {2, 6, 2, 2, 7}}, {'4', {
                          {'P', {7, 5, 7, 4, 4}}, {'R', {6, 5, 6, 5, 5}}, {'S', {7, 4, 7, 1, 7}}, {'U', {5, 5, 5, 5, 7}},
                          {'X', {5, 5, 2, 5, 5}}};
 
-/// Labels of the scale; small pictures have room for few.
+/// Labels; small pictures have room for few.
 struct Number
 {
     double blur;
@@ -47,14 +47,13 @@ struct Number
 const Number kNumbers[] = {{-64, "-64", true}, {-16, "-16", false}, {-4, "-4", false}, {-1, "-1", false}, {0, "0", true},
                            {1, "1", false},    {4, "4", false},     {16, "16", false}, {64, "64", true}};
 
-/// Layout of the scale, in dots.
 enum Dots
 {
-    kAdvance = 4,   ///< from character to character
-    kMargin = 2,    ///< around the box's contents, and between box and picture
-    kText = 5,      ///< height of a line
-    kBar = 5,       ///< height of the colours
-    kTick = 2,      ///< below a label's place
+    kAdvance = 4,
+    kMargin = 2,
+    kText = 5,
+    kBar = 5,
+    kTick = 2,
     kBoxHeight = kMargin + kText + 1 + kBar + kTick + kText + kMargin
 };
 
@@ -63,7 +62,7 @@ Rgb Mixed(const Rgb& a, const Rgb& b, double share)
     return {a.red + (b.red - a.red) * share, a.green + (b.green - a.green) * share, a.blue + (b.blue - a.blue) * share};
 }
 
-/// The greatest 1, 2 or 5 times a power of ten that is at most `length`.
+/// Greatest 1, 2 or 5 times a power of ten up to `length`.
 double RoundLength(double length)
 {
     const double power = std::pow(10.0, std::floor(std::log10(length)));
@@ -96,7 +95,7 @@ FocusMapScale::FocusMapScale(int pictureWidth, int pictureHeight)
     top = pictureHeight - height - kMargin * unit;
     pixels.assign(size_t(width) * height, kBox);
 
-    // leaves room for half of the longest label at both ends
+    // room for half of the longest label at both ends
     const int from = (kMargin + 3 * kAdvance / 2) * unit, span = width - 2 * from;
     const int bar = (kMargin + kText + 1) * unit, numbers = bar + (kBar + kTick) * unit;
     for (int x = 0; x < span; x++)
@@ -148,7 +147,7 @@ std::optional<Rgb> FocusMapScale::At(int x, int y) const
 FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) : lens(itsLens), width(itsWidth), height(itsHeight)
 {
     // grid lines follow the camera's right as far as the plane allows, and cross it
-    const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;  // at infinity
+    const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;
     const Vec3 across = lens.axisRight - Dot(lens.axisRight, normal) * normal;
     gridX = Normalized(Length(across) > 0.1 ? across : lens.axisUp - Dot(lens.axisUp, normal) * normal);
     gridY = Cross(normal, gridX);
@@ -164,8 +163,8 @@ Vec3 FocusPlanes::Chief(double x, double y) const
     return ChiefRay(lens, FilmPointAt(x, y, width, height));
 }
 
-/// True if a grid line passes through the pixel with this upper left corner: the grid cells of its corners differ. No grid is drawn where
-/// cells are no larger than pixels.
+/// True if a grid line passes the pixel with this upper left corner: its corners' grid cells differ. No grid where cells are no larger
+/// than pixels.
 bool FocusPlanes::OnGridLine(double x, double y) const
 {
     double cell[3][2];

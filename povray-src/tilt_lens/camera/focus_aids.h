@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// Drawings of the focus aids over a picture that is sharp throughout: the tint of focus_peaking, the colours and the scale of focus_map,
-/// the surfaces of show_planes. Pure functions of the pixel in the whole picture, independent of threads, tiles and sub-images.
+/// Drawings over a picture that is sharp throughout, functions of the pixel in the whole picture alone.
 ///
-/// Colours defined here are display colours (sRGB, 0 to 1); the caller converts them to the scene's light. Blur is BlurDiameter() of
-/// optics.h: in pixels, positive before the plane of sharp focus.
+/// Colours are display colours (sRGB, 0 to 1), which the caller converts to scene light. Blur is BlurDiameter() of optics.h: pixels,
+/// positive before the plane of sharp focus.
 
 #ifndef TILT_LENS_FOCUS_AIDS_H
 #define TILT_LENS_FOCUS_AIDS_H
@@ -27,64 +26,61 @@ struct Rgb
 struct FocusAids
 {
     bool peaking = false, map = false, planes = false;
-    Rgb peakingColour;           ///< in the scene's light
-    double peakingPixels = 1.0;  ///< less blur than this counts as sharp
+    Rgb peakingColour;           ///< in scene light
+    double peakingPixels = 1.0;  ///< less blur counts as sharp
 
     bool Any() const { return peaking || map || planes; }
 };
 
-/// Share of focus_peaking's colour in a sharp pixel; the rest is the picture.
 constexpr double kPeakingTint = 0.5;
 
-/// Largest blur on focus_map's scale, in pixels.
+/// Largest blur on focus_map's scale, pixels.
 constexpr double kMapLimit = 64.0;
 
-/// Position of a blur on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that both one pixel and
-/// fifty can be read: sign(b) log(1 + |b|).
+/// Position on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that one pixel and fifty can
+/// both be read: sign(b) log(1 + |b|).
 double FocusMapPosition(double blur);
 
-/// Blue behind, white in focus, orange before; darker with more blur. The hues stay apart in all common kinds of colour blindness, and
+/// Blue behind, white in focus, orange before; darker with blur. The hues stay apart in all common kinds of colour blindness, and
 /// brightness alone tells the amount.
 Rgb FocusMapColour(double blur);
 
-/// The scale that focus_map draws at the bottom of the picture, labelled in pixels.
+/// The scale at the bottom of focus_map's picture, labelled in pixels.
 class FocusMapScale
 {
   public:
-    /// @param width, height  of the picture; below 64 by 40 there is no room and nothing is drawn
+    /// @param width, height  of the picture; nothing is drawn below 64 by 40
     FocusMapScale(int width, int height);
 
-    /// The scale's colour, if it covers this pixel of the picture.
     std::optional<Rgb> At(int x, int y) const;
 
   private:
-    int unit = 0;  ///< pixels in one dot of a character; 0: no scale
-    int left = 0, top = 0, width = 0, height = 0;  ///< of the box, in the picture
+    int unit = 0;  ///< pixels per dot of a character; 0: no scale
+    int left = 0, top = 0, width = 0, height = 0;
     std::vector<Rgb> pixels;
 
     void Fill(int x, int y, int w, int h, const Rgb& colour);
     void Write(int centre, int y, const char* text);
 };
 
-/// A translucent surface in front of the surface that a chief ray hits.
+/// A translucent surface in front of a chief ray's hit.
 struct Veil
 {
     Rgb colour;
     double opacity;
 };
 
-/// The surfaces of show_planes: near limit, plane of sharp focus, far limit. The limits are those of one pixel of blur. The plane of sharp
-/// focus carries a grid, which makes its slope visible.
+/// Surfaces of show_planes: near limit, plane of sharp focus, far limit, for a blur of one pixel. A grid shows the plane's slope.
 class FocusPlanes
 {
   public:
     /// @param lens  must outlive this
     FocusPlanes(const Lens& lens, int width, int height);
 
-    /// Surfaces that the chief ray through a pixel's centre passes before the ray parameter T, nearest first.
+    /// Surfaces before the ray parameter T of a pixel's chief ray, nearest first.
     std::vector<Veil> Before(int x, int y, double T) const;
 
-    /// Distance between the grid's lines, in scene units: 1, 2 or 5 times a power of ten.
+    /// Grid spacing, scene units: 1, 2 or 5 times a power of ten.
     double GridSpacing() const { return spacing; }
 
   private:

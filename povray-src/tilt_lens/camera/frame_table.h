@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file frame_table.h
-/// Square tables of functions that vary slowly over the frame, row by row from the upper left corner to the lower right one, and bilinear
-/// in between.
+/// Square tables of functions that vary slowly over the frame: row by row from the upper left corner, bilinear in between.
 
 #ifndef TILT_LENS_FRAME_TABLE_H
 #define TILT_LENS_FRAME_TABLE_H
@@ -16,21 +15,19 @@
 namespace tilt_lens
 {
 
-/// The table cell of a film point.
 struct TablePlace
 {
-    std::size_t at;      ///< index of its upper left entry
-    double right, down;  ///< position within the cell, 0 to 1
+    std::size_t at;
+    double right, down;  ///< in the cell, 0 to 1
 };
 
-/// The film point of an entry.
-/// @param side  entries in a row and in a column
+/// @param side  entries per row and column
 inline FilmPoint FilmPointOfPlace(int side, int row, int column)
 {
     return {double(column) / (side - 1) - 0.5, 0.5 - double(row) / (side - 1)};
 }
 
-/// Film points beside the frame are clamped to it: the pretrace of radiosity looks a little past the frame.
+/// Clamps film points to the frame: radiosity's pretrace looks a little past it.
 TILT_LENS_INLINED TablePlace PlaceOf(int side, const FilmPoint& film)
 {
     const int last = side - 2;

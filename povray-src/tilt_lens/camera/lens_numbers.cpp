@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_numbers.cpp
-/// Numbers of a solved lens for a photographer, blur, and warnings.
+/// Photographers' numbers of a solved lens, blur, and warnings.
 
 #include <cmath>
 #include <limits>
@@ -22,7 +22,7 @@ namespace
 const double kPi = 3.14159265358979323846;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Degrees. Real lenses stop at about 10; a larger turn is probably a mistake.
+/// Degrees. Real lenses stop at about 10; more is probably a mistake.
 const double kUnusualTilt = 15.0;
 
 /// Film widths. Real lenses stop at a third.
@@ -33,15 +33,13 @@ double Degrees(double radians)
     return radians * (180.0 / kPi);
 }
 
-/// Keeps a number below its limit from being printed as the limit.
 std::string NumberBelow(double value, double limit)
 {
     const std::string text = Number(value);
     return text == Number(limit) && value < limit ? "almost " + text : text;
 }
 
-/// A vector in camera axes, with rounding errors set to 0: a lens parallel to the film must read 0 and infinity for every orientation of
-/// the camera.
+/// In camera axes, rounding errors set to 0: a lens parallel to the film must read 0 and infinity for every camera orientation.
 Vec3 InCamera(const Lens& lens, const Vec3& v)
 {
     const double rounding = kRounding * Length(v);
@@ -53,8 +51,8 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
     return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
-/// True if no chief ray of the frame meets the plane of sharp focus in front of the lens. The inverse of the distance is linear over the
-/// frame, so that testing the corners suffices.
+/// True if no chief ray meets the plane of sharp focus in front of the lens. The inverse distance is linear over the frame: testing
+/// corners suffices.
 bool IsSharpBehindOnly(const Lens& lens)
 {
     for (double x : {-0.5, 0.5})
@@ -154,7 +152,7 @@ double BlurPerVergence(const Lens& lens, double width)
 namespace
 {
 
-/// Factor by which distortion enlarges the blur at a chief ray's film point; 1 beyond the fold.
+/// Enlargement of a chief ray's blur by distortion; 1 beyond the fold.
 double StretchOf(const Lens& lens, const Vec3& chief)
 {
     if (!lens.distorts)
@@ -173,8 +171,8 @@ double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
 
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
 {
-    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X; the second is proportional to the distance along the axis, which
-    // is T times the axis component of every chief ray
+    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X; the second is proportional to the distance along the axis,
+    // T times every chief ray's axis component
     const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
     return lens.focus + (pixels / perDistance) * lens.axis;
 }

@@ -40,7 +40,7 @@ std::string Text(const Vec3& v)
     return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
 }
 
-/// The camera's axes: x `right`, y the part of `up` across it, z the film's normal. The solver works in this frame, about the lens centre.
+/// Camera axes: x `right`, y the part of `up` across it, z the film's normal; origin in the lens centre. The solver's frame.
 struct Axes
 {
     RealVec right, up, axis;
@@ -68,8 +68,8 @@ Axes AxesOf(const CameraFrame& camera)
     return axes;
 }
 
-/// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis. Both turns enter alike, so that their order
-/// does not matter.
+/// Unit normal, camera axes, of a plane turned about the horizontal and the vertical axis. Both turns enter alike: their order does not
+/// matter.
 RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord, const char* swingWord)
 {
     if (!(std::fabs(tiltDegrees) < 90.0) || !(std::fabs(swingDegrees) < 90.0))
@@ -81,7 +81,7 @@ RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, 
 
 /// k = n/d of the plane of sharp focus n.X = d.
 /// @param normal  unit vector, camera axes
-/// @param reach   size of the world coordinates that the distance was computed from
+/// @param reach   size of the world coordinates that gave the distance
 RealVec FocusOfPlane(const RealVec& normal, const Real& distance, const Real& reach)
 {
     // a distance within rounding error counts as 0
@@ -129,7 +129,6 @@ RealVec FocusOfSharpPoints(const Axes& axes, const CameraFrame& camera, const St
     return LeastGreatestBlur(VergenceEquations(points, given.sharpPoints, camera.location));
 }
 
-/// k for the families that state the plane of sharp focus.
 RealVec GivenFocus(const Axes& axes, const CameraFrame& camera, const Statement& given)
 {
     if (given.family == FocusFamily::FocalPoints)
@@ -159,10 +158,9 @@ struct Solution
     RealVec focus;
 };
 
-/// Lens turned as stated and focused on a point P, on the axis or beside it.
 Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const Real along = Dot(P, t);  // distance of P from the lens plane
+    const Real along = Dot(P, t);
     const Real aside = t.x * P.x + t.y * P.y;
     if (!(along > 0))
         throw OpticsError("The lens is turned so far that the focal point lies behind it (distance " + Number(along) +
@@ -186,14 +184,12 @@ Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<R
     return {t, f, f * P.z / (along - f), k};
 }
 
-/// Lens turned as stated, film at a stated distance; the focus follows.
 Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
 {
     return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
 }
 
-/// Lens turned as stated after it was focused at a distance from the film. Before the turn, that distance is the sum of the film's and the
-/// subject's distances from the lens, s + f s / (s - f).
+/// Lens turned after it was focused at a distance from the film: before the turn the sum of film and subject distance, s + f s / (s - f).
 Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     if (!focalLength)
@@ -211,14 +207,13 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
                           " units, can focus: film and subject are at least four focal lengths (" + Number(least) +
                           " units) "
                           "apart. Give a larger distance, a larger scene_unit, or film_distance for a picture larger than life.");
-    // of the two solutions, the lens nearer to the film
+    // of two solutions, the lens nearer to the film
     return SolveFilm(t, f, 2 * f * scale / (scale + sqrt(scale * (scale - least))));
 }
 
-/// Plane of sharp focus as stated; the lens follows.
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, J being the distance of the hinge line
+    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, J being the hinge line's distance
     const char* backward = ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
     if (!focalLength)
     {
@@ -245,12 +240,12 @@ Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, co
     return {t, f, 1.0 / vergence, k};
 }
 
-/// Lengths that hold before the lens is solved, scene units.
+/// Lengths known before the lens is solved, scene units.
 struct Scales
 {
     const Real millimetre, filmWidth;
-    const Real rightLength;        ///< of the camera's `right`
-    const Real angleFilmDistance;  ///< distance of the film by the angle of view
+    const Real rightLength;
+    const Real angleFilmDistance;
 
     Scales(const Axes& axes, const CameraFrame& camera, const Statement& given) :
         millimetre(Real(given.scale) / given.sceneUnit),
@@ -284,8 +279,7 @@ Real DiameterOf(const Statement& given, const Real& focalLength)
     return Real(given.aperture) * given.scale / 2;  // POV-Ray's aperture is twice the diameter
 }
 
-/// Sets the lens plane's right and up: the camera axes after the smallest rotation that takes z to t. So the aperture's shape turns no
-/// further than the lens does.
+/// Lens plane's right and up: camera axes after the smallest rotation that takes z to t, so the aperture turns no further than the lens.
 void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diameter)
 {
     const Real radius = diameter / 2, bend = 1 / (1 + t.z);
@@ -295,8 +289,8 @@ void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diamet
     lens.lensY = Rounded(radius * axes.ToWorld(b));
 }
 
-/// `direction`, its axial component scaled to the film's distance if a focal length is stated. Its component across the axis is a shift
-/// that the camera already had, and stays.
+/// `direction`, its axial component scaled to the film's distance if a focal length is stated. Its component across the axis is the
+/// camera's shift, and stays.
 RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given, const Real& filmDistance, const Real& filmWidth)
 {
     if (!given.focalLength)
@@ -306,7 +300,7 @@ RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statem
     return direction + (wanted - Dot(axes.axis, direction)) * axes.axis;
 }
 
-/// A ray multiplies at most three of these lengths, so that no product overflows or loses digits by underflow.
+/// A ray multiplies at most three of these lengths: no product overflows or loses digits by underflow.
 bool IsModerate(double length)
 {
     return length > 1e-100 && length < 1e100;

@@ -4,22 +4,19 @@
 /// @file optics.h
 /// Solves a `tilt_lens` statement for the lens, the film and the plane of sharp focus.
 ///
-/// The folder camera/ answers: where does the ray of a film point and a lens point go? It holds the thin lens with its aberrations and
-/// vignetting, the aperture's shape, the blur, and the focus aids. It knows neither lenses of glass nor pixels' samples nor POV-Ray.
+/// The folder camera/ answers: where does the ray of a film point and a lens point go? It holds the thin lens with aberrations and
+/// vignetting, the aperture's shape, blur, and focus aids. It knows neither lenses of glass nor pixels' samples nor POV-Ray.
 ///
-/// Model: a thin lens, tilted about its own centre, which is the camera's location. The film is flat and parallel to the camera's `right`
-/// and `up`. Chief rays pass the lens centre unbent, so a tilt moves no image point, and a shift moves the frame over the film.
+/// Model (docs/optics.md): a thin lens, tilted about its centre, the camera's location; a flat film parallel to `right` and `up`. With z
+/// the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
 ///
-/// With z the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
+///     k = t/f - z/s                                       (X relative to the lens centre).
 ///
-///     k = t/f - z/s                                       (X relative to the lens centre)
+/// All formulas follow from it and divide by no distance that may vanish. k = 0 is a plane at infinity.
 ///
-/// This is Scheimpflug's rule and the thin lens equation in one line. All formulas follow from it and divide by no distance that may
-/// vanish. k = 0 is a plane at infinity.
-///
-/// Sources: T. Nakane et al., "Simulating tilt-shift lens using distributed ray tracing" (equation 1 there is a special case);
-/// H. M. Merklinger, "Principles of View Camera Focus" (the hinge rule); A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model", Ray
-/// Tracing Gems II, chapter 31 (same model; the formulas here are derived anew and avoid that chapter's divisions).
+/// Sources: T. Nakane et al., "Simulating tilt-shift lens using distributed ray tracing" (equation 1 there is a special case); H. M.
+/// Merklinger, "Principles of View Camera Focus" (the hinge rule); A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model", Ray
+/// Tracing Gems II, chapter 31 (same model; these formulas avoid its divisions).
 
 #ifndef TILT_LENS_OPTICS_H
 #define TILT_LENS_OPTICS_H
@@ -43,123 +40,121 @@ struct Prescription;
 struct CameraFrame
 {
     Vec3 location;   ///< lens centre
-    Vec3 direction;  ///< from the lens centre to the centre of the frame
+    Vec3 direction;  ///< lens centre to frame centre
     Vec3 right, up;  ///< full width and height of the frame at the end of `direction`
 };
 
-/// How the focus is stated. The families exclude each other.
 enum class FocusFamily
 {
-    LensTurn,    ///< `tilt`, `swing`, and the focal point or the film's distance; default: neither tilt nor swing
-    FocusTurn,   ///< `focus_tilt`, `focus_swing`, and the focal point
-    FocalPlane,  ///< `focal_plane`
-    FocalPoints, ///< `focal_points`
-    SharpPoints  ///< `sharp_points`
+    LensTurn,    ///< `tilt`, `swing`, and focal point or film distance; default: neither turn
+    FocusTurn,
+    FocalPlane,
+    FocalPoints,
+    SharpPoints
 };
 
-/// A `tilt_lens` block as written: film in millimetres, angles in degrees; points and planes in world coordinates and scene units.
+/// A `tilt_lens` block as written: film in mm, angles in degrees; points and planes in world coordinates, scene units.
 struct Statement
 {
     double filmWidth = 36.0;            ///< mm
-    std::optional<double> focalLength;  ///< mm; if absent, the angle of view gives the film distance
-    double sceneUnit = 1000.0;          ///< mm in one scene unit
+    std::optional<double> focalLength;  ///< mm; absent: the angle of view gives the film distance
+    double sceneUnit = 1000.0;          ///< mm per scene unit
     FocusFamily family = FocusFamily::LensTurn;
-    double tilt = 0.0, swing = 0.0;            ///< degrees, of the lens
-    double focusTilt = 0.0, focusSwing = 0.0;  ///< degrees, of the plane of sharp focus
+    double tilt = 0.0, swing = 0.0;            ///< of the lens
+    double focusTilt = 0.0, focusSwing = 0.0;  ///< of the plane of sharp focus
     Vec3 planeNormal{0.0, 0.0, 1.0};           ///< any length but 0
     double planeDistance = 0.0;                ///< along the unit normal, from the world's origin
     Vec3 points[3];                            ///< on the plane of sharp focus
-    std::vector<Vec3> sharpPoints;             ///< to which the plane of sharp focus leaves the least greatest blur
-    std::optional<double> sharpWithin;         ///< mm on the film, greatest blur of these: sets the diameter in place of fStop
+    std::vector<Vec3> sharpPoints;             ///< given the least greatest blur by the plane of sharp focus
+    std::optional<double> sharpWithin;         ///< greatest blur of these, mm on the film; replaces fStop
     double shiftRight = 0.0, shiftUp = 0.0;    ///< mm
-    std::optional<double> fStop;               ///< focal length / diameter
-    int blades = 0;                            ///< of the diaphragm; 0: round
-    double bladesAngle = 0.0;                  ///< degrees, counter-clockwise as seen from the camera
-    double bladeCurvature = 0.0;               ///< lens radius over the radius of the blades' edges; 0: straight
-    double squeeze = 1.0;                      ///< height of the aperture over its width; the larger is the diameter
-    Character character;                       ///< aberrations of a real lens
-    std::shared_ptr<const Prescription> prescription;  ///< lens of glass (solve.h), scaled; null: thin lens
-    bool dispersion = false;                   ///< the glass has indices per wavelength
-    bool denoise = true;                       ///< the picture is reconstructed (reconstruction.h)
-    std::uint32_t sampleSeed = 0;              ///< selects the pattern of samples, and so of noise
+    std::optional<double> fStop;
+    int blades = 0;                            ///< 0: round
+    double bladesAngle = 0.0;                  ///< degrees, counter-clockwise from the camera
+    double bladeCurvature = 0.0;               ///< lens radius over edge radius; 0: straight
+    double squeeze = 1.0;                      ///< aperture's height over width; the larger is the diameter
+    Character character;
+    std::shared_ptr<const Prescription> prescription;  ///< scaled lens of glass (solve.h); null: thin lens
+    bool dispersion = false;
+    bool denoise = true;                       ///< reconstruct the picture (reconstruction.h)
+    std::uint32_t sampleSeed = 0;
 
-    /// Position of the film, in place of the focal point. Family LensTurn only; at most one of the two.
-    std::optional<double> filmDistance;  ///< mm from the lens centre along the axis; with focalLength only
-    std::optional<double> focusScale;    ///< scene units from the film to the focus, before the lens is turned
+    /// Position of the film, in place of the focal point. LensTurn only; at most one of the two.
+    std::optional<double> filmDistance;  ///< mm along the axis; with focalLength only
+    std::optional<double> focusScale;    ///< scene units from film to focus, before the lens turns
 
-    Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; from `focal_point`, else `look_at`
+    Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; `focal_point`, else `look_at`
     double aperture = 0.0;           ///< POV-Ray's number: twice the lens diameter, scene units; 0: pinhole
     double scale = 1.0;              ///< product of the camera's scalings: cube root of the determinant
 };
 
-/// A solved thin lens with its film and its plane of sharp focus. World axes relative to the lens centre, scene units, unless noted.
+/// A solved thin lens with film and plane of sharp focus. World axes relative to the lens centre, scene units, unless noted.
 struct Lens
 {
     Vec3 axisRight, axisUp, axis;  ///< orthonormal: along `right`, towards `up`, film normal into the scene
     Vec3 normal;                   ///< unit lens normal t, t.axis > 0
     double focalLength = 0.0;      ///< f
     double filmDistance = 0.0;     ///< s, along the axis
-    double diameter = 0.0;         ///< of the aperture; 0: pinhole
+    double diameter = 0.0;         ///< aperture; 0: pinhole
     Vec3 focus;                    ///< k: the plane of sharp focus is k.X = 1
     Vec3 direction, right, up;     ///< chief ray through (x, y) in [-0.5, 0.5]^2: direction + x right + y up
     double focusMiddle = 0.0, focusRight = 0.0, focusUp = 0.0;  ///< k.direction, k.right, k.up
     Vec3 lensX, lensY;             ///< lens point of aperture coordinates (a, b): a lensX + b lensY; unit disc = lens
-    double millimetre = 0.0;       ///< one millimetre of film, in scene units
+    double millimetre = 0.0;       ///< of film, scene units
 
     /// @name Aberrations; 0 for an ideal lens.
     /// @{
-    bool distorts = false;         ///< by the three coefficients below (film_point.h)
-    double distortion2 = 0.0, distortion4 = 0.0;  ///< coefficients of the tangent's square and fourth power
-    double distortionNear = 0.0;   ///< coefficient of the squared tangent over the axial distance of the focus; scene units
+    bool distorts = false;         ///< by the next three (film_point.h)
+    double distortion2 = 0.0, distortion4 = 0.0;  ///< of the tangent's square and fourth power
+    double distortionNear = 0.0;   ///< of the squared tangent over the focus's axial distance; scene units
     double fieldCurvature = 0.0;   ///< c: the surface of sharp focus is k.X + c a^2/b = 1, X being a across the lens's axis
                                    ///< and b along it; 1/(scene units)
-    double lateralColour = 0.0;    ///< size of the red end's image over that of mid-spectrum, minus 1
-    double axialColour = 0.0;      ///< reduction of the vergence at the red end; 1/(scene units)
+    double lateralColour = 0.0;    ///< size of the red end's image over mid-spectrum's, minus 1
+    double axialColour = 0.0;      ///< vergence lost at the red end; 1/(scene units)
     /// @}
 };
 
-/// A statement that no lens fulfils. what() names the fault, the value found, the values allowed, and a remedy.
+/// No lens fulfils the statement. The text names fault, value found, values allowed, and remedy.
 class OpticsError : public std::runtime_error
 {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Solves a statement for a camera, with a thin lens of its focal length and f-number; Solve() (solve.h) solves every statement.
-/// @param given  without a limit of blur (`sharpWithin`), which Solve() turns into an f-number
-/// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more, or backward; a plane of focus through the lens centre
-///     or behind the lens; a focal length that cannot reach the plane, or a focus nearer than it; a focus scale that no film position
-///     fits; non-finite numbers or non-positive lengths
+/// A thin lens of the statement's focal length and f-number; Solve() (solve.h) solves every statement.
+/// @param given  without a blur limit (`sharpWithin`), which Solve() turns into an f-number
+/// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more, or backward; a plane of focus through or behind the
+///                      lens centre; a focal length that cannot reach the plane, or a focus nearer than it; a focus scale that no film
+///                      position fits; non-finite numbers or non-positive lengths
 Lens SolveThinLens(const CameraFrame& camera, const Statement& given);
 
-/// Inverse of the distance in mm at which a thin lens of this focal length (mm) needs the film; negative infinity if it cannot focus as
-/// stated.
+/// 1/mm: inverse film distance for a thin lens of this focal length (mm); negative infinity if it cannot focus as stated.
 /// @throws OpticsError  a degenerate camera
 double FilmVergence(const CameraFrame& camera, const Statement& given, double focalLength);
 
-/// Warns of pictures that are valid but probably not meant: a lens tilt past 15 degrees, a tilt without an aperture, a lens whose rim
-/// passes through the film. One or two sentences each.
+/// Valid but probably unintended: a lens tilt past 15 degrees, a tilt without an aperture, a lens whose rim passes through the film. One
+/// or two sentences each.
 std::vector<std::string> Warnings(const Lens& lens, const Statement& given);
 
 /// @name Numbers for a photographer.
 /// @{
 
-/// Tilt and swing in degrees that yield this lens normal, signed as `tilt` and `swing`.
+/// Degrees that yield this lens normal, signed as `tilt` and `swing`.
 double TiltOf(const Lens& lens);
 double SwingOf(const Lens& lens);
 
-/// Angle in degrees between the plane of sharp focus and the film.
+/// Degrees between the plane of sharp focus and the film.
 double FocusAngleOf(const Lens& lens);
 
-/// Distance J of the hinge line from the lens centre, in the plane through that centre parallel to the film:
-/// J = f / sin(tilt) (Merklinger). Infinite for a lens parallel to the film.
+/// Distance J from the lens centre to the hinge line, in the plane parallel to the film: J = f / sin(tilt) (Merklinger). Infinite for a
+/// lens parallel to the film.
 double HingeDistanceOf(const Lens& lens);
 
-/// Distance from the lens centre at which the plane of sharp focus crosses the axis. Infinite or negative if it does not cross in front.
+/// Along the axis to the plane of sharp focus. Infinite or negative if it does not cross in front.
 double AxisFocusOf(const Lens& lens);
 
-/// Limits of the depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide. far is infinite past the hyperfocal
-/// distance; both are infinite if nothing on the axis is sharp.
+/// Depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide. far is infinite past the hyperfocal distance; both
+/// are if nothing on the axis is sharp.
 struct SharpRange
 {
     double near = 0.0, far = 0.0;  ///< scene units from the lens centre
@@ -169,26 +164,24 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 
 /// @name Blur in the picture.
 ///
-/// The circle of confusion is the patch of film that light from one surface point reaches through the whole lens. It is the outline of the
-/// lens times the vergence difference 1/T - w (ray.h): an ellipse for a tilted lens. Its longest diameter is the lens's own, because one
-/// diameter of every lens lies parallel to the film; distortion stretches it further. "Blur" is this longest diameter in pixels, throughout
-/// the program. A polygon or a bokeh picture counts as the disc around it. Blur is positive before the plane of sharp focus (nearer to the
-/// camera), negative behind it, 0 on it and for a pinhole.
+/// The circle of confusion, the film patch that one surface point's light reaches, is the lens outline times the difference of vergences
+/// (ray.h). Its longest diameter is the lens's own, since one diameter of every lens is parallel to the film; distortion stretches it
+/// further. "Blur" is this diameter in pixels, throughout the program. A polygon or bokeh picture counts as the disc around it. Positive
+/// before the plane of sharp focus (nearer to the camera), negative behind it, 0 on it and for a pinhole.
 /// @{
 
-/// Diameter of the circle of confusion in pixels, per unit of vergence difference, for a frame `width` pixels wide.
+/// Blur per vergence difference, for a frame `width` pixels wide.
 double BlurPerVergence(const Lens& lens, double width);
 
 /// Blur of the surface point T * chief; finite for infinite T.
 /// @param chief  direction + x right + y up, not normalised
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
 
-/// The surface of all points with the given blur, as k of the plane k.X = 1 about the lens centre: for 0, the plane of sharp focus.
-/// All of them meet in the hinge line, like the pages of a book; for a lens parallel to the film they are parallel planes. Ideal lens only,
-/// without distortion and field curvature; not for a pinhole.
+/// k of the plane k.X = 1 with the given blur; 0: the plane of sharp focus. All such planes meet in the hinge line, or are parallel for a
+/// lens parallel to the film. Not with distortion or field curvature; no pinholes.
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
 
-/// Inverse of the parameter T at which a chief ray meets the surface of the given blur; negative behind the lens. Any lens but a pinhole.
+/// 1/T at which a chief ray meets the given blur; negative behind the lens. No pinholes.
 double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width);
 /// @}
 

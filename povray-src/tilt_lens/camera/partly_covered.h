@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file partly_covered.h
-/// Common to vignetted apertures: a covered lens point is replaced by a random one.
+/// Vignetted apertures: a random lens point replaces a covered one.
 
 #ifndef TILT_LENS_PARTLY_COVERED_H
 #define TILT_LENS_PARTLY_COVERED_H
@@ -13,13 +13,13 @@
 namespace tilt_lens
 {
 
-/// Random points tried after a covered one. With half of the aperture covered, one sample in 2^65 finds no open point.
+/// Random points tried. With half of the aperture covered, one sample in 2^65 finds no open point.
 constexpr int kTries = 64;
 
-/// Least open share in the middle of the picture: less would need too long an exposure.
+/// Least open share in the picture's middle: less would need too long an exposure.
 constexpr double kLeastOpen = 0.01;
 
-/// Uniform random numbers between 0 and 1.
+/// Between 0 and 1.
 class UniformNumbers
 {
   public:

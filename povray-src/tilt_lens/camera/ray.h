@@ -2,21 +2,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file ray.h
-/// Ray generation: film point and lens point in, ray out. The formula has no division, so that it holds where a pixel focuses at infinity
-/// or behind the lens:
+/// Ray generation (docs/optics.md), without divisions, so that a pixel may focus at infinity or behind the lens:
 ///
-///     D = direction + x right + y up      chief ray of the film point
-///     w = k.D                             inverse of the parameter at which D meets the plane of sharp focus
-///     l = a lensX + b lensY               point of the tilted lens
-///     ray: from l, along D - w l
+///     D = direction + x right + y up      chief ray of the film point;
+///     w = k.D                             inverse of the parameter at which D meets the plane of sharp focus;
+///     l = a lensX + b lensY               point of the tilted lens;
+///     ray: from l, along D - w l.
 ///
-/// For w > 0 the ray meets the chief ray in front of the lens at D/w; for w < 0 it comes from that point behind the lens; for w = 0 it is
-/// parallel to the chief ray.
-///
-/// Distortion replaces D by the chief ray of another film point (film_point.h). Field curvature has w = k.D + c a^2/b for a D that lies a
+/// It meets the chief ray in front of the lens at D/w for w > 0; comes from that point behind the lens for w < 0; is parallel to it for w
+/// = 0. Distortion replaces D by another film point's chief ray (film_point.h). Field curvature has w = k.D + c a^2/b for a D that lies a
 /// across the lens's axis and b along it.
 ///
-/// A lens that reaches the film touches a film point in one lens point. No ray leads from a point to itself: the chief ray stands in.
+/// Where a lens touches a film point, no ray leads from a point to itself: the chief ray stands in.
 
 #ifndef TILT_LENS_RAY_H
 #define TILT_LENS_RAY_H
@@ -32,14 +29,13 @@
 namespace tilt_lens
 {
 
-/// Chief ray (through the lens centre) of any lens, not normalised: see IdealChiefRay().
+/// Not normalised, for any lens; see IdealChiefRay().
 inline Vec3 ChiefRay(const Lens& lens, const FilmPoint& film)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, film) : film;
     return IdealChiefRay(lens, ideal);
 }
 
-/// Part of w that is due to field curvature.
 template<class Number>
 TILT_LENS_INLINED Number FieldVergence(const Lens& lens, const VecOf<Number>& chief)
 {
@@ -49,25 +45,24 @@ TILT_LENS_INLINED Number FieldVergence(const Lens& lens, const VecOf<Number>& ch
     return lens.fieldCurvature * Dot(across, across) / along;
 }
 
-/// w of a chief ray: it meets the surface of sharp focus at the parameter 1/w.
+/// A chief ray meets the surface of sharp focus at the parameter 1/w.
 inline double FocusVergence(const Lens& lens, const Vec3& chief)
 {
     const double w = Dot(lens.focus, chief);
     return lens.fieldCurvature == 0.0 ? w : w + FieldVergence(lens, chief);
 }
 
-/// A ray, or several side by side.
 template<class Number>
 struct LensRayOf
 {
     VecOf<Number> origin;     ///< relative to the lens centre, world axes, scene units
-    VecOf<Number> direction;  ///< not normalised: the plane of sharp focus is at the parameter 1/w
+    VecOf<Number> direction;  ///< not normalised: the plane of sharp focus is at 1/w
     Number w;
 };
 
 using LensRay = LensRayOf<double>;
 
-/// The ray of a film point of the ideal lens, or several side by side.
+/// For film points of the ideal lens, one or several side by side.
 /// @param x, y      see FilmPoint
 /// @param a, b      see AperturePoint
 /// @param vergence  added to w per length of the chief ray along the lens's axis
@@ -76,7 +71,7 @@ TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number&
                                                  double vergence = 0.0)
 {
     const VecOf<Number> chief = IdealChiefRay(lens, x, y);
-    // linear over the frame: k.D would cancel where k and D are nearly at right angles
+    // linear over the frame: k.D would cancel where k and D are nearly perpendicular
     Number w = lens.focusMiddle + x * lens.focusRight + y * lens.focusUp;
     if (lens.fieldCurvature != 0.0)
         w += FieldVergence(lens, chief);
@@ -95,21 +90,20 @@ inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b);
 }
 
-/// Samples and their rays, one array for each number. The arrays hold whole fours.
+/// One array per number of samples and rays, each of whole fours.
 struct RayArrays
 {
-    const double *x, *y, *a, *b;  ///< as in MakeRay()
-    double* origin[3];            ///< as in LensRay
+    const double *x, *y, *a, *b;
+    double* origin[3];
     double* direction[3];         ///< unit vectors
-    double* length;               ///< of the rays' directions before
+    double* length;               ///< of the directions before normalisation
     double* w;
 };
 
-/// MakeRay() for the samples from `begin` to before `end`, bit for bit; side by side where the lens does not distort. May also fill the
-/// other places of the fours that it touches.
+/// MakeRay() for samples `begin` to before `end`, bit for bit; side by side where the lens does not distort. May also fill the rest of
+/// the fours that it touches.
 void MakeRays(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
 
-/// Ray of one colour.
 /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end); MakeRay() has 0
 inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, double b, double hue)
 {
@@ -117,9 +111,9 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b, -hue * lens.axialColour);
 }
 
-/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is no such ray, or if it reaches P
-/// from beyond the focus of its film point. On the ray, P = l + s (D - w l), so that Y = s D solves Y = P - l + w(Y) l with w(Y) = k.Y + c
-/// a^2/b. Y equals P along the lens's axis, so that the equation is quadratic in w(Y).
+/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is none, or if it reaches P from
+/// beyond its film point's focus. On the ray, P = l + s (D - w l), so Y = s D solves Y = P - l + w(Y) l; w(Y) = k.Y + c a^2/b. Y equals P
+/// along the lens's axis, so the equation is quadratic in w(Y).
 inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const Vec3& l)
 {
     const double divisor = 1.0 - Dot(lens.focus, l);
@@ -129,7 +123,7 @@ inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const V
     const double along = Dot(way, lens.normal);
     const Vec3 across = way - along * lens.normal;
     const double perAlong = lens.fieldCurvature / along;
-    // square w^2 - linear w + constant = 0; of its roots the one that becomes the ideal lens's as c vanishes
+    // square w^2 - linear w + constant = 0; the root that becomes the ideal lens's as c vanishes
     const double square = perAlong * Dot(l, l), linear = divisor - 2.0 * perAlong * Dot(across, l);
     const double constant = Dot(lens.focus, way) + perAlong * Dot(across, across);
     const double root = linear * linear - 4.0 * square * constant;
@@ -138,8 +132,8 @@ inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const V
     return way + (2.0 * constant / (linear + std::sqrt(root))) * l;
 }
 
-/// Vergence difference 1/T - w of the surface point at parameter T of a chief ray. The circle of confusion is the lens outline times this,
-/// in units of `right` and `up` divided by their lengths. Zero in focus, positive before the plane of sharp focus, finite for infinite T.
+/// 1/T - w of a chief ray's point at T. The circle of confusion is the lens outline times this, in units of `right` and `up` divided by
+/// their lengths. Zero in focus, positive before the plane of sharp focus, finite for infinite T.
 inline double BlurVergence(const Lens& lens, const Vec3& chief, double T)
 {
     return 1.0 / T - FocusVergence(lens, chief);

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file real.h
-/// The numbers that a camera is solved with: 113 bits, and exponents far beyond those of doubles. The numbers of a
-/// scene are taken as exact, however much of them cancels (a plane of focus a hair from the lens, a camera
-/// 10^12 units from the origin), and the lens is rounded once, at the end. It costs microseconds, once a
-/// camera, and is the same on every machine: it needs nothing of the C library.
+/// The solver's numbers: 113 bits, and exponents far beyond doubles, so that much may cancel (a plane of focus a hair from the lens, a
+/// camera 10^12 units from the origin); the lens is rounded once, at the end. Equal on every machine: it needs no C library.
 
 #ifndef TILT_LENS_REAL_H
 #define TILT_LENS_REAL_H

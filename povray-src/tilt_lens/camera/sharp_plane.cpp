@@ -17,29 +17,28 @@ namespace tilt_lens
 namespace
 {
 
-/// Difference of deviations, relative to the greatest vergence, that counts as none: far above the rounding of Real, far below
-/// that of doubles.
+/// Difference of deviations, relative to the greatest vergence, that counts as none: far above Real's rounding, far below doubles'.
 const double kSameDeviation = 1e-24;
 
-/// An equation of which a part of k is known already.
+/// An equation after a part of k is known.
 struct Row
 {
-    RealVec direction;  ///< its part at right angles to all that is known; zero where it is only rounding
+    RealVec direction;  ///< part perpendicular to everything known; zero if it is only rounding
     Real vergence;      ///< minus the known part of k times the direction
     Real rounding;      ///< length of a direction that counts as zero
 
     bool Empty() const { return direction.x == 0 && direction.y == 0 && direction.z == 0; }
 };
 
-/// The span of some rows' directions, and the k in it that leaves given residuals there.
+/// Span of some rows' directions, and the k in it that leaves given residuals.
 class Span
 {
   public:
-    /// The part of a row's direction at right angles to the span; zero where it is only rounding.
+    /// The row's part perpendicular to the span; zero if it is only rounding.
     RealVec Beside(const Row& row) const
     {
         RealVec beside = row.direction;
-        for (int turn = 0; turn < 2; turn++)  // the second removes the rounding of the first
+        for (int turn = 0; turn < 2; turn++)  // the second removes the first's rounding
             for (const RealVec& unit : basis)
                 beside = beside - Dot(beside, unit) * unit;
         return Length(beside) > row.rounding ? beside : RealVec();
@@ -47,7 +46,7 @@ class Span
 
     bool Holds(const Row& row) const { return Row{Beside(row), 0, 0}.Empty(); }
 
-    /// @param row  not in the span
+    /// @param row  outside the span
     void Add(const Row& row, const Real& residual = 0)
     {
         const RealVec unit = Normalized(Beside(row));
@@ -55,7 +54,7 @@ class Span
         basis.push_back(unit);
     }
 
-    /// The row without the part that the span and k explain.
+    /// The row without its part in span and k.
     Row Rest(const Row& row) const { return {Beside(row), row.vergence - Dot(k, row.direction), row.rounding}; }
 
     RealVec k{};
@@ -67,15 +66,15 @@ class Span
 using Rows = std::vector<Row>;
 using Indices = std::vector<std::size_t>;
 
-/// See sharp_plane.h. Empty for rows that are all independent.
+/// See sharp_plane.h. Empty for independent rows.
 struct Circuit
 {
     Indices rows;
-    std::vector<Real> weights;  ///< sum of their magnitudes 1; of the residuals' signs
-    Real deviation = 0;         ///< that each of its rows has at least, not negative
+    std::vector<Real> weights;  ///< magnitudes sum to 1; signs of the residuals
+    Real deviation = 0;         ///< least of its rows', not negative
 };
 
-/// @param independent  rows whose span holds the row `last`; those that it does not need stay out
+/// @param independent  rows whose span holds the row `last`; unneeded ones stay out
 Circuit CircuitOf(const Rows& rows, const Indices& independent, std::size_t last)
 {
     Circuit circuit;
@@ -104,7 +103,6 @@ Circuit CircuitOf(const Rows& rows, const Indices& independent, std::size_t last
     return circuit;
 }
 
-/// Any circuit.
 Circuit FirstCircuit(const Rows& rows)
 {
     Span span;
@@ -119,7 +117,6 @@ Circuit FirstCircuit(const Rows& rows)
     return {};
 }
 
-/// The circuit of the greatest deviation among a few rows.
 Circuit GreatestCircuit(const Rows& rows, const Indices& few)
 {
     Circuit greatest;
@@ -150,13 +147,13 @@ Circuit GreatestCircuit(const Rows& rows, const Indices& few)
 struct Solved
 {
     RealVec k;
-    Circuit circuit;  ///< that has the greatest deviation
+    Circuit circuit;
 };
 
 Solved StrictSolution(const Rows& rows, const Real& same);
 
-/// Gives the rows of a circuit its deviation, and solves the others by the part of k that is still free.
-/// @return the whole k, and the circuit of the other rows
+/// Gives a circuit's rows its deviation, and solves the others by the free part of k.
+/// @return  whole k, and the others' circuit
 Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
 {
     Span span;
@@ -177,9 +174,8 @@ Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
     return solved;
 }
 
-/// Exchanges circuits until none has a greater deviation. Each of them has a greater one than that before, so that this ends:
-/// a plane that left the rows of both, the circuit and the rest's, no more than the circuit's deviation would have left the
-/// rest's circuit less than it can.
+/// Exchanges circuits until none has a greater deviation. Each has a greater one than the last, so this ends: a plane that left the rows
+/// of both, the circuit and the rest's, no more than the circuit's deviation would have left the rest's circuit less than it can.
 /// @param rows  none of them empty
 Solved SolveRows(const Rows& rows, const Real& same)
 {
@@ -205,7 +201,7 @@ Solved SolveRows(const Rows& rows, const Real& same)
     }
 }
 
-/// An empty row is a circuit of its own, and has no say in k.
+/// An empty row is a circuit of its own, without effect on k.
 Solved StrictSolution(const Rows& rows, const Real& same)
 {
     Rows full;

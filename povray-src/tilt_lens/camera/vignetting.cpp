@@ -17,11 +17,11 @@ namespace tilt_lens
 namespace
 {
 
-/// Entries in a row and in a column of the table. The second derivative of the share is about 2 over the frame; linear interpolation errs
-/// by 1/8 of that over the squared number of steps, less than 1/10000.
+/// Entries per row and column of the table. The share's second derivative is about 2 over the frame; linear interpolation errs by 1/8 of
+/// that over the squared number of steps, less than 1/10000.
 constexpr int kTableSide = 65;
 
-/// Lens points in a row and in a column from which the shares are counted.
+/// Lens points per row and column that measure the shares.
 constexpr int kCountSide = 128;
 
 } // namespace
@@ -44,7 +44,7 @@ Vignetting::Vignetting(std::shared_ptr<const Lens> itsLens, const Aperture& aper
     exposure = 1.0 / share;
 }
 
-/// The fall-off arises behind the lens: the chief ray is that of the film point, without distortion.
+/// The fall-off arises behind the lens: the film point's chief ray, without distortion.
 double Vignetting::Falloff(const FilmPoint& film) const
 {
     const Vec3 chief = IdealChiefRay(*lens, film);
@@ -67,7 +67,7 @@ Vignetting::Opening Vignetting::OpeningFor(const FilmPoint& film) const
             rimRadius / lensRadius};
 }
 
-/// Counts lens points. One near the edge of the opening counts in part, as if it were as wide as its distance from the next.
+/// Counts lens points. Those near the opening's edge count in part, as if as wide as the distance to the next.
 void Vignetting::Tabulate(const Aperture& aperture)
 {
     std::vector<AperturePoint> points;
@@ -123,7 +123,7 @@ double Vignetting::DrawPoint(const Aperture& aperture, const FilmPoint& film, do
     return opening.Left(point) >= 0.0 ? brightness / DrawDensity(film) : 0.0;
 }
 
-/// The weight allows for film points of which every tried lens point is covered.
+/// The weight allows for film points whose tried lens points are all covered.
 double Vignetting::DrawDensity(const FilmPoint& film) const
 {
     const double share = OpenShare(film);

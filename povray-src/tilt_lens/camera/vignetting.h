@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vignetting.h
-/// Light fall-off towards the edges of the picture. The centre keeps its brightness.
+/// Light fall-off towards the picture's edges. The centre keeps its brightness.
 ///
-/// Natural vignetting is geometry: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's side,
-/// z the film's normal and t the lens's, irradiance falls with
+/// Natural vignetting: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's side, z the
+/// film's normal and t the lens's, irradiance falls with
 ///
-///     (z.C) (t.C) / |C|^4
+///     (z.C) (t.C) / |C|^4,
 ///
-/// which is cos^4 if both are parallel, and right for a tilted lens or a shifted frame.
+/// which is cos^4 if both are parallel.
 ///
-/// Optical vignetting is a second stop: a rim before the lens that hides part of the aperture from film points off the axis. A ray meets
-/// the plane of the rim, at the distance h along the lens's axis, at m l + e, with
+/// Optical vignetting: a rim before the lens hides a part of the aperture. A ray meets the rim's plane, at the distance h along the
+/// lens's axis, at m l + e, with
 ///
-///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h)
+///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h),
 ///
-/// so that a film point sees a disc of the aperture through the rim. Samples are drawn in the open part and weighted with its share of the
-/// aperture, so that a uniform surface stays free of noise.
+/// so a film point sees a disc of the aperture. Samples are drawn there and weighted with its share of the aperture: a uniform surface
+/// stays free of noise.
 
 #ifndef TILT_LENS_VIGNETTING_H
 #define TILT_LENS_VIGNETTING_H
@@ -33,35 +33,33 @@
 namespace tilt_lens
 {
 
-/// Immutable, and shared by threads.
+/// Immutable, thread-safe.
 class Vignetting
 {
   public:
-    /// No vignetting.
     Vignetting() = default;
 
-    /// @throws OpticsError  the rim leaves at most 1 per cent of the light in the middle of the picture
+    /// @throws OpticsError  the rim leaves at most 1 per cent of the light in the picture's middle
     Vignetting(std::shared_ptr<const Lens> lens, const Aperture& aperture, const Character& character);
 
     bool None() const { return natural == 0.0 && rimDistance == 0.0; }
 
-    /// Brightness at a film point relative to the centre: natural fall-off and exposure, without the rim's share. The exposure makes up for
-    /// the light that the rim takes in the centre.
+    /// Relative to the centre: natural fall-off and exposure, without the rim's share. The exposure makes up for the light that the
+    /// rim takes in the centre.
     double Brightness(const FilmPoint& film) const;
 
     /// Share of the aperture's light that passes the rim: bilinear in a table over the frame, to within 0.001.
     double OpenShare(const FilmPoint& film) const;
 
-    /// True if the rim lets light pass from a lens point to a film point.
     bool Passes(const FilmPoint& film, const AperturePoint& point) const;
 
-    /// Draws a lens point that is not covered: the sequence's own, or else a random one. Open points keep their relative density.
+    /// Draws an open lens point: the sequence's own, or else a random one. Open points keep their relative density.
     /// @param seed        of the random numbers
-    /// @param[out] point  the lens point
-    /// @return            weight of the sample; 0 for a film point that receives no light
+    /// @param[out] point  lens point
+    /// @return            sample weight; 0 for a film point without light
     double DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed, AperturePoint& point) const;
 
-    /// Density of an open point drawn by DrawPoint() relative to its density without the rim.
+    /// Density of an open point of DrawPoint() relative to that without the rim.
     double DrawDensity(const FilmPoint& film) const;
 
     /// Scene units; 0 without a rim.
@@ -69,7 +67,7 @@ class Vignetting
     double RimDistance() const { return rimDistance; }
 
   private:
-    /// The open part of the aperture, in aperture coordinates: points p with |m p + e| <= radius, e = (a, b).
+    /// Open part of the aperture, in its coordinates: points p with |m p + e| <= radius, e = (a, b).
     struct Opening
     {
         double m, a, b, radius;
@@ -84,9 +82,9 @@ class Vignetting
     std::shared_ptr<const Lens> lens;
     double natural = 0.0;
     double rimDistance = 0.0, rimRadius = 0.0;
-    double middle = 1.0;  ///< natural fall-off in the centre of the picture
+    double middle = 1.0;  ///< natural fall-off in the picture's centre
     double exposure = 1.0;  ///< inverse of the open share there
-    std::vector<float> open;  ///< open shares at the entries of a table over the frame
+    std::vector<float> open;  ///< open shares, a table over the frame
 
     double Falloff(const FilmPoint& film) const;
     Opening OpeningFor(const FilmPoint& film) const;

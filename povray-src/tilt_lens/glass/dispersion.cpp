@@ -14,10 +14,10 @@ namespace tilt_lens
 namespace
 {
 
-/// Wavelengths in each third of the spectrum. Fringes show as many steps in each colour: if they are 16 pixels wide, one per pixel.
+/// Wavelengths per third of the spectrum: a fringe 16 pixels wide gets one per pixel.
 constexpr int kWavelengths = 16;
 
-/// Partial dispersion (ng - nF) / (nF - nC) of a normal glass.
+/// (ng - nF) / (nF - nC) of a normal glass.
 double NormalPartialDispersion(double abbe)
 {
     return 0.6438 - 0.001682 * abbe;

@@ -4,9 +4,9 @@
 /// @file dispersion.h
 /// Dispersion of glass.
 ///
-/// A glass's index n at the d line (587.6 nm) and its Abbe number V = (n - 1) / (nF - nC) fix two points of its dispersion curve.
-/// The third is that of a normal glass: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. Cauchy's equation of three terms, n = A + B/w^2 +
-/// C/w^4 for the wavelength w, is fitted to all three.
+/// Index n at the d line (587.6 nm) and Abbe number V = (n - 1) / (nF - nC) fix two points of the dispersion curve. The third is a normal
+/// glass's: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. Cauchy's equation, n = A + B/w^2 + C/w^4 for the wavelength w, is fitted to all
+/// three.
 ///
 /// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (the line of normal glasses); M. Born, E. Wolf,
 /// Principles of Optics, section 2.3.4 (Cauchy's equation).
@@ -23,20 +23,19 @@
 namespace tilt_lens
 {
 
-/// @name Wavelengths in nm.
+/// @name nm.
 /// @{
 constexpr double kLineD = 587.5618, kLineF = 486.1327, kLineC = 656.2725, kLineG = 435.8343;
 
-/// @param hue  place in the spectrum, -1 (blue end, 400 nm) to 1 (red end, 700 nm); its thirds are blue, green and red
+/// @param hue  -1 (blue end, 400 nm) to 1 (red end, 700 nm); the thirds are blue, green, red
 constexpr double WavelengthOf(double hue)
 {
     return 550.0 + 150.0 * hue;
 }
 /// @}
 
-/// Index of refraction of a glass.
 /// @param index  at the d line
-/// @param abbe   Abbe number; 0: the same index for all wavelengths
+/// @param abbe   Abbe number; 0: no dispersion
 double IndexAt(double index, double abbe, double wavelength);
 
 Prescription AtWavelength(const Prescription& prescription, double wavelength);
@@ -44,17 +43,16 @@ Prescription AtWavelength(const Prescription& prescription, double wavelength);
 /// @throws PrescriptionError  a glass without Abbe number
 void RequireAbbeNumbers(const Prescription& prescription);
 
-/// A lens of glass, stopped down, for the colours of the spectrum. Immutable, and shared by threads.
+/// A lens of glass, stopped down, for each colour. Immutable, thread-safe.
 class GlassOfColours
 {
   public:
     GlassOfColours(const GlassLens& lens, const Prescription& prescription);
 
-    /// @param hue  from -1 to 1
     const GlassLens& Of(double hue) const;
 
   private:
-    std::vector<GlassLens> lenses;  ///< from blue to red
+    std::vector<GlassLens> lenses;  ///< blue to red
 };
 
 } // namespace tilt_lens

@@ -13,10 +13,9 @@ namespace tilt_lens
 namespace
 {
 
-/// Distance of neighbouring rays, in direction cosines: its square vanishes beside 1, yet it is far above rounding.
+/// Direction cosines between neighbouring rays: its square vanishes beside 1, yet it is far above rounding.
 constexpr double kStep = 1e-5;
 
-/// Rays from a film point in the plane through the axis.
 struct Aimed
 {
     const GlassLens& lens;
@@ -28,7 +27,7 @@ struct Aimed
         return ray && lens.Trace(*ray, stop) == Passage::Passed ? ray : std::optional<GlassRay>();
     }
 
-    /// The direction to the centre of the stop, by the secant method from the paraxial one.
+    /// Direction to the stop's centre, by the secant method from the paraxial one.
     std::optional<double> MiddleOfStop() const
     {
         double l = ParaxialAim(lens.Cardinal(), film).l, before = l + 1e-3;
@@ -69,7 +68,7 @@ std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double
     const auto above = aimed.Towards(*middle + kStep, 0.0, stop), below = aimed.Towards(*middle - kStep, 0.0, stop);
     if (!chief || !beside || !above || !below)
         return {};
-    // inverse distance from H at which neighbours meet: y + z dy/dz vanishes for the one; the chief ray has y = 0
+    // 1/distance from H at which neighbours meet, where y + z dy/dz vanishes; the chief ray has y = 0
     const auto atH = [](double place, double slope, double z) { return place - slope * z; };
     const double besideSlope = Slope(beside->direction.y, *beside);
     const double sagittal = -besideSlope / atH(beside->origin.y, besideSlope, beside->origin.z);

@@ -38,7 +38,7 @@ CardinalPoints CardinalPointsOf(const Prescription& prescription)
     double length = 0.0;
     for (std::size_t i = 0; i + 1 < count; i++)
         length += prescription.rows[i].thickness;
-    const double frontPrincipal = (whole.d - 1.0) / whole.c, rearPrincipal = (1.0 - whole.a) / whole.c;  // from its vertex
+    const double frontPrincipal = (whole.d - 1.0) / whole.c, rearPrincipal = (1.0 - whole.a) / whole.c;
     points.frontVertex = frontPrincipal;
     points.rearVertex = frontPrincipal - length;
     points.separation = length + rearPrincipal - frontPrincipal;
@@ -48,7 +48,6 @@ CardinalPoints CardinalPointsOf(const Prescription& prescription)
     const ParaxialMap before = MapBetween(prescription, 0, stop);
     points.entrancePupil = frontPrincipal - before.b / before.a;
     points.entranceRadius = 1.0 / before.a;
-    // exit pupil
     const ParaxialMap behind = MapBetween(prescription, stop, count);
     points.exitPupil = points.rearVertex + behind.b / behind.d;
     points.exitMagnification = 1.0 / behind.d;
@@ -78,7 +77,6 @@ GlassLens::GlassLens(const Prescription& prescription) : cardinal(CardinalPoints
     cardinal.fNumber = cardinal.focalLength / (2.0 * WidestRay());
 }
 
-/// Height of the widest ray parallel to the axis that passes, by bisection.
 double GlassLens::WidestRay() const
 {
     double passes = 0.0, ends = std::sqrt(surfaces.back().squaredRim);
@@ -101,7 +99,7 @@ void GlassLens::TakeIndices(const Prescription& prescription)
     }
 }
 
-/// The stop's radius is the height at which the beam's outermost ray crosses it.
+/// The stop's radius is the height of the beam's outermost ray there.
 void GlassLens::StopDown(double fNumber)
 {
     const double height = 0.5 * cardinal.focalLength / fNumber;
@@ -163,7 +161,7 @@ double GlassLens::RearRadius() const
 GlassLens::Front GlassLens::FrontBox() const
 {
     const GlassSurface& front = surfaces.back();
-    // an aspherical surface may bend back, so that its sag at the rim does not bound it; the ball around the vertex does
+    // an aspherical surface may bend back: its sag at the rim does not bound it, the ball around the vertex does
     const double radius = std::sqrt(front.squaredRim);
     return {radius, front.z - radius, front.z + radius};
 }

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_lens.h
-/// A lens of glass: cardinal points by paraxial rays, and real rays through its surfaces by Snell's law.
+/// A lens of glass: cardinal points by paraxial rays, and real rays by Snell's law.
 ///
 /// The folder glass/ holds lenses of glass by themselves: reading prescriptions, tracing surfaces, measuring pupils. It knows neither
 /// camera nor film.
 ///
-/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear principal point H' lies at z =
-/// -separation. An ideal lens is this lens without the space between H and H'; so formulas of the ideal lens hold with the film moved by
-/// the separation along the axis.
+/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear one, H', lies at z =
+/// -separation. An ideal lens has no space between H and H'; its formulas hold with the film moved by the separation along the axis.
 ///
 /// Sources: W. J. Smith, Modern Optical Engineering, chapters 2 and 10 (paraxial equations; a transfer to a surface that needs no special
 /// case for planes).
@@ -29,19 +28,19 @@
 namespace tilt_lens
 {
 
-/// Cardinal points and pupils, mm, in the frame of GlassLens.
+/// mm, in the frame of GlassLens.
 struct CardinalPoints
 {
     double focalLength = 0.0;
-    double separation = 0.0;     ///< from H to H', positive if H' is nearer to the film
+    double separation = 0.0;     ///< from H back to H'
     double frontVertex = 0.0;    ///< z of the first surface
     double rearVertex = 0.0;     ///< z of the last surface
-    double backFocus = 0.0;      ///< from the last surface to the film, focused at infinity
+    double backFocus = 0.0;      ///< last surface to the film, focused at infinity
     double entrancePupil = 0.0;  ///< z
     double exitPupil = 0.0;      ///< z; infinite for a telecentric lens
-    double exitMagnification = 0.0;  ///< radius of the exit pupil over that of the stop; infinite with exitPupil
+    double exitMagnification = 0.0;  ///< radius over the stop's; infinite with exitPupil
     double fNumber = 0.0;        ///< wide open: focal length over the diameter of the widest axial beam of real rays
-    double entranceRadius = 0.0; ///< radius of the entrance pupil over that of the stop; negative if the stop's image is inverted
+    double entranceRadius = 0.0; ///< over the stop's; negative if the stop's image is inverted
 };
 
 /// By paraxial rays; leaves out the f-number, which takes real ones.
@@ -56,14 +55,13 @@ struct FourGlassRays
 enum class Passage
 {
     Passed,
-    Stopped,    ///< by the stop
+    Stopped,
     Rim,        ///< outside a surface's clear opening
-    Reflected,  ///< totally, within the glass
-    Missed      ///< met no surface
+    Reflected,
+    Missed
 };
 
-/// Point of the stop relative to its radius: right and up as the camera sees it, which means left and down in the lens if the stop's image
-/// is inverted.
+/// Relative to the stop's radius: right and up as the camera sees it, left and down in the lens if the stop's image is inverted.
 struct StopPoint
 {
     double a, b;
@@ -83,32 +81,30 @@ class GlassLens
 
     const CardinalPoints& Cardinal() const { return cardinal; }
     double StopRadius() const { return stopRadius; }
-    /// Radius of the last surface's clear opening.
+    /// The last surface's clear opening.
     double RearRadius() const;
 
-    /// Sets the stop so that fNumber is the focal length over the diameter of the axial beam, but never wider than it was made.
+    /// Makes fNumber the focal length over the axial beam's diameter; never wider than built.
     void StopDown(double fNumber);
 
-    /// Gives the stop a shape within its radius.
     /// @param opens  false for points at which the stop blocks rays
     void ShapeStop(std::function<bool(const StopPoint&)> opens) { opening = std::move(opens); }
 
-    /// Takes the indices of refraction of another prescription with the same surfaces; frame and cardinal points stay.
+    /// Takes the indices of a prescription with the same surfaces; frame and cardinal points stay.
     void TakeIndices(const Prescription& prescription);
 
-    /// Traces a ray from the film to the scene.
-    /// @param[in,out] ray  starts behind the lens with direction.z > 0; if it passes, becomes the ray that leaves the first surface; else
-    ///                     it ends anywhere
+    /// Traces from film to scene.
+    /// @param[in,out] ray  starts behind the lens with direction.z > 0; if it passes, becomes the ray that leaves the first surface
     /// @param[out] stop    set if the ray reaches the stop
     /// @param rims         false: only the stop blocks rays
     Passage Trace(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
-    /// Traces four rays side by side, with the results of one, to the last bit.
-    /// @param[in,out] rays  those that do not pass end anywhere, and may be NaN
-    /// @return              one bit for each ray that passes, the lowest for the first
+    /// Four rays side by side, with the results of one, to the last bit.
+    /// @param[in,out] rays  those that do not pass may be NaN
+    /// @return              one bit per passing ray, the lowest for the first
     unsigned int Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims = true) const;
 
-    /// Traces from the scene to the film: the same surfaces in reverse order, direction.z < 0.
+    /// From scene to film: reverse order, direction.z < 0.
     Passage TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
     /// Bounding box of the first surface's clear opening: half its width, least and greatest z.
@@ -119,13 +115,13 @@ class GlassLens
     Front FrontBox() const;
 
   private:
-    std::vector<GlassSurface> surfaces;  ///< from the film to the scene
+    std::vector<GlassSurface> surfaces;  ///< from film to scene
     std::function<bool(const StopPoint&)> opening;  ///< empty: the whole stop
     CardinalPoints cardinal;
     double stopRadius = 0.0, widestStop = 0.0;
 
     double WidestRay() const;
-    /// Factor from a height at the stop to a StopPoint.
+    /// From a height at the stop to a StopPoint.
     double StopScale() const { return std::copysign(1.0 / stopRadius, cardinal.entranceRadius); }
     bool Opens(const StopPoint& stop) const { return !opening || opening(stop); }
     template<bool towardsScene>

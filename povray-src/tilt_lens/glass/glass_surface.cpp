@@ -11,20 +11,19 @@ namespace tilt_lens
 namespace
 {
 
-/// Newton's method to an aspherical surface: greatest number of steps, and tolerance relative to the ray's height or to 1 mm.
+/// Newton's method to an aspherical surface: steps, and tolerance relative to the ray's height or 1 mm.
 constexpr int kMostSteps = 30;
 constexpr double kNearEnough = 1e-13;
 
-/// Moves the ray's origin to the conic. The normal, of any length, points to the scene. False if there is no intersection, or if it lies
-/// beyond the point where the surface turns back.
+/// Moves the ray's origin to the conic. The normal, of any length, points to the scene. False without intersection, or beyond the point
+/// where the surface turns back.
 bool IntersectConic(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;
     const Vec3& d = ray.direction;
-    // intersection with the plane through the vertex
     const double way = (surface.z - ray.origin.z) / d.z;
     const double x = ray.origin.x + way * d.x, y = ray.origin.y + way * d.y;
-    // c (x^2 + y^2 + (1 + conic) z^2) = 2 z along the ray: square t^2 - 2 half t + constant = 0, of which the root near the vertex
+    // c (x^2 + y^2 + (1 + conic) z^2) = 2 z along the ray: square t^2 - 2 half t + constant = 0; the root near the vertex
     const double constant = c * (x * x + y * y), half = d.z - c * (x * d.x + y * d.y);
     const double square = c * (1.0 + surface.conic * d.z * d.z);
     const double root = half * half - square * constant;

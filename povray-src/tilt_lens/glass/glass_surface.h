@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_surface.h
-/// One surface of a lens of glass: intersection and Snell's law. Spheres and planes, the most common surfaces, are written once for one ray
-/// and for rays side by side (simd.h), with equal results to the last bit.
-///
-/// Frame: see glass_lens.h. Source: W. J. Smith, Modern Optical Engineering, chapter 10 (a transfer to a surface that needs no special case
-/// for planes).
+/// One surface of glass: intersection and Snell's law. Spheres and planes, the most common, are written once for one ray and for rays
+/// side by side (simd.h), equal to the last bit. Frame and source: glass_lens.h.
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H
@@ -19,7 +16,6 @@
 namespace tilt_lens
 {
 
-/// A ray, or several side by side; directions have length 1.
 template<class Number>
 struct GlassRayOf
 {
@@ -28,7 +24,6 @@ struct GlassRayOf
 
 using GlassRay = GlassRayOf<double>;
 
-/// Squared distance of the origin from the lens's axis.
 template<class Number>
 TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
 {
@@ -37,25 +32,23 @@ TILT_LENS_INLINED Number SquaredHeight(const GlassRayOf<Number>& ray)
 
 struct GlassSurface
 {
-    double z;  ///< of its vertex
+    double z;
     double curvature;  ///< 1/mm, positive if the centre lies towards the scene
-    double ratio;  ///< index on the side of the film over that of the scene
-    double squaredRim;  ///< square of the clear radius
+    double ratio;  ///< index towards the film over that towards the scene
+    double squaredRim;
     bool stop, sphere;  ///< sphere or plane; else conic or aspherical
     double conic;
     std::vector<double> aspheric;  ///< coefficients of the sag towards the scene
 };
 
-/// Outcome at a surface, lane by lane.
 template<class Number>
 struct Crossing
 {
-    MaskOf<Number> met;  ///< the ray meets the surface
-    MaskOf<Number> withinRim;  ///< within its clear opening
+    MaskOf<Number> met;
+    MaskOf<Number> withinRim;
     MaskOf<Number> refracted;  ///< else totally reflected
 };
 
-/// Negates the value for rays towards the film.
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Number Signed(const Number& value)
 {
@@ -63,7 +56,7 @@ TILT_LENS_INLINED Number Signed(const Number& value)
 }
 
 /// Snell's law.
-/// @param cosine     of the unit normal and the direction
+/// @param cosine     unit normal and direction
 /// @param direction  in: before the surface; out: behind it
 /// @return           false for total reflection
 template<bool towardsScene, class Number>
@@ -77,10 +70,10 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
     return left >= 0.0;
 }
 
-/// Sphere or plane: c |p|^2 = 2 p.z for p relative to the vertex, so that c t^2 - 2 half t + constant = 0 along the ray. The root near the
-/// vertex counts. The square root is the cosine between the ray and the normal (-c p.x, -c p.y, 1 - c p.z). Beyond the point where a sphere
-/// turns back, it is not met.
-/// @param ray  becomes the refracted ray, if the surface is met and refracts
+/// Sphere or plane: c |p|^2 = 2 p.z for p relative to the vertex, so c t^2 - 2 half t + constant = 0 along the ray; the root near the
+/// vertex counts. The square root is the cosine between the ray and the normal (-c p.x, -c p.y, 1 - c p.z). A sphere ends where it turns
+/// back.
+/// @param ray  becomes the refracted ray, if any
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)
 {

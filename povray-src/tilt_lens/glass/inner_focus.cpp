@@ -16,10 +16,9 @@ namespace tilt_lens
 namespace
 {
 
-/// Relative tolerance of the stated distance: files round digits, and some sources estimate it.
+/// Relative tolerance of stated distances: files round digits, and some sources estimate.
 constexpr double kStatedDistance = 0.05;
 
-/// Bisection steps between two states, down to double precision.
 constexpr int kHalvings = 60;
 
 double ThicknessOf(const PrescriptionRow& row, double state)
@@ -31,7 +30,6 @@ double ThicknessOf(const PrescriptionRow& row, double state)
     return (1.0 - share) * from + share * row.nearThickness[before];
 }
 
-/// Distance from the last surface to the film.
 double BehindLast(const Prescription& prescription, double state)
 {
     const PrescriptionRow& last = prescription.rows.back();
@@ -67,7 +65,7 @@ double ObjectDistanceOf(const Prescription& prescription, double state)
 
 double StateFor(const Prescription& prescription, const std::function<double(double focalLength)>& filmVergence)
 {
-    // true if the film would have to stand nearer than it does
+    // true if the film would have to stand nearer
     const auto tooNear = [&](double state)
     {
         const double focalLength = CardinalPointsOf(InState(prescription, state)).focalLength;

@@ -19,11 +19,10 @@ namespace
 
 using Kind = JsonValue::Kind;
 
-/// Greatest nesting of lists and objects; a collection of lenses has five levels.
+/// Nested lists and objects; a collection of lenses has five levels.
 constexpr std::size_t kDeepest = 64;
 
-/// Iterates over the text and counts its lines. The parser has read one character past a number when it reports it; so the line is that of
-/// the last character read.
+/// Counts lines. The parser reports a number one character late, so the line is that of the last character read.
 struct LineCounter
 {
     using iterator_category = std::input_iterator_tag;

@@ -26,21 +26,21 @@ struct JsonValue
     };
 
     Kind kind = Kind::kNull;
-    int line = 0;                    ///< of the file, from 1, where the value begins
-    std::string name;                ///< if a member of an object
+    int line = 0;                    ///< where the value begins, from 1
+    std::string name;
     double number = 0.0;
     std::string text;
-    std::vector<JsonValue> members;  ///< of a list or an object
+    std::vector<JsonValue> members;
 
     bool Is(Kind other) const { return kind == other; }
 
-    /// Null if there is no such member, or if its value is null.
+    /// Null if the member or its value is missing.
     const JsonValue* Find(const std::string& wanted) const;
 
     std::string Words() const;
 };
 
-/// @throws PrescriptionError  the text is no JSON, or is nested too deeply
+/// @throws PrescriptionError  not JSON, or nested too deeply
 JsonValue ReadJson(const std::string& text);
 
 } // namespace tilt_lens

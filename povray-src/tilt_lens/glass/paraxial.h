@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file paraxial.h
-/// Paraxial rays, from which the cardinal points are computed.
+/// Paraxial rays, for cardinal points.
 
 #ifndef TILT_LENS_PARAXIAL_H
 #define TILT_LENS_PARAXIAL_H
@@ -15,13 +15,13 @@
 namespace tilt_lens
 {
 
-/// A ray from the scene to the film: height, and slope times index (`reduced`).
+/// From scene to film: height, and slope times index (`reduced`).
 struct ParaxialRay
 {
     double height = 0.0, reduced = 0.0;
 };
 
-/// Ray transfer matrix of a part of a lens: height' = a height + b reduced, reduced' = c height + d reduced; a d - b c = 1.
+/// Ray transfer matrix: height' = a height + b reduced, reduced' = c height + d reduced; a d - b c = 1.
 struct ParaxialMap
 {
     double a = 1.0, b = 0.0, c = 0.0, d = 1.0;

@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// A file with more rows is no lens.
+/// No lens has more.
 constexpr std::size_t kMostRows = 200;
 
 /// Glass in visible light has up to 2.2, diamond 2.42, germanium in the infrared 4.
@@ -24,7 +24,7 @@ constexpr double kMostIndex = 4.0;
 /// Glasses have 15 to 95.
 constexpr double kLeastAbbe = 10.0, kMostAbbe = 150.0;
 
-/// Checks the range of each number. A conic that ends before its rim is valid: rays beyond its end miss the surface.
+/// Checks ranges. A conic may end before its rim: rays beyond miss it.
 void RequireSensible(const ReadRow& read, bool last)
 {
     const PrescriptionRow& row = read.row;
@@ -53,8 +53,8 @@ void RequireSensible(const ReadRow& read, bool last)
                                                Number(kMostAbbe) + "; give 0 or none where it is not known, and in air.");
 }
 
-/// Gives rows without an index that of the medium before them, and finds the stop: the marked row, or else the only plane within one
-/// medium. If a row is marked, other such planes are rims.
+/// Gives rows without an index the medium before them, and finds the stop: the marked row, or the only plane within one medium. With a
+/// marked row, other such planes are rims.
 std::size_t FindStop(std::vector<ReadRow>& rows)
 {
     std::vector<std::size_t> marked, planes;

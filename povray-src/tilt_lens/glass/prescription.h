@@ -2,19 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription.h
-/// The table of a lens's surfaces, read from a file in one of three forms:
-///
-/// - `.dat` files of the renderer pbrt: rows of radius, thickness, index, clear diameter and, as an extension, Abbe number; `#` begins
-///   a comment;
-/// - JSON of the lens shader lentil: an object with `optical-elements-patent` (or `-adjusted`), or a database of such objects, of which
-///   one is chosen by its name;
-/// - JSON of the ISET toolboxes: an object with `surfaces`.
-///
-/// The JSON forms may state how groups move to focus nearer: `object-distance`, a list of distances from the first surface that begins with
-/// infinity, and thicknesses with one value for each.
-///
-/// Order and signs are the file's: rows run from the scene to the film, and a radius is positive if the centre of the sphere lies on the
-/// side of the film.
+/// The table of a lens's surfaces, read from a file: the renderer pbrt's `.dat`, with Abbe numbers as an extension, or JSON of the lens
+/// shader lentil or the ISET toolboxes (docs/lenses.md). Order and signs are the file's: from scene to film, radius positive if the
+/// sphere's centre lies towards the film.
 
 #ifndef TILT_LENS_PRESCRIPTION_H
 #define TILT_LENS_PRESCRIPTION_H
@@ -27,20 +17,20 @@
 namespace tilt_lens
 {
 
-/// One surface, or the stop. At the distance h from the axis, and with c = 1/radius, a surface lies behind its vertex by
+/// One surface, or the stop. At the distance h from the axis, with c = 1/radius, a surface lies behind its vertex by
 ///
 ///     c h^2 / (1 + sqrt(1 - (1 + conic) c^2 h^2)) + aspheric[0] h^4 + aspheric[1] h^6 + ...
 struct PrescriptionRow
 {
     double radius = 0.0;  ///< mm; 0: plane
     double thickness = 0.0;  ///< mm along the axis to the next row; in the last row, only the difference to nearThickness counts
-    std::vector<double> nearThickness;  ///< mm, for each of the prescription's objectDistances; empty: does not move. Last row: to the film
-    double index = 1.0;  ///< of refraction behind the surface, at the d line (587.6 nm)
-    double abbe = 0.0;  ///< Abbe number of that medium; 0: not stated, or air
-    double diameter = 0.0;  ///< mm, of the clear opening
-    double conic = 0.0;  ///< conic constant: 0 is a sphere, -1 a paraboloid
+    std::vector<double> nearThickness;  ///< mm, for each of objectDistances; empty: does not move. Last row: to the film
+    double index = 1.0;  ///< behind the surface, at the d line (587.6 nm)
+    double abbe = 0.0;  ///< of that medium; 0: not stated, or air
+    double diameter = 0.0;  ///< mm, clear opening
+    double conic = 0.0;  ///< 0: sphere, -1: paraboloid
     std::vector<double> aspheric;  ///< 1/mm^3, 1/mm^5, ...
-    int line = 0;  ///< of the file; 0: unknown
+    int line = 0;  ///< 0: unknown
 };
 
 struct Prescription
@@ -51,17 +41,17 @@ struct Prescription
         ///< group moves. The rows' thickness is for infinity
 };
 
-/// A prescription that makes no lens. what() continues the file's name: the value found, what is allowed, a remedy.
+/// No lens. The text continues the file's name: value found, values allowed, remedy.
 class PrescriptionError : public std::runtime_error
 {
   public:
     PrescriptionError(int itsLine, const std::string& text) : std::runtime_error(text), line(itsLine) {}
 
-    const int line;  ///< of the file, from 1; 0: unknown
+    const int line;  ///< from 1; 0: unknown
 };
 
 /// @param text    the whole file
-/// @param choice  name of one lens of a lentil database; else empty
+/// @param choice  a lens's name in a lentil database; else empty
 /// @throws PrescriptionError
 Prescription ReadPrescription(const std::string& text, const std::string& choice = "");
 

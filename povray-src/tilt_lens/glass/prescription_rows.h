@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription_rows.h
-/// Readers of the three forms of file, for ReadPrescription() (prescription.h).
+/// Readers of the three forms for ReadPrescription() (prescription.h).
 
 #ifndef TILT_LENS_PRESCRIPTION_ROWS_H
 #define TILT_LENS_PRESCRIPTION_ROWS_H
@@ -19,17 +19,17 @@ struct ReadRow
 {
     PrescriptionRow row;
     int line = 0;
-    bool stop = false;  ///< marked as the stop by the file; its index is that of the row before
+    bool stop = false;  ///< marked by the file; its index is the row's before
 };
 
 struct ReadLens
 {
     std::vector<ReadRow> rows;
     std::vector<double> objectDistances;
-    int objectDistanceLine = 0;           ///< line that states them
+    int objectDistanceLine = 0;
 };
 
-/// Text of a file for an error: shortened, with question marks for unprintable characters.
+/// A file's text for an error: shortened, question marks for unprintable characters.
 std::string Shown(const std::string& written);
 
 /// @throws PrescriptionError

@@ -13,20 +13,20 @@ namespace tilt_lens
 namespace
 {
 
-/// Directions in which the pupil's border is searched, and bisection steps of each: the border is found to 1/4000 of the pupil.
+/// Directions of the search for the pupil's border; bisection finds it to 1/4000 of the pupil.
 constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
-/// Sides of the grids of rays that are tried if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface,
-/// which every ray crosses. Multiples of four.
+/// Sides of ray grids if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface, which every ray
+/// crosses. Multiples of four.
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
-/// Ratio of the longest to the shortest spoke beyond which spokes are measured again from the centre of the area.
+/// Longest over shortest spoke beyond which spokes are measured again from the area's centre.
 constexpr double kRound = 1.3;
 
-/// Enlargement of the ellipse, for borders between spokes and between entries of the table. The second adds to it where rims cut the pupil,
-/// because its shape then varies more over the frame.
+/// Enlarges the ellipse for borders between spokes and table entries; the second adds to it where rims cut the pupil, whose shape then
+/// varies more over the frame.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
 
@@ -37,7 +37,6 @@ struct FourPupilPoints
     double l[4], m[4];
 };
 
-/// The lens as seen from a film point.
 struct Seen
 {
     const GlassLens& lens;
@@ -51,7 +50,7 @@ struct Seen
     }
 
     /// @param rims  false: only the stop blocks rays
-    /// @return      one bit for each direction that passes
+    /// @return      one bit per passing direction
     unsigned int Passing(const FourPupilPoints& directions, bool rims = true) const
     {
         FourGlassRays rays;
@@ -68,7 +67,7 @@ struct Seen
         return passing & lens.Trace(rays, stop, rims);
     }
 
-    /// Roughly the radius of the paraxial pupil, in direction cosines.
+    /// About the paraxial pupil's radius, direction cosines.
     double Size() const
     {
         const CardinalPoints& points = lens.Cardinal();
@@ -103,7 +102,7 @@ struct Seen
         return PupilPoint{sum.l / passed, sum.m / passed};
     }
 
-    /// A direction that passes, well within the pupil if possible.
+    /// A passing direction, well within the pupil if possible.
     std::optional<PupilPoint> Inside(const std::optional<PupilPoint>& near) const
     {
         const PupilPoint aim = ParaxialAim(lens.Cardinal(), film);
@@ -123,7 +122,7 @@ struct Seen
     }
 };
 
-/// Distances from an inner direction to the border, with rims and with the stop alone.
+/// From an inner direction to the border, with rims and with the stop alone.
 struct Spoke
 {
     double open, stop;
@@ -137,7 +136,7 @@ PupilPoint Along(int spoke)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Four spokes side by side: for each, a step that passes and a step that does not or is still to be tested.
+/// Four side by side: for each, a step that passes and one that does not or is untested.
 class FourSpokes
 {
   public:
@@ -153,7 +152,7 @@ class FourSpokes
         ends[i] = itsEnds;
     }
 
-    /// Lengthens the steps until they do not pass, then bisects.
+    /// Lengthens steps until they do not pass, then bisects.
     void FindBorders(bool rims)
     {
         for (unsigned int open = 0xf; open != 0;)
@@ -162,7 +161,7 @@ class FourSpokes
             for (int i = 0; i < 4; i++)
                 if ((open >> i & 1u) != 0)
                 {
-                    if (ends[i] >= 4.0)  // beyond all direction cosines
+                    if (ends[i] >= 4.0)
                         open &= ~(1u << i);
                     passes[i] = ends[i];
                     ends[i] *= 1.5;
@@ -179,7 +178,7 @@ class FourSpokes
 
     double Border(int i) const { return 0.5 * (passes[i] + ends[i]); }
 
-    /// One bit for each spoke that ends at a rim: the stop alone lets the blocked step pass.
+    /// One bit per spoke ending at a rim: the stop alone lets the blocked step pass.
     unsigned int EndAtRims() const { return Passing(ends, false); }
 
   private:
@@ -200,7 +199,7 @@ class FourSpokes
     }
 };
 
-/// The search for each spoke starts with the length of the fourth before it.
+/// Each search starts with the length of the fourth spoke before it.
 Spokes SpokesFrom(const Seen& seen, const PupilPoint& inside)
 {
     Spokes spokes;
@@ -241,7 +240,6 @@ bool IsRound(const Spokes& spokes)
     return most < kRound * least;
 }
 
-/// Centroid of the area within the spokes.
 PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
 {
     double area = 0.0, l = 0.0, m = 0.0;
@@ -255,11 +253,11 @@ PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
     return {inside.l + l / area, inside.m + m / area};
 }
 
-/// Ellipse with the proportions of the bounding box of the spokes' ends.
+/// Proportions of the bounding box of the spokes' ends.
 /// @param larger  factor on the ellipse through the farthest end
 PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
 {
-    std::array<PupilPoint, kSpokes> ends;  // radial, tangential
+    std::array<PupilPoint, kSpokes> ends;
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     for (int i = 0; i < kSpokes; i++)
     {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file pupil_view.h
-/// The view from a film point through a lens of glass: its exit pupil, cut by the rims.
+/// View from a film point through a lens of glass: its exit pupil, cut by the rims.
 ///
-/// A direction is given by its cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles,
-/// cos(angle to the axis) dw, so that light of a uniform scene is uniform in them. A lens without coma maps them to areas of its entrance
-/// pupil, over which the samples of an ideal lens are uniform.
+/// Directions are cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles, cos(angle to the
+/// axis) dw, in which a uniform scene's light is uniform. A lens without coma maps them to areas of its entrance pupil, over which an
+/// ideal lens's samples are uniform.
 
 #ifndef TILT_LENS_PUPIL_VIEW_H
 #define TILT_LENS_PUPIL_VIEW_H
@@ -19,7 +19,7 @@
 namespace tilt_lens
 {
 
-/// Direction cosines along the lens's two axes: one direction, or several side by side.
+/// Direction cosines along the lens's axes: one direction or several side by side.
 template<class Number>
 struct PupilPointOf
 {
@@ -28,22 +28,21 @@ struct PupilPointOf
 
 using PupilPoint = PupilPointOf<double>;
 
-/// Ellipse around the directions that pass; the radial axis points towards the lens's axis.
+/// Ellipse around the passing directions; the radial axis points to the lens's axis.
 struct PupilEllipse
 {
     PupilPoint centre;
-    double radial, tangential;  ///< semi-axes
+    double radial, tangential;
 };
 
-/// View from a film point.
 struct PupilView
 {
     PupilEllipse bounds;
-    double open = 0.0;   ///< area of the directions that pass
+    double open = 0.0;   ///< area of passing directions
     double stop = 0.0;   ///< area without rims
 };
 
-/// Unit vector from the axis to the film point.
+/// From the axis to the film point; unit vector.
 template<class Number>
 TILT_LENS_INLINED PupilPointOf<Number> RadialAxis(const VecOf<Number>& film)
 {
@@ -51,7 +50,7 @@ TILT_LENS_INLINED PupilPointOf<Number> RadialAxis(const VecOf<Number>& film)
     return {distance > 0.0 ? film.x / distance : one, distance > 0.0 ? film.y / distance : zero};
 }
 
-/// Direction to the centre of the paraxial exit pupil.
+/// To the centre of the paraxial exit pupil.
 template<class Number>
 TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points, const VecOf<Number>& film)
 {
@@ -62,14 +61,14 @@ TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points,
     return {way.x / length, way.y / length};
 }
 
-/// Squared cosine to the lens's axis; no direction if it is not positive.
+/// Squared cosine to the lens's axis; no direction if not positive.
 template<class Number>
 TILT_LENS_INLINED Number SquaredAlong(const PupilPointOf<Number>& direction)
 {
     return 1.0 - direction.l * direction.l - direction.m * direction.m;
 }
 
-/// A ray from a film point; none for cosines of no direction.
+/// None for cosines of no direction.
 inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
 {
     const double square = SquaredAlong(direction);
@@ -78,8 +77,8 @@ inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& di
     return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
 }
 
-/// Measures the view from a film point (mm, lens frame), with a few hundred rays.
-/// @param near  a direction that passes for a neighbouring film point, tried first
+/// Measures by a few hundred rays from a film point (mm, lens frame).
+/// @param near  a passing direction of a neighbouring film point, tried first
 /// @return      none if no ray passes
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near);
 

@@ -15,15 +15,14 @@ namespace
 
 using Kind = JsonValue::Kind;
 
-/// Larger radii (mm) stand for planes in lentil's files.
+/// Larger radii (mm) are planes in lentil's files.
 constexpr double kPlaneRadius = 99999.0;
 
-/// Limits; known lenses have up to eight coefficients and five focuses.
+/// Known lenses have up to eight coefficients and five focuses.
 constexpr std::size_t kMostCoefficients = 20, kMostFocuses = 20;
 
 const char* const kKnown = "Known are lentil's form, with \"optical-elements-patent\", and that of ISET, with \"surfaces\".";
 
-/// An object of the file, with checked access to its members.
 class Members
 {
   public:
@@ -46,7 +45,7 @@ class Members
             throw PrescriptionError(object.line, "a surface without \"" + std::string(name) + "\", which must be a number.");
         if (!found->Is(Kind::kList))
             return ValueOf(name, *found);
-        // two values, one for each meridian: they must be equal
+        // one value per meridian: they must be equal
         const std::vector<JsonValue>& values = found->members;
         if (values.size() == 2 && values[0].Is(Kind::kNumber) && values[1].Is(Kind::kNumber) && values[0].number == values[1].number)
             return values[0].number;
@@ -102,14 +101,13 @@ class Members
     }
 };
 
-/// Reads conic constant and aspheric coefficients of either form.
 void ReadShape(const Members& surface, PrescriptionRow& row)
 {
     row.conic = surface.NumberOr("conic_constant", 0.0);
     row.aspheric = surface.Numbers("aspherical-equation", kMostCoefficients);
 }
 
-/// Reads one number, or with `states` focuses one for each.
+/// One number, or with `states` focuses one for each.
 void ReadThickness(const Members& surface, std::size_t states, int line, PrescriptionRow& row)
 {
     if (states == 0 || !surface.HasList("thickness"))
@@ -168,7 +166,7 @@ ReadRow IsetRow(const Members& surface, int line, std::size_t states)
     return read;
 }
 
-/// Distances for which groups' positions are stated, without the leading infinity.
+/// Without the leading infinity.
 std::vector<double> ObjectDistancesOf(const JsonValue& stated)
 {
     const bool list = stated.Is(Kind::kList) && !stated.members.empty();
@@ -227,7 +225,7 @@ const char* LentilList(const JsonValue& lens)
     return nullptr;
 }
 
-/// The chosen lens of a database, its only lens, or the file itself if it is no database.
+/// The chosen lens of a database, its only lens, or the file if it is no database.
 const JsonValue& Chosen(const JsonValue& file, const std::string& choice)
 {
     std::vector<const JsonValue*> lenses;

@@ -51,7 +51,7 @@ std::vector<ReadRow> ReadPbrtRows(const std::string& text)
         read.row.diameter = numbers[3];
         if (numbers.size() == 5)
             read.row.abbe = numbers[4];
-        // pbrt writes air as 0 or 1; a row of radius 0 and index 0 is the stop
+        // pbrt writes air as 0 or 1; radius 0 and index 0 is the stop
         read.stop = numbers[0] == 0.0 && numbers[2] == 0.0;
         if (read.row.index == 0.0)
             read.row.index = 1.0;

@@ -19,7 +19,6 @@ constexpr int kColumns = PaddedBlock::kColumns;
 constexpr int kSide = int(settings.blockSide);
 constexpr int kPixels = kSide * kSide;
 
-/// One number per pixel of a padded block.
 constexpr std::size_t kPlane = PaddedBlock::kRows * PaddedBlock::kColumns;
 using Plane = float[kPlane];
 
@@ -30,7 +29,6 @@ TILT_LENS_INLINED constexpr int At(int x, int y)
     return PaddedBlock::At(x, y);
 }
 
-/// The wanted rows with a margin on all sides.
 struct Part
 {
     int left, right, top, bottom;
@@ -40,7 +38,7 @@ struct Part
     {
     }
 
-    /// Calls `visit` with the index of the first of each vector of pixels; the last vector of a row may extend beyond it.
+    /// Calls `visit` with each pixel vector's first index; a row's last vector may extend beyond it.
     template<class Visit>
     TILT_LENS_INLINED void ForEach(const Visit& visit) const
     {
@@ -50,7 +48,7 @@ struct Part
     }
 };
 
-/// Means over a window of radius `kRadius` around each pixel of the wanted rows.
+/// Over a window of radius `kRadius` around each pixel of the wanted rows.
 template<int kRadius>
 TILT_LENS_INLINED void MeanAround(const float* values, const FilterInput& input, Plane& means)
 {
@@ -75,7 +73,7 @@ TILT_LENS_INLINED void MeanAround(const float* values, const FilterInput& input,
     }
 }
 
-/// Results of the filters along rows, for all products with filters along columns.
+/// Filtered along rows, for all products with filters along columns.
 template<int kChannels>
 class FilteredRows
 {
@@ -117,7 +115,6 @@ constexpr float NoiseLeftBy(Filter filter)
     return sum;
 }
 
-/// A candidate of the bank.
 template<int kChannels, Filter kAcross, Filter kDown, int kSlant>
 struct ProductFilter
 {
@@ -149,9 +146,9 @@ class RiskWeightedMean
         MeanAround<settings.nearRiskRadius>(noises, around, noiseNear);
     }
 
-    /// @param candidate  a linear estimate of the pixels from index i on: Mean(channel, i); CentreTap(i), its tap of the pixel itself;
-    ///     NoiseLeft(i), the fraction of the pixel's variance that it leaves; Preference(i), its weight relative to a filter with the same
-    ///     risk
+    /// @param candidate  linear estimate of the pixels from index i on: Mean(channel, i); CentreTap(i), its tap of the pixel itself;
+    ///                   NoiseLeft(i), the fraction of the pixel's variance that it leaves; Preference(i), its weight relative to a
+    ///                   filter of equal risk
     template<class Candidate>
     TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
@@ -168,7 +165,7 @@ class RiskWeightedMean
         });
     }
 
-    /// Result for a pixel of the block; unchanged if its surroundings have no noise.
+    /// Unchanged if there is no noise around.
     float MeanOf(int c, int i) const
     {
         const float own = around.mean[c][i];
@@ -178,8 +175,7 @@ class RiskWeightedMean
         const float mean = Max(Min(own, 0.0f), means[c][i] / weights[i]);
         return c < 3 ? mean : Min(Max(own, 1.0f), mean);
     }
-    /// Upper bound of the remaining fraction of a pixel's variance: the variance of a mean of estimates is at most the mean of their
-    /// variances.
+    /// Upper bound of the remaining fraction of variance: a mean of estimates varies at most as the mean of their variances.
     float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
 
     const Part& Risky() const { return risky; }
@@ -220,8 +216,8 @@ class RiskWeightedMean
     }
 };
 
-/// Each pixel's spread estimate S = t q + (1 - t) o, with the mean o of received samples and the weight t of its own; corrected, S + F (q -
-/// S) with the mean F over 9 by 9 pixels.
+/// Spread estimate S = t q + (1 - t) o, with the mean o of received samples and the weight t of the pixel's own; corrected, S + F (q - S)
+/// with the mean F over 9 by 9 pixels.
 template<bool kCorrected>
 class SpreadCandidate
 {
@@ -251,7 +247,7 @@ class SpreadCandidate
     {
         return Load<Floats>(&noiseLeft[i]) + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f);
     }
-    /// Geometry favours S where it is made of other pixels' samples, and more where the pixel's own samples have missed something.
+    /// Favours S where it is made of other pixels' samples, and more where the pixel's own have missed something.
     TILT_LENS_INLINED Floats Preference(int i) const
     {
         const Floats others = 1.0f - Load<Floats>(&ownTap[i]), square = others * others;

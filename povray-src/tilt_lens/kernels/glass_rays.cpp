@@ -10,7 +10,7 @@ namespace tilt_lens::TILT_LENS_VARIANT
 namespace
 {
 
-/// Several rays at a conic or an aspherical surface, one after the other.
+/// Rays at a conic or aspherical surface, one after the other.
 TILT_LENS_INLINED MaskOf<Doubles> CrossOneByOne(const GlassSurface& surface, bool rims, GlassRayOf<Doubles>& rays)
 {
     Doubles passes{};

@@ -14,13 +14,12 @@ using Planes = SpreadPlanes;
 
 constexpr int kReach = Planes::kReach, kMostLanes = Planes::kMostLanes;
 
-/// Rows or columns within reach of a sample: kReach before its own to kReach behind it.
+/// Within reach of a sample: kReach before its own to kReach behind it.
 constexpr int kRows = 2 * kReach + 1;
-/// kRows, padded to whole vectors.
 constexpr int kLanes = kRows + 1;
 static_assert(kLanes % kMostLanes == 0, "vectors hold them without a rest");
 
-/// Numbers with padding: a row's last vector may read beyond it.
+/// Padded: a row's last vector may read beyond it.
 struct alignas(32) LaneNumbers
 {
     float of[kLanes + kMostLanes]{};
@@ -36,10 +35,10 @@ constexpr LaneNumbers Numbered()
 
 constexpr LaneNumbers kOffsets = Numbered();
 
-/// Distance, in pixels, at which the window of a sample ends.
+/// End of a sample's window, pixels.
 constexpr float kWindowRadius = kReach + 1;
 
-/// Window along rows and columns, 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.
+/// Along rows and columns, 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.
 constexpr LaneNumbers WindowOf(const LaneNumbers& offsets)
 {
     LaneNumbers window{};
@@ -57,8 +56,7 @@ TILT_LENS_INLINED Floats WindowUpTo(const Floats& distance)
     return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
 }
 
-/// The difference for the end and the begin of a row of pixels, as distances from the middle of the sample's own, is the sum of the window
-/// over them.
+/// Difference between a row's end and begin, as distances from the middle of the sample's own pixel: the window's sum over the row.
 TILT_LENS_INLINED Floats WindowSumUpTo(const Floats& distance)
 {
     constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
@@ -70,12 +68,11 @@ constexpr float kInRow[2 * kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 
 constexpr int kWidth = kVectorWidth<Floats>;
 
-/// Extent of a circle of confusion along one axis of the picture.
 struct Extent
 {
     float middle, half;  ///< pixels
 
-    /// For each pixel within reach of a sample of pixel `own`: integral of its window over the part of the extent that lies in the picture.
+    /// For each pixel within reach of pixel `own`: integral of its window over the extent inside the picture.
     TILT_LENS_INLINED void FindSenders(int own, const PictureSpan& picture, LaneNumbers& senders) const
     {
         const float from = Max(picture.begin, middle - half), to = Min(picture.end, middle + half);
@@ -88,12 +85,12 @@ struct Extent
     }
 };
 
-/// The pixels of a circle of confusion at most kReach away from the sample's own, row by row.
+/// A circle's pixels at most kReach away from the sample's own, row by row.
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
     float windowOf[kLanes], windowed = 0.0f;  ///< sums of the window: along each row, over all pixels
-    unsigned int rows = 0;  ///< a bit for each row that is not empty
+    unsigned int rows = 0;  ///< one bit per row with pixels
     Extent across{}, down{};
 
     TILT_LENS_INLINED void Find(const CircleOfConfusion& circle, int column, int row)
@@ -144,7 +141,7 @@ struct CirclePixels
     }
 };
 
-/// Densities of a lens that is not the unit disc, at the pixels of a circle, row by row.
+/// Densities of a lens other than the unit disc, at a circle's pixels, row by row.
 struct Densities
 {
     float of[kRows * kRows + kMostLanes];  ///< padding: read, not used
@@ -171,22 +168,20 @@ struct Densities
     }
 };
 
-/// Squared length of a colour.
 TILT_LENS_INLINED float SquareOf(const Float4& value)
 {
     return value[0] * value[0] + value[1] * value[1] + value[2] * value[2];
 }
 
-/// One row of a circle's pixels, with their shares relative to the sample's own pixel.
+/// A row of a circle, with shares relative to the sample's own pixel.
 struct RowShares
 {
     const float* ofColumns;
     int begin, end;
-    const float* density;  ///< of the lens, from the first pixel on; null: uniform
+    const float* density;  ///< from the first pixel on; null: uniform
 
     float DensityAt(int column) const { return density != nullptr ? density[column - begin] : 1.0f; }
 
-    /// Shares of a vector of pixels; zero beyond the row.
     TILT_LENS_INLINED Floats From(int column) const
     {
         const int count = Min(kMostLanes, end - column);
@@ -217,7 +212,7 @@ TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares
     }
 }
 
-/// @param density  of the lens at each pixel; null: uniform
+/// @param density  per pixel; null: uniform
 /// @param sum      of the densities
 /// @param value    red, green, blue and 1
 TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
@@ -233,7 +228,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         Store(ofColumns.of + i, toColumn * window / Load<Floats>(ofColumns.of + i));
         Store(ofRows.of + i, toRow * window / (sum * Load<Floats>(ofRows.of + i)));
     }
-    LaneNumbers ofOthers = ofColumns;  // nothing is sent to the sample's own pixel
+    LaneNumbers ofOthers = ofColumns;  // the sample's own pixel gets none
     ofOthers.of[kReach] = 0.0f;
     for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
     {

@@ -10,7 +10,7 @@ namespace tilt_lens::TILT_LENS_VARIANT
 namespace
 {
 
-/// Within these bounds a squared length neither overflows nor underflows (else Length() scales).
+/// A squared length in between neither overflows nor underflows (else Length() scales).
 constexpr double kLeastSquared = 1e-200, kGreatestSquared = 1e200;
 
 } // namespace

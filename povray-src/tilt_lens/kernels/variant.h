@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file variant.h
-/// The build compiles each file of this folder once per variant and defines TILT_LENS_VARIANT, the namespace, and TILT_LENS_REGISTER, the
-/// bytes of a vector register.
+/// Each file here is compiled once per variant, with TILT_LENS_VARIANT, the namespace, and TILT_LENS_REGISTER, the bytes of a vector
+/// register.
 ///
-/// A rule, kept by the test `unit.kernel_symbols`: these files call no inline function of the library or of the standard library that is
-/// not TILT_LENS_INLINED. The compiler may emit such a function into the object file, once for each variant, and the linker keeps any
-/// one of them: AVX2 instructions would run on processors that have none.
+/// Rule, kept by the test `unit.kernel_symbols`: call no inline function of the library or the standard library that is not
+/// TILT_LENS_INLINED. The linker keeps any one of the variants' copies: AVX2 instructions would run on processors without them.
 
 #ifndef TILT_LENS_VARIANT_H
 #define TILT_LENS_VARIANT_H

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_camera.h
-/// Camera rays through a lens of glass that is tilted, swung and shifted as a whole about its front principal point.
+/// Camera rays through a lens of glass, tilted, swung and shifted as a whole about its front principal point. Film points are the ideal
+/// lens's, moved along the lens's axis by the principal points' separation: plane of sharp focus, tilt, swing and shift agree to first
+/// order.
 ///
-/// The film point of the picture's point (x, y) is that of an ideal lens, moved along the lens's axis by the separation of the principal
-/// points. So the plane of sharp focus, tilt, swing and shift agree with the ideal lens to first order.
-///
-/// Samples are uniform over the directions that pass (pupil_view.h): drawn from an ellipse around them, tabulated over the frame, and drawn
-/// again if the lens blocks them. The share of directions left open is in the sample's weight, so that a uniform surface has no noise.
+/// Samples are uniform over the passing directions (pupil_view.h): drawn from tabulated ellipses around them, again if blocked. The open
+/// share is in the weight, so a uniform surface has no noise.
 
 #ifndef TILT_LENS_GLASS_CAMERA_H
 #define TILT_LENS_GLASS_CAMERA_H
@@ -33,18 +32,18 @@ namespace tilt_lens
 struct GlassSample
 {
     LensRay ray;
-    double weight;  ///< of the ray's radiance; 0: nothing to trace
-    std::uint32_t refused;  ///< rays drawn before it that the lens blocked
+    double weight;  ///< of the radiance; 0: nothing to trace
+    std::uint32_t refused;  ///< blocked rays drawn before it
 };
 
-/// Immutable, and shared by threads.
+/// Immutable, thread-safe.
 class GlassCamera
 {
   public:
-    /// @param lens      with glass
-    /// @param aperture  a shape of uniform brightness within the unit disc
+    /// @param lens      with glass.
+    /// @param aperture  uniform brightness, within the unit disc.
     /// @param natural   share of the natural light fall-off, 0 to 1
-    /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the middle of the picture
+    /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the picture's middle
     GlassCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, double natural);
 
     /// At the d line.
@@ -52,9 +51,8 @@ class GlassCamera
 
     GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(glass, film, u, v, seed); }
 
-    /// Light of one colour, for a lens with dispersion. The share that the rims block is that of the d line, so that a uniform grey surface
-    /// has no colour.
-    /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end)
+    /// For dispersion. The share that the rims block is the d line's, so a uniform grey surface has no colour.
+    /// @param hue  -1 (blue end) to 1 (red end)
     GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
     {
         return DrawThrough(colours->Of(hue), film, u, v, seed);
@@ -62,13 +60,13 @@ class GlassCamera
 
     bool HasColours() const { return colours.has_value(); }
 
-    /// Ray through the centre of the film point's view; none if that is blocked.
+    /// Through the centre of the film point's view; none if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
-    /// Brightness relative to the centre of the picture.
+    /// Relative to the picture's centre.
     double Brightness(const FilmPoint& film) const;
 
-    /// Share of the stop's light that the rims leave open.
+    /// Share of the stop's light that passes the rims.
     double OpenShare(const FilmPoint& film) const;
 
     /// Lens frame, mm.
@@ -82,7 +80,7 @@ class GlassCamera
     std::optional<GlassOfColours> colours;  ///< none: one wavelength
     Aperture disc = Aperture::Disc();
     GlassFilm frame;
-    std::vector<PupilNode> nodes;  ///< the table of views, row by row
+    std::vector<PupilNode> nodes;
 
     void PlaceFilm();
     void Tabulate();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_film.h
-/// The film behind a lens of glass, and the table of its points' views: one film point, or several side by side.
+/// The film behind a lens of glass, and the table of its points' views: for one film point, or several side by side.
 
 #ifndef TILT_LENS_GLASS_FILM_H
 #define TILT_LENS_GLASS_FILM_H
@@ -17,46 +17,43 @@
 namespace tilt_lens
 {
 
-/// Four film points and their random numbers, side by side.
 struct FourGlassPoints
 {
-    double x[4], y[4];      ///< film points, as FilmPoint
+    double x[4], y[4];
     double u[4], v[4];      ///< in [0, 1)
     std::uint32_t seed[4];  ///< for drawing blocked directions again
-    unsigned int wanted;    ///< one bit for each point that needs a sample, the lowest for the first
+    unsigned int wanted;    ///< one bit per point that needs a sample, the lowest for the first
 };
 
-/// Fields as in GlassSample and LensRay.
+/// As in GlassSample and LensRay.
 struct FourGlassSamples
 {
     double origin[3][4], direction[3][4], w[4], weight[4];
     std::uint32_t refused[4];
 };
 
-/// Views of four film points, side by side.
 struct FourPupils
 {
     double place[3][4];                           ///< film points, lens frame, mm
     double l[4], m[4], radial[4], tangential[4];  ///< ellipses of directions
     double axisL[4], axisM[4];                    ///< radial axes of the ellipses
     double brightness[4];
-    unsigned int seen = 0;                        ///< one bit for each film point that receives light
+    unsigned int seen = 0;                        ///< one bit per film point with light
 };
 
-/// Entry of the table of views. The ellipse's centre is relative to the paraxial aim, so that it varies little over the frame.
+/// The ellipse's centre is relative to the paraxial aim, so that it varies little over the frame.
 struct PupilNode
 {
     double l = 0.0, m = 0.0, radial = 0.0, tangential = 0.0;
     double open = 0.0;     ///< share that the rims leave open
-    double natural = 0.0;  ///< illumination of the film by the stop alone, relative
+    double natural = 0.0;  ///< relative illumination by the stop alone
     bool seen = false;
 };
 
-/// Entries in a row and in a column of the table; odd, so that one is the centre. Linear interpolation of the open share errs by 1/8 of its
-/// second derivative (up to 4 over the frame) over the squared number of steps: 1/2000.
+/// Entries per row and column; odd, so that one is the centre. Linear interpolation of the open share errs by 1/8 of its second
+/// derivative (up to 4 over the frame) over the squared number of steps: 1/2000.
 constexpr int kPupilTableSide = 33;
 
-/// Bilinear interpolation in the table, side by side.
 template<class Vector>
 struct PupilInterpolation
 {
@@ -94,7 +91,6 @@ struct PupilInterpolation
     }
 };
 
-/// The film and the lens's frame.
 struct GlassFilm
 {
     const Lens* lens;
@@ -104,14 +100,13 @@ struct GlassFilm
     Vec3 middle, right, up;  ///< lens frame, mm
     double middleOpen = 1.0, middleNatural = 1.0;
 
-    /// A film point in the lens frame, mm.
+    /// Lens frame, mm.
     template<class Number>
     TILT_LENS_INLINED VecOf<Number> Place(const Number& x, const Number& y) const
     {
         return {middle.x + x * right.x + y * up.x, middle.y + x * right.y + y * up.y, middle.z + x * right.z + y * up.z};
     }
 
-    /// Brightness relative to the centre of the picture.
     template<class Number>
     TILT_LENS_INLINED Number Brightness(const Number& open, const Number& itsNatural) const
     {
@@ -119,11 +114,11 @@ struct GlassFilm
         return falloff * open / middleOpen;
     }
 
-    /// Scales the direction to the axial length of the film point's chief ray, so that ray parameters compare with those of ideal rays.
+    /// Scales the direction to the axial length of the film point's chief ray, so that ray parameters compare with ideal rays'.
     template<class Number>
     TILT_LENS_INLINED LensRayOf<Number> ToWorld(const Number& x, const Number& y, const GlassRayOf<Number>& ray) const
     {
-        constexpr double leastAlong = 0.01;  // least axial component of a ray's direction, which scales the direction
+        constexpr double leastAlong = 0.01;  // least axial component, which scales the direction
         const VecOf<Number> origin = AlongAxes(ray.origin), direction = AlongAxes(ray.direction);
         const Number least = Number() + leastAlong, along = Dot(direction, Broadcast<Number>(lens->axis));
         const Number scale = Dot(lens->direction, lens->axis) / Max(along, least), unit = Number() + lens->millimetre;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_camera.h
-/// The camera of a picture: a thin lens or a lens of glass, with its aperture and vignetting. Sampler and renderer ask it for rays and for
-/// what may be done with their samples.
+/// A picture's camera: a thin lens or a lens of glass, with aperture and vignetting.
 ///
-/// The folder lens_camera/ joins the thin lens of camera/ and the lenses of glass/: it solves statements for either, and puts glass before
-/// a film.
+/// The folder lens_camera/ joins the thin lens of camera/ and the lenses of glass/: it solves statements for either, and puts glass
+/// before a film.
 
 #ifndef TILT_LENS_LENS_CAMERA_H
 #define TILT_LENS_LENS_CAMERA_H
@@ -22,13 +21,13 @@
 namespace tilt_lens
 {
 
-/// Immutable. One instance serves all threads of a picture.
+/// Immutable; one instance serves all threads.
 class LensCamera
 {
   public:
-    /// @param character  only vignetting is taken from it: Solve() has applied the rest
-    /// @param deflected  true if the renderer turns each ray aside after the lens, as POV-Ray does for a camera with `normal`
-    /// @throws OpticsError            a rim that leaves at most 1 per cent of the light in the middle of the picture
+    /// @param character  only its vignetting: Solve() has applied the rest.
+    /// @param deflected  true if the renderer turns rays after the lens, as for a camera with `normal`.
+    /// @throws OpticsError            a rim that leaves at most 1 per cent of the light in the picture's middle
     /// @throws std::invalid_argument  glass that does so
     LensCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, const Character& character, bool deflected = false);
 
@@ -36,29 +35,28 @@ class LensCamera
     const Aperture& Opening() const { return aperture; }
     /// Null for a thin lens.
     const GlassCamera* Glass() const { return std::get_if<GlassCamera>(&kind); }
-    /// Vignetting of a thin lens; none for a lens of glass, whose rims are in its rays.
+    /// None for glass, whose rims are in its rays.
     const Vignetting& ThinVignetting() const;
 
-    /// @name What may be done with its rays
+    /// @name Uses of its rays
     /// @{
-    /// True if a sample needs one ray for each of several colours.
+    /// True if a sample needs rays of several colours.
     bool HasColours() const;
-    /// True if chief rays differ from those of a pinhole camera.
+    /// True if chief rays differ from a pinhole camera's.
     bool BendsChiefRays() const { return lens->distorts || Glass() != nullptr; }
-    /// True if a sample may serve the pixels of its circle of confusion: the lens images planes onto planes, to scale, its whole aperture
-    /// is visible from everywhere, and the sample's ray is the lens's.
+    /// True if a sample may serve the pixels of its circle of confusion: the lens images planes onto planes, to scale, its whole
+    /// aperture is visible from everywhere, and the sample's ray is the lens's.
     bool CanSpread() const;
-    /// True if rays can be aimed at emitters.
     bool CanAimAtEmitters() const { return !deflected && Glass() == nullptr; }
     /// @}
 
-    /// Tells apart the seeds (by PixelHash()) with which blocked samples are drawn again from those that a ray draws from.
+    /// Separates the seeds (by PixelHash()) that redraw blocked samples from those that a ray draws from.
     std::uint32_t SeedSalt() const { return Glass() != nullptr ? 0x476c61 : 0x52696d; }
 
-    /// Ray through the centre of the opening that the film point sees; none where that is blocked.
+    /// Through the centre of the opening that the film point sees; none if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
-    /// Blur (optics.h) of a hit that the film point's chief ray shows.
+    /// Blur (optics.h) of a hit on the film point's chief ray.
     /// @param depth  along the camera's axis; infinite for no hit
     /// @param width  of the picture, pixels
     double Blur(const FilmPoint& film, double depth, double width) const;
@@ -70,7 +68,7 @@ class LensCamera
     const std::variant<Vignetting, GlassCamera> kind;
 };
 
-/// True for a lens whose picture is POV-Ray's own: an ideal pinhole with even light.
+/// True if POV-Ray's own picture is equal: an ideal pinhole with even light.
 bool IsPlainPinhole(const SolvedLens& lens, const Character& character);
 
 }  // namespace tilt_lens

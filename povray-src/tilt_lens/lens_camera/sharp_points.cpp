@@ -14,7 +14,7 @@ namespace tilt_lens
 namespace
 {
 
-/// An f-number for the lens that is measured: narrow enough for any glass and any rim.
+/// For measuring: narrow enough for any glass and rim.
 const double kNarrowStop = 1000.0;
 
 } // namespace
@@ -67,7 +67,7 @@ std::optional<double> BlurWithoutTilt(const Vec3& location, const Statement& giv
     parallel.family = FocusFamily::FocalPlane;
     parallel.planeNormal = lens.axis;
     parallel.planeDistance = Dot(location, lens.axis) + 2.0 / (least + greatest);
-    parallel.shiftRight = parallel.shiftUp = 0.0;  // the lens's direction has it
+    parallel.shiftRight = parallel.shiftUp = 0.0;  // in the lens's direction
     parallel.sharpWithin.reset();
     parallel.aperture = 0.0;
     parallel.fStop = lens.focalLength / lens.diameter;

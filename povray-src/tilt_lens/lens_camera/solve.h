@@ -16,25 +16,24 @@ namespace tilt_lens
 
 class GlassLens;
 
-/// A solved thin lens, and the glass that is traced in its place.
+/// The glass is traced in the thin lens's place.
 struct SolvedLens : Lens
 {
-    std::shared_ptr<const GlassLens> glass;          ///< stopped down; null: the lens is thin
-    double groups = 0.0;                             ///< position of its focusing groups (inner_focus.h); 0: infinity
-    std::shared_ptr<const Prescription> dispersion;  ///< in this focus, for rays of several wavelengths; null: one wavelength
+    std::shared_ptr<const GlassLens> glass;          ///< stopped down; null: thin lens
+    double groups = 0.0;                             ///< position (inner_focus.h); 0: infinity
+    std::shared_ptr<const Prescription> dispersion;  ///< in this focus, for several wavelengths; null: one
 
     SolvedLens() = default;
     SolvedLens(const Lens& thin) : Lens(thin) {}
 };
 
-/// Solves a statement for a camera.
 /// @throws OpticsError  as SolveThinLens(); glass that is too narrow or ends behind the film
 SolvedLens Solve(const CameraFrame& camera, const Statement& given);
 
-/// The statement of an ideal lens with the prescription's focal length and f-number; unchanged without a prescription.
+/// Takes the prescription's focal length and f-number, if any.
 Statement IdealStatement(const Statement& given);
 
-/// The statement with its prescription in a focus state (inner_focus.h); unchanged if the lens moves no groups.
+/// Puts the prescription in a focus state (inner_focus.h), if it moves groups.
 Statement WithGroups(const Statement& given, double state);
 
 } // namespace tilt_lens

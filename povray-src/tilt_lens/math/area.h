@@ -4,8 +4,8 @@
 /// @file area.h
 /// Rectangles of pixels.
 ///
-/// The folder math/ holds types and small functions that know neither lens nor film: vectors, colours, pixel rectangles and windows, vector
-/// registers, number parsing, POV-Ray's lattice noise. It includes no other folder of the library.
+/// The folder math/ holds types and small functions that know neither lens nor film: vectors, colours, pixel rectangles and windows,
+/// vector registers, numbers in messages. It includes no other folder of the library.
 
 #ifndef TILT_LENS_AREA_H
 #define TILT_LENS_AREA_H
@@ -16,7 +16,7 @@
 namespace tilt_lens
 {
 
-/// Pixel rectangle; (0, 0) is the upper left corner of the whole picture.
+/// (0, 0) is the whole picture's upper left corner.
 struct Area
 {
     std::uint32_t left, top, width, height;
@@ -25,7 +25,6 @@ struct Area
     std::uint32_t Bottom() const { return top + height; }  ///< first row outside
     std::size_t Size() const { return std::size_t(width) * height; }
     bool Has(std::uint32_t x, std::uint32_t y) const { return x >= left && x < Right() && y >= top && y < Bottom(); }
-    /// Index of a pixel, row by row.
     std::size_t IndexOf(std::uint32_t x, std::uint32_t y) const { return (y - top) * std::size_t(width) + (x - left); }
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file kernels.h
-/// The functions that are worth vector registers of 32 bytes. The folder kernels/ is compiled twice: for every processor into the
-/// namespace `plain`, and on x86 for AVX2 into the namespace `avx2`. Both give the same results to the last bit.
+/// Functions worth vector registers of 32 bytes. The folder kernels/ is compiled twice: for every processor into the namespace `plain`,
+/// on x86 also for AVX2 into `avx2`. Both give the same results to the last bit.
 
 #ifndef TILT_LENS_KERNELS_H
 #define TILT_LENS_KERNELS_H
@@ -39,59 +39,55 @@ struct Kernels
     /// @name Samples
     /// @{
 
-    /// The points of a group, as PixelSampler gives them one by one.
+    /// A group's points, as PixelSampler gives them one by one.
     /// @param first  Sobol point of the group's first sample, bits reversed
-    /// @param seeds  of the scrambling of each dimension
+    /// @param seeds  scrambling of each dimension
     void (*findPoints)(const std::uint32_t* first, const std::uint32_t* seeds, const GroupTable& steps, SequencePoints& points);
 
-    /// Film points, by FilmPointAt(), and weights 1.
+    /// Film points by FilmPointAt(), weights 1.
     void (*findFilmPoints)(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
                            CameraSamples& samples);
 
-    /// Adds the radiances of a run to a sum and to a sum of squares. Returns false, with nothing added, if any may be infinite or NaN.
-    /// @param sum, squares  of a Radiance's channels
+    /// Adds a run's radiances to a sum and a sum of squares. Returns false, with nothing added, if any may be infinite or NaN.
+    /// @param sum, squares  a Radiance's channels
     bool (*addRadiances)(const SampleResult* results, std::uint32_t count, double* sum, double* squares, double& greatestEmission);
     /// @}
 
     /// @name Rays
     /// @{
 
-    /// Maps points of the unit square to the unit disc.
-    /// @param count  a multiple of 4
     void (*mapToDisc)(const double* u, const double* v, double* a, double* b, int count);
 
-    /// FindPosition() for four points.
     void (*findPositions)(const double* u, const double* v, double edges, double* positions, double* radii);
 
     /// Rays of a lens without distortion.
     /// @param begin, end  multiples of 4
-    /// @return            false if the squared length of a ray may overflow or underflow; then the rays are invalid
+    /// @return            false, with invalid rays, if a squared length may overflow or underflow
     bool (*makeRays)(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
 
-    /// GlassLens::Trace() through a round stop.
     unsigned int (*traceGlass)(const GlassSurface* begin, const GlassSurface* end, double stopScale, bool rims, FourGlassRays& rays,
                                FourStopPoints& stop);
 
-    /// The views of four film points, interpolated in the table.
+    /// Views of four film points, interpolated in the table.
     void (*findPupils)(const GlassFilm& film, const PupilNode* nodes, const FourGlassPoints& points, FourPupils& pupils);
 
-    /// Rays from the film points through points of their ellipses.
+    /// Rays from film points through points of their ellipses.
     /// @param a, b  points of the unit disc
-    /// @return      one bit for each ray that exists
+    /// @return      one bit per ray that exists
     unsigned int (*aimAtPupils)(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays);
 
-    /// Rays that have left the lens, in the world's frame.
+    /// Rays behind the lens, world frame.
     void (*leaveGlass)(const GlassFilm& film, const FourGlassPoints& points, const FourGlassRays& rays, FourGlassSamples& samples);
     /// @}
 
     /// @name Reconstruction
     /// @{
 
-    /// Sends a sample's radiance to the pixels of its circle of confusion.
-    /// @return  false, with nothing changed, if the circle holds no pixel but its own
+    /// Sends radiance to the pixels of its circle of confusion.
+    /// @return  false, with nothing changed, if the circle holds only its own pixel
     bool (*spreadSample)(SpreadPlanes& planes, int column, int row, const CircleOfConfusion& circle, const double* radiance, float weight);
 
-    /// Means of all filters, and of the spread estimates if there are any, weighted by risk.
+    /// Means of all filters and spread estimates, weighted by risk.
     void (*filterBlock)(const FilterInput& input, const FilterOutput& output);
 
     /// The spread estimates alone.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file radiance.h
-/// The value of a sample or a pixel, and the operations that its statistics need.
+/// Value of a sample or pixel, and operations for statistics.
 
 #ifndef TILT_LENS_RADIANCE_H
 #define TILT_LENS_RADIANCE_H
@@ -25,8 +25,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// result[c] = operation(result[c], value[c]), two channels at a time. The compiler cannot do so by itself, because the arguments may
-/// overlap.
+/// result[c] = operation(result[c], value[c]), two channels at a time. Arguments may overlap, so the compiler cannot do so.
 template<class Operation>
 inline void Combine(Radiance& result, const Radiance& value, const Operation& operation)
 {
@@ -84,14 +83,14 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// Divisor that makes a variance relative: 1 up to white, the squared mean above, because the eye and every tone curve see errors of bright
-/// pixels relative to their brightness.
+/// Divisor that makes a variance relative: 1 up to white, the squared mean above, since eye and tone curves see bright pixels' errors
+/// relative to their brightness.
 inline double SquaredScale(double mean)
 {
     return mean > 1.0 ? mean * mean : 1.0;
 }
 
-/// Each channel of a variance divided by SquaredScale() of its mean.
+/// Each channel of a variance over SquaredScale() of its mean.
 inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
 {
     for (std::size_t c = 0; c < variance.size(); c++)

@@ -4,10 +4,9 @@
 /// @file simd.h
 /// Vector registers of 16 and 32 bytes. Memory needs no alignment.
 ///
-/// A vectorised function is compiled twice: for every processor with 16 bytes, and for AVX2 with 32. Those of the camera stand in the folder
-/// kernels/. Those that other files call for AVX2 are templates and always inlined. Multiplications and additions are never contracted, so
-/// both give the same results. A function that takes or returns a 32-byte register must be inlined, because the two builds pass it
-/// differently.
+/// Vectorised functions are compiled twice: for every processor with 16 bytes, and for AVX2 with 32. The camera's stand in kernels/;
+/// those that other files call for AVX2 are templates and always inlined. Multiplications and additions are never contracted, so both
+/// give the same results. A function that takes or returns a 32-byte register must be inlined: the two builds pass it differently.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
@@ -35,26 +34,25 @@ typedef decltype(Double4() < Double4()) LongMask4;
 template<class Vector>
 constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector&>()[0]);
 
-/// Marks functions that may be called only if HasAvx2(). Everything inlined into them is compiled for AVX2 as well.
+/// Call only if HasAvx2(). Everything inlined into it is compiled for AVX2 as well.
 #if defined(__x86_64__) || defined(__i386__)
 #define TILT_LENS_FOR_AVX2 __attribute__((target("avx2,bmi")))
 #else
 #define TILT_LENS_FOR_AVX2
 #endif
 
-/// Marks functions that are compiled anew inside each caller, for the caller's kind of processor.
+/// Compiled anew inside each caller, for its kind of processor.
 #define TILT_LENS_INLINED inline __attribute__((always_inline))
 #define TILT_LENS_INLINED_LAMBDA __attribute__((always_inline))
 
-/// In files that are compiled for AVX2 as a whole, inlined like all else. Other files have callers that are not marked for AVX2, into which
-/// the compiler cannot inline it.
+/// Inlined in files compiled for AVX2 as a whole. Callers in other files are not marked for AVX2, so the compiler cannot inline it there.
 #ifdef __AVX2__
 #define TILT_LENS_INLINED_FOR_AVX2 TILT_LENS_INLINED
 #else
 #define TILT_LENS_INLINED_FOR_AVX2 TILT_LENS_FOR_AVX2 inline
 #endif
 
-/// Costs two instructions: the processor was examined at program start.
+/// Costs two instructions: examined at program start.
 inline bool HasAvx2()
 {
 #if defined(__x86_64__) || defined(__i386__)
@@ -64,7 +62,7 @@ inline bool HasAvx2()
 #endif
 }
 
-/// @param from  as many numbers as Vector holds; Vector may be a single number
+/// @param from  as many numbers as Vector holds; Vector may be a number
 template<class Vector, class Number>
 TILT_LENS_INLINED Vector Load(const Number* from)
 {
@@ -84,7 +82,7 @@ TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
         std::memcpy(to, &vector, sizeof(vector));
 }
 
-/// Result of a comparison: bool for numbers, a mask of all bits for lanes.
+/// bool for numbers, a mask of all bits for lanes.
 template<class Number>
 using MaskOf = decltype(std::declval<Number>() < std::declval<Number>());
 
@@ -109,7 +107,7 @@ TILT_LENS_INLINED Number Clamp(const Number& value, const Number& least, const N
     return value < least ? least : most < value ? most : value;
 }
 
-/// @name As those of the standard library, but never functions of their own (kernels/variant.h).
+/// @name As in the standard library, but never functions of their own (kernels/variant.h).
 /// @{
 TILT_LENS_INLINED float SquareRoot(float value)
 {
@@ -186,7 +184,6 @@ TILT_LENS_INLINED_FOR_AVX2 unsigned int SignBits(const LongMask4& mask)
 }
 /// @}
 
-/// True if a comparison of 16 or 32 bytes holds in all lanes.
 template<class Mask>
 TILT_LENS_INLINED bool All(const Mask& mask)
 {

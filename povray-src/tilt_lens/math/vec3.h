@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vec3.h
-/// Three-dimensional vectors. The library has its own type so that it can be built and tested without POV-Ray's headers. The frame and the
-/// unit of a vector stand at its declaration. Rays use doubles; the solver, which runs once per camera, uses a longer type.
+/// Three-dimensional vectors, so that the library can be built and tested without POV-Ray's headers. Frame and unit stand at a vector's
+/// declaration. Rays use doubles; the solver, run once per camera, a longer type.
 
 #ifndef TILT_LENS_VEC3_H
 #define TILT_LENS_VEC3_H
@@ -23,7 +23,7 @@ struct VecOf
     Number x{}, y{}, z{};
 };
 
-/// Not deduced from a factor: any number that converts will do, because the vector decides the type.
+/// Not deduced from a factor: the vector decides the type.
 template<typename Number>
 using ScalarOf = typename VecOf<Number>::Scalar;
 
@@ -72,7 +72,7 @@ inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// @name Vectors side by side, loaded from and stored to separate arrays of x, y and z.
+/// @name Vectors side by side, in separate arrays of x, y and z.
 /// @{
 template<class Vector, std::size_t size>
 TILT_LENS_INLINED VecOf<Vector> LoadVectors(const double (&from)[3][size], std::size_t first)
@@ -89,14 +89,14 @@ TILT_LENS_INLINED void StoreVectors(double (&to)[3][size], std::size_t first, co
 }
 /// @}
 
-/// Length without overflow or underflow: scenes span 1e-9 to 1e12 units.
+/// Without overflow or underflow: scenes span 1e-9 to 1e12 units.
 inline double Length(const Vec3& a)
 {
     const double squared = Dot(a, a);
     return squared > 1e-200 && squared < 1e200 ? std::sqrt(squared) : std::hypot(a.x, a.y, a.z);
 }
 
-/// For number types whose exponents reach far beyond those of double.
+/// For number types with exponents far beyond double's.
 template<typename N>
 inline N Length(const VecOf<N>& a)
 {

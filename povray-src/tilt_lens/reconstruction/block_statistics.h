@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_statistics.h
-/// Input of the reconstruction: statistics of the pixels of a block and its surroundings, one plane per number.
-///
-/// To add a number, add a name to BlockStatistics::Plane; edges, borders and copies follow.
+/// Input of the reconstruction: statistics of a block's and surrounding pixels, one plane per number. To add a number, add a name to
+/// BlockStatistics::Plane; edges, borders and copies follow.
 
 #ifndef TILT_LENS_BLOCK_STATISTICS_H
 #define TILT_LENS_BLOCK_STATISTICS_H
@@ -19,19 +18,19 @@
 namespace tilt_lens
 {
 
-/// One value per pixel of a block, row by row.
+/// One value per pixel, row by row.
 using BlockPlane = std::array<float, settings.blockSide * settings.blockSide>;
 
-/// Statistics of a block's pixels. Beyond the picture's edge the outermost pixels are repeated.
+/// The outermost pixels repeat beyond the picture's edge.
 class BlockStatistics
 {
   public:
-    /// The planes: five channels of the mean, ordered as in Radiance, and single numbers.
+    /// Five channels of the mean, ordered as in Radiance, and single numbers.
     enum Plane
     {
         kMean = 0,                  ///< five channels
         kNoise = 5,    ///< estimated variance of the mean, summed over the channels
-        kMissed = 6,   ///< fraction of the noise shown by other pixels' samples but not by the pixel's own, [0, 1]
+        kMissed = 6,   ///< noise seen only by other pixels' samples, fraction [0, 1]
         kSamples = 7,
         kPlanes
     };
@@ -43,7 +42,7 @@ class BlockStatistics
     const BlockPlane& operator[](std::size_t plane) const { return planes[plane]; }
     const BlockPlane& Mean(std::size_t channel) const { return planes[kMean + channel]; }
     const BlockPlane& Noise() const { return planes[kNoise]; }
-    /// True if any pixel has a nonzero filter or transmit channel.
+    /// True if any filter or transmit channel is nonzero.
     bool IsTransparent() const { return transparent; }
 
   private:
@@ -51,7 +50,7 @@ class BlockStatistics
     bool transparent = false;
 };
 
-/// A block with a border as wide as filters and their risks reach.
+/// With a border as wide as filters and their risks reach.
 class PaddedBlock
 {
   public:
@@ -64,8 +63,8 @@ class PaddedBlock
     /// Index in a Plane of pixel (x, y), relative to the block's first pixel, -kBorder <= x, y < blockSide + kBorder.
     TILT_LENS_INLINED static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
-    /// @param blocks  the block in the middle and its eight neighbours, row by row. For null (outside the picture or unknown) the nearest
-    ///     block is mirrored.
+    /// @param blocks  the block and its eight neighbours, row by row. For null (outside the picture or unknown) the nearest block is
+    ///                mirrored.
     explicit PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks);
 
     const Plane& Mean(std::size_t channel) const { return planes[BlockStatistics::kMean + channel]; }

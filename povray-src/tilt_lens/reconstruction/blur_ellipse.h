@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file blur_ellipse.h
-/// The shape of a circle of confusion (spread.h).
+/// Shape of a circle of confusion (spread.h).
 
 #ifndef TILT_LENS_BLUR_ELLIPSE_H
 #define TILT_LENS_BLUR_ELLIPSE_H
@@ -13,7 +13,7 @@
 namespace tilt_lens
 {
 
-/// The matrix of a circle of confusion, in squared pixels.
+/// Matrix in squared pixels.
 struct BlurEllipse
 {
     float xx = 0.0f, yy = 0.0f, lean = 0.0f, determinant = 0.0f;
@@ -30,7 +30,6 @@ struct BlurEllipse
         determinant = IsFinite(circle.x) ? xx * yy - xy * xy : 0.0f;
     }
 
-    /// True if the circle is wider than a pixel.
     TILT_LENS_INLINED bool IsWide() const { return Min(yy, xx) >= 1.0f && determinant >= 1.0f && IsFinite(determinant); }
 };
 

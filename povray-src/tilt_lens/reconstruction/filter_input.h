@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file filter_input.h
-/// The planes that the kernels of the reconstruction read and write.
+/// Planes that the reconstruction's kernels read and write.
 
 #ifndef TILT_LENS_FILTER_INPUT_H
 #define TILT_LENS_FILTER_INPUT_H
@@ -16,7 +16,7 @@ struct SpreadInput
     const float *mean[3], *variance, *share, *samples, *ownShare;
 };
 
-/// Planes of a PaddedBlock, and the rows of its block to filter.
+/// Planes of a PaddedBlock, and the rows to filter.
 struct FilterInput
 {
     const float *mean[5], *noise, *missed, *samples;

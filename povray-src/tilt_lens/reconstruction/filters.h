@@ -4,8 +4,8 @@
 /// @file filters.h
 /// Linear filters along rows, columns and diagonals, and the bank of their products: docs/sampling.md, section 5.
 ///
-/// Source: A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",
-/// Anal. Chem. 36(8), 1964, for the parabolas.
+/// Source of the parabolas: A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",
+/// Anal. Chem. 36(8), 1964.
 
 #ifndef TILT_LENS_FILTERS_H
 #define TILT_LENS_FILTERS_H
@@ -16,7 +16,7 @@
 namespace tilt_lens
 {
 
-/// One-dimensional filters: none, a parabola fitted to 5 or 9 pixels, or the mean of 9.
+/// None, a parabola fitted to 5 or 9 pixels, or the mean of 9.
 enum Filter
 {
     kNone,
@@ -26,7 +26,7 @@ enum Filter
     kFilters
 };
 
-/// Taps from the centre to one end.
+/// From the centre to one end.
 constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {1.0f},
     {17.0f / 35, 12.0f / 35, -3.0f / 35},
@@ -34,14 +34,14 @@ constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9},
 };
 
-/// A filter along rows, then one along columns or diagonals.
+/// First along rows, then along columns or diagonals.
 struct FilterPair
 {
     Filter across, down;
-    int slant = 0;  ///< columns that the second filter moves with each row: 0, or 1 or -1 along a diagonal
+    int slant = 0;  ///< columns that the second moves per row: 0, or 1 or -1 along a diagonal
 };
 
-/// The bank. Diagonals have the same filters as rows and columns, so that the remaining noise has no preferred direction.
+/// Diagonals have the filters of rows and columns, so that remaining noise has no preferred direction.
 // clang-format off
 constexpr FilterPair kBank[] = {
     {kNone, kNone},
@@ -52,8 +52,8 @@ constexpr FilterPair kBank[] = {
 };
 // clang-format on
 
-/// Filters neighbouring pixels with steps of 1 (a row), PaddedBlock::kColumns (a column), or one more or less (a diagonal). Plain loops over
-/// such short rows compile to code that takes three times as long.
+/// Steps of 1 (a row), PaddedBlock::kColumns (a column), or one more or less (a diagonal). Plain loops over such short rows take three
+/// times as long.
 template<class Vector, Filter kFilter>
 TILT_LENS_INLINED Vector Filtered(const float* at, int step)
 {

@@ -56,7 +56,6 @@ PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t weight)
         Finish(*received, at);
 }
 
-/// Computes means and variances of four pixels from the received sums.
 void PaddedSpread::Finish(const Received& received, std::size_t at)
 {
     const Float4 none{}, shares = Load<Float4>(&received[SpreadSums::kShare][at]);

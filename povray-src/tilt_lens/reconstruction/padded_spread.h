@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file padded_spread.h
-/// Spread samples received by the pixels of a block and its border: docs/sampling.md, section 5.
+/// Spread samples received by a block's pixels and its border: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_PADDED_SPREAD_H
 #define TILT_LENS_PADDED_SPREAD_H
@@ -17,7 +17,7 @@
 namespace tilt_lens
 {
 
-/// The spread estimates of the pixels of a block and its border, before their own samples are added.
+/// Spread estimates before the pixels' own samples are added.
 class PaddedSpread
 {
   public:
@@ -26,16 +26,16 @@ class PaddedSpread
     using Sent = std::array<const SpreadSums*, 9>;
 
     /// @param sent  samples spread by the block, in the middle, and its eight neighbours, row by row; null: none
-    /// @param weight  sum of a pixel's sample weights: the number of samples of the block's first round. Neighbours' sums are scaled to the
-    ///     same value, because a surface is not brighter where more rays have hit it.
-    /// @return null if nothing was spread at all
+    /// @param weight  sum of a pixel's sample weights: samples of the block's first round. Neighbours' sums are scaled to it, since a
+    ///                surface is not brighter where more rays have hit it.
+    /// @return null if nothing was spread
     static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t weight);
 
-    std::array<Plane, 3> mean;  ///< mean radiance of received samples; 0: none
-    Plane variance;  ///< variance of one received sample, summed over the channels
+    std::array<Plane, 3> mean;  ///< of received samples; 0: none
+    Plane variance;  ///< of one received sample, summed over the channels
     Plane share;  ///< sum of received shares times weights
-    Plane samples;  ///< received samples: number of equal shares whose mean has as much noise
-    Plane ownShare;  ///< share that a sample of the pixel keeps for it, on average, [0, 1]
+    Plane samples;  ///< received: equal shares whose mean has as much noise
+    Plane ownShare;  ///< that a sample of the pixel keeps for it, mean, [0, 1]
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;

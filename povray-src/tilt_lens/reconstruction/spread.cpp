@@ -14,7 +14,7 @@ namespace tilt_lens
 LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height) :
     width(width), height(height), boundingRadius(float(aperture.BoundingRadius())), isDisc(aperture.IsDisc())
 {
-    // project along vectors perpendicular to the other axes, since right and up need not be perpendicular
+    // along vectors perpendicular to the other axes, since right and up need not be perpendicular
     const Vec3 rightAlone = Cross(lens.up, lens.axis), upAlone = Cross(lens.axis, lens.right);
     const auto axis = [&](const Vec3& of)
     {
@@ -45,13 +45,13 @@ void LensFootprint::FindDensities(const AperturePoints& first, const AperturePoi
         densities[i] = density[std::clamp(row >> kShift, 0, last) * settings.densityCells + std::clamp(column >> kShift, 0, last)];
 }
 
-/// The hit lies in the direction of the chief ray plus `vergence` times the lens point; M is the derivative by the lens point.
+/// The hit lies along the chief ray plus `vergence` times the lens point; M is the derivative by the lens point.
 CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const
 {
     const double depth = 1.0 + vergence * (point.a * axisA.depth + point.b * axisB.depth);
     const double x = (film.x + vergence * (point.a * axisA.x + point.b * axisB.x)) / depth;
     const double y = (film.y + vergence * (point.a * axisA.y + point.b * axisB.y)) / depth;
-    // vergence of the point for the ray through the lens centre
+    // for the ray through the lens centre
     const double central = vergence * (1.0 - point.a * axisA.focus - point.b * axisB.focus) / depth;
     const double across = width * central, down = -height * central;
     return {float((x + 0.5) * width),

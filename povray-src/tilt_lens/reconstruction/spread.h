@@ -2,18 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread.h
-/// Spreads each sample over its circle of confusion: docs/sampling.md, section 5. Every pixel of the circle sees the hit point, so each
-/// receives a share of the sample's radiance. Received radiance over received shares is a pixel's spread estimate S, made of many pixels'
-/// rays.
-///
-/// Samples reach at most kReach pixels. A window, which falls with the distance, multiplies shares, since a highlight would otherwise show as
-/// a square. In a wide circle some parts of the lens would send a pixel more samples than others. A share is therefore divided by the sum of
-/// the windows of all pixels that could have sent the sample to the receiving pixel (the balance heuristic).
-///
-/// S ignores occlusion between the point and other pixels, so it is only one candidate of the reconstruction.
-///
-/// Source: M. Potmesil, I. Chakravarty, "A lens and aperture camera model for synthetic image generation", SIGGRAPH 1981, for spreading
-/// points over their circles of confusion; here the points are hits of distributed rays.
+/// Spreads each sample over its circle of confusion, whose pixels all see the hit point: docs/sampling.md, section 5, with sources.
+/// Received radiance over received shares is a pixel's spread estimate S. It ignores occlusion, so it is one candidate of the
+/// reconstruction.
 
 #ifndef TILT_LENS_SPREAD_H
 #define TILT_LENS_SPREAD_H
@@ -35,22 +26,22 @@ namespace tilt_lens
 
 class LensFootprint;
 
-/// The pixels that see a point through some part of the lens, to first order: the pixel at (`x`, `y`) - M (a, b) sees it through the lens
-/// point (a, b), in aperture coordinates. Pixels to the right and down.
+/// The pixels that see a point through the lens, to first order: the pixel at (`x`, `y`) - M (a, b) sees it through the lens point (a,
+/// b), in aperture coordinates. Pixels to the right and down.
 struct CircleOfConfusion
 {
-    float x = 0.0f, y = 0.0f;  ///< position of the point in the pinhole picture
+    float x = 0.0f, y = 0.0f;  ///< the point in the pinhole picture
     float xa = 0.0f, xb = 0.0f, ya = 0.0f, yb = 0.0f;  ///< M, row by row
-    const LensFootprint* lens = nullptr;  ///< null: the sample serves its own pixel alone
+    const LensFootprint* lens = nullptr;  ///< null: serves its own pixel alone
 };
 
-/// A point in aperture coordinates, or the step from one to the next.
+/// A point in aperture coordinates, or the step to the next.
 struct AperturePoints
 {
     float a, b;
 };
 
-/// Maps hits to circles of confusion of a lens. Immutable and thread-safe.
+/// Immutable and thread-safe.
 class LensFootprint
 {
   public:
@@ -58,22 +49,21 @@ class LensFootprint
     LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height);
 
     /// @param point  lens point of the ray
-    /// @param vergence  1/T - w, with the ray parameter T of the hit, and w as in MakeRay
+    /// @param vergence  1/T - w, with the hit's ray parameter T, and w as in MakeRay
     CircleOfConfusion CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const;
 
-    /// Radius of the aperture's bounding circle, in aperture coordinates.
+    /// In aperture coordinates.
     TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
-    /// True if the aperture is the evenly bright unit disc.
     TILT_LENS_INLINED bool IsDisc() const { return isDisc; }
-    /// Relative brightness, at `count` points, of an aperture that is not the unit disc.
+    /// Relative brightness at `count` points of another aperture.
     void FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const;
 
   private:
     struct Axis
     {
-        /// Components of a lens axis: along the film, in frame widths and heights; along the camera's axis, in units of `direction`.
+        /// A lens axis: along the film, in frame widths and heights; along the camera's axis, in units of `direction`.
         double x, y, depth;
-        double focus;  ///< dot product with the lens's focus vector k
+        double focus;  ///< dot product with the lens's k
     } axisA, axisB;
     double width, height;
     float boundingRadius;
@@ -81,26 +71,25 @@ class LensFootprint
     std::vector<float> density;  ///< empty for a disc
 };
 
-/// The whole picture's range of columns or rows, relative to the block's first one.
+/// The picture's range of columns or rows, relative to the block's first.
 struct PictureSpan
 {
     float begin, end;
 };
 
-/// True if the circle contains the centre of a pixel other than the sample's own.
+/// True if the circle contains another pixel's centre.
 bool ServesOthers(const CircleOfConfusion& circle);
 
-/// The sums of SpreadSums, for the kernel that adds to them.
 struct SpreadPlanes
 {
-    /// Greatest distance along rows and columns, in pixels, to which a sample is spread.
+    /// Greatest spread along rows and columns, pixels.
     static constexpr int kReach = settings.spreadReach;
     static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
-    /// Pixels per vector of the widest kind.
+    /// Pixels per widest vector.
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
-    /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the sum of
-    /// their squares.
+    /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the
+    /// sum of their squares.
     enum Sum
     {
         kRed,
@@ -118,14 +107,14 @@ struct SpreadPlanes
     };
 
     PictureSpan columns, rows;
-    float sums[kSums][kSide * kSide + kMostLanes];  ///< one number per pixel, padded to a whole vector
+    float sums[kSums][kSide * kSide + kMostLanes];  ///< one per pixel, padded to a whole vector
     Own own[settings.blockSide * settings.blockSide];
     bool spread;
 
     TILT_LENS_INLINED static constexpr int PlaceOf(int x, int y) { return (y + kReach) * kSide + x + kReach; }
 };
 
-/// Sums of the samples that a block's pixels spread to pixels at most kReach away.
+/// Samples that a block's pixels spread to pixels at most kReach away.
 class SpreadSums : private SpreadPlanes
 {
   public:
@@ -133,23 +122,22 @@ class SpreadSums : private SpreadPlanes
     using SpreadPlanes::Sum, SpreadPlanes::kRed, SpreadPlanes::kGreen, SpreadPlanes::kBlue, SpreadPlanes::kShare, SpreadPlanes::kSquares,
         SpreadPlanes::kSquaredShares, SpreadPlanes::kSums;
 
-    /// @param block  the sending block, in the whole picture
+    /// @param block  the sender, in the whole picture
     /// @param width, height  of the whole picture, pixels
     SpreadSums(const Area& block, double width, double height);
 
     /// @param column, row  of the sample's pixel in the block
-    /// @param circle  with its centre relative to the block's upper left corner
-    /// @param weight  of the sample; every pixel's weights have the same sum, because a surface is not brighter where more rays have hit it
+    /// @param circle  centre relative to the block's upper left corner
+    /// @param weight  every pixel's weights have the same sum: a surface is not brighter where more rays have hit it
     void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
     /// Adds samples that serve their own pixel alone.
     void AddSharp(int column, int row, float weight);
 
-    /// A sum received by pixel (x, y), -kReach <= x, y < blockSide + kReach, and by the pixels to its right.
+    /// Received by pixel (x, y), -kReach <= x, y < blockSide + kReach, and the pixels to its right.
     const float* From(Sum sum, int x, int y) const { return &sums[sum][PlaceOf(x, y)]; }
     /// Sum of the shares times weights that a pixel's samples kept for it; sum of these weights.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnWeight(int x, int y) const { return own[y * int(settings.blockSide) + x].weight; }
-    /// Sum of each pixel's sample weights.
     float PixelWeight() const { return own[0].weight; }
     bool IsSpread() const { return spread; }
 };

@@ -61,7 +61,7 @@ void CameraRayBatch::MakeOfGlass(const SampleRun& run)
     refused = 0;
     camera.lensSampler.DrawFilmPoints(run, points, rays.samples);
     const std::uint32_t end = run.Place() + run.count;
-    if (glass->HasColours())  // their rays are made by MakeColour()
+    if (glass->HasColours())  // MakeColour() makes their rays
         for (std::uint32_t i = run.Place(); i < end; i++)
             rays.samples.weight[i] = glass->Brightness({rays.samples.x[i], rays.samples.y[i]});
     else
@@ -69,7 +69,7 @@ void CameraRayBatch::MakeOfGlass(const SampleRun& run)
             DrawFour(run, first);
 }
 
-/// @param first  position in the group of the first of the four
+/// @param first  position in the group of the four
 void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
 {
     FourGlassPoints four;

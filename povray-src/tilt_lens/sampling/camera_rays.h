@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file camera_rays.h
-/// Camera rays: a sample's index gives a film point and a lens point, by the sequence or by emitter sampling, and these give the ray. The
-/// rays of a group of samples are computed together in vector registers.
+/// Camera rays from film points and lens points, which the sequence or emitter sampling gives. A group's rays are computed together in
+/// vector registers.
 
 #ifndef TILT_LENS_CAMERA_RAYS_H
 #define TILT_LENS_CAMERA_RAYS_H
@@ -15,12 +15,12 @@
 namespace tilt_lens
 {
 
-/// The rays of a group of samples, one array per number. Relative to the lens centre, world axes, scene units.
+/// A group's rays, one array per number. Relative to the lens centre, world axes, scene units.
 struct CameraRays
 {
     CameraSamples samples;
-    OfGroup origin[3], direction[3];  ///< the direction is normalised
-    OfGroup length, w;                ///< of LensRay's direction; as in LensRay
+    OfGroup origin[3], direction[3];  ///< direction is normalised
+    OfGroup length, w;                ///< as in LensRay; its direction's length
 
     void Put(std::uint32_t i, const LensRay& ray)
     {
@@ -29,7 +29,7 @@ struct CameraRays
         w[i] = ray.w;
     }
 
-    /// @param along  need not be normalised
+    /// @param along  of any length
     void PutDirection(std::uint32_t i, const Vec3& along)
     {
         length[i] = Length(along);
@@ -37,34 +37,33 @@ struct CameraRays
     }
 };
 
-/// Computes the rays of a run from their samples, bit for bit as MakeRay() does.
+/// Bit for bit as MakeRay().
 void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays);
 
-/// Makes the camera rays of samples, pixel by pixel.
 class CameraRayBatch
 {
   public:
-    /// @param aims  false: samples are aimed at no emitter
+    /// @param aims  false: aimed at no emitter
     explicit CameraRayBatch(const SampledCamera& camera, bool aims = true) : camera(camera), glass(camera.lens->Glass()), aims(aims) {}
 
     void Make(const SampleRun& run);
 
-    /// Makes the ray of a sample of the last run for light of one colour.
+    /// Makes the ray of a sample of the last run for one colour.
     /// @param place     of the sample in its group
     /// @param hue       see MakeColourRay()
-    /// @param[out] ray  has it at position 0
+    /// @param[out] ray  at position 0
     void MakeColour(std::uint32_t place, double hue, CameraRays& ray);
 
     /// @name Of the last run.
     /// @{
     const PixelSampler& Sampler() const { return sampler; }
-    const CameraRays& Rays() const { return rays; }    ///< indexed by the samples' positions in their group
-    std::uint32_t Refused() const { return refused; }  ///< rays blocked by the glass lens, of the last run or colour
+    const CameraRays& Rays() const { return rays; }    ///< indexed by place in the group
+    std::uint32_t Refused() const { return refused; }  ///< blocked by the glass lens, last run or colour
     /// @}
 
   private:
     const SampledCamera& camera;
-    const GlassCamera* const glass;  ///< null for a thin lens
+    const GlassCamera* const glass;
     const bool aims;
     bool empty = true;  ///< no run yet
     SampleRun last{};

@@ -36,7 +36,7 @@ void EmitterSampling::Draw(const Targets& targets, const SampleRun& run, const S
         samples.Put(run.Place() + i, Draw(targets, run[i], points[run.Place() + i]));
 }
 
-/// Film position, in pixels, of the ray from a lens point through `through`; false if none lies in front of the camera.
+/// Film position, pixels, of the ray from a lens point through `through`; false if none lies in front of the camera.
 bool EmitterSampling::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
 {
     const std::optional<Vec3> along = ChiefThrough(plain.lens, through, point.a * plain.lens.lensX + point.b * plain.lens.lensY);
@@ -49,7 +49,7 @@ bool EmitterSampling::PixelPositionOf(const Vec3& through, const AperturePoint& 
     return true;
 }
 
-/// Bounding box of a point's circle of confusion, from points on a circle around the aperture; the circle is enlarged because they are few.
+/// Bounding box of a point's circle of confusion, from points on a circle around the aperture, enlarged because they are few.
 EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
     const double radius = plain.aperture.BoundingRadius() / std::cos(pi / settings.blurBoxPoints);
@@ -67,8 +67,8 @@ EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole)
     return box;
 }
 
-/// Keeps an emitter if it is worth samples of its own.
-/// @param leastVariance  least variance of one plain sample for which it is worth them
+/// Keeps an emitter that is worth its own samples.
+/// @param leastVariance  of one plain sample
 bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
 {
     const double ahead = Dot(emitter.centre, plain.lens.axis);
@@ -80,11 +80,11 @@ bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
     if (!whole)
         return false;
 
-    // the image of a sphere is elongated, increasingly so towards the picture's edge
+    // a sphere's image is elongated, increasingly towards the picture's edge
     const double pixels = std::max(plain.width / Length(plain.lens.right), plain.height / Length(plain.lens.up));
     const double imageRadius = emitter.radius * pixels * Dot(plain.lens.direction, plain.lens.axis) * distance / (ahead * ahead);
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
-    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);  // expected hits per sample
+    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);
     const double emission = hits * emitter.radiance;
     const double contrast = emitter.radiance - emitter.around;
     const bool foundByChance = hits > 1.0, negligible = hits * contrast * contrast < leastVariance;
@@ -96,7 +96,7 @@ bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
     return true;
 }
 
-/// Lists, for each bin of pixels, the emitters that may be visible there, so that a pixel tests few.
+/// Lists each bin's possibly visible emitters, so that a pixel tests few.
 void EmitterSampling::Distribute()
 {
     binSide = std::max(settings.leastEmitterBinSide, std::uint32_t(std::ceil(std::max(plain.width, plain.height) / settings.emitterBins)));
@@ -121,7 +121,6 @@ void EmitterSampling::Distribute()
     }
 }
 
-/// True if an emitter is visible from some film point of the pixel through some lens point.
 bool EmitterSampling::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const
 {
     const Box& box = emitter.covers;
@@ -172,7 +171,7 @@ CameraSample EmitterSampling::Draw(const Targets& targets, const SampleId& id, c
     return sample;
 }
 
-/// Chooses a technique by the interval of the first lens coordinate, and draws by it; false if there is no such ray.
+/// Chooses a technique by the interval of the first lens coordinate, and draws; false if there is no ray.
 bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
 {
     if (point.lensU >= targets.share)
@@ -189,11 +188,10 @@ bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const S
     return Aim(kept[targets.targets[i].emitter], u, id, point, sample);
 }
 
-/// Sets the weight by the balance heuristic.
 void EmitterSampling::Weigh(const Targets& targets, CameraSample& sample) const
 {
     sample.weight = 1.0;
-    double density = 1.0 - targets.share;  // density of such samples relative to plain ones
+    double density = 1.0 - targets.share;  // relative to plain samples
     if (!plain.vignetting.None())
     {
         const FilmPoint film{sample.x, sample.y};
@@ -207,8 +205,8 @@ void EmitterSampling::Weigh(const Targets& targets, CameraSample& sample) const
     sample.weight /= density;
 }
 
-/// A disc that contains the lens points through which a film point sees an emitter. On the ray
-/// l (1 - s w) = P - s D, and l lies in the lens plane.
+/// Disc that contains the lens points through which a film point sees an emitter: on the ray, l (1 - s w) = P - s D, and l lies in the
+/// lens plane.
 EmitterSampling::Disc EmitterSampling::PartOfLens(const Kept& emitter, double x, double y) const
 {
     const LensRay middle = MakeRay(plain.lens, x, y, 0.0, 0.0);
@@ -221,8 +219,8 @@ EmitterSampling::Disc EmitterSampling::PartOfLens(const Kept& emitter, double x,
             emitter.radius * Length(chief) / std::fabs(along * divisor * lensRadius)};
 }
 
-/// Aims a sample at an emitter; false if it misses the lens or the pixel.
-/// @param u  in [0, 1), in place of the first lens coordinate
+/// Aims at an emitter; false if the sample misses lens or pixel.
+/// @param u  in [0, 1), replaces the first lens coordinate
 bool EmitterSampling::Aim(const Kept& emitter, double u, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
 {
     const double v = point.lensV;
@@ -246,7 +244,6 @@ bool EmitterSampling::Aim(const Kept& emitter, double u, const SampleId& id, con
     return x >= id.x && x < id.x + 1.0 && y >= id.y && y < id.y + 1.0;
 }
 
-/// Density of samples aimed at an emitter over that of plain samples.
 double EmitterSampling::Density(const Kept& emitter, const CameraSample& sample) const
 {
     if (emitter.chooseLensPoint)

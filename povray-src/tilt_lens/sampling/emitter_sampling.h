@@ -2,21 +2,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file emitter_sampling.h
-/// Importance sampling of small bright objects: docs/sampling.md, section 4. If one ray in a thousand hits an emitter that is twenty times
-/// as bright as white, the first samples of a pixel and of its neighbours miss it, and no stop rule can notice; where they hit it, nearly
-/// all rays of its circle of confusion are wasted. Pixels that such an object may reach therefore aim half of their samples at it:
+/// Importance sampling of small bright objects that first samples would miss: docs/sampling.md, section 4, with the source. Pixels that
+/// one may reach aim half of their samples at it, weighted by the balance heuristic:
 ///
 /// - through the part of the lens that sees it from the film point, if its blur is wide;
 /// - from the part of the pixel that sees it through the lens point, if its blur is narrow.
 ///
-/// A sample is weighted by the density of plain samples over the combined density of all techniques (the balance heuristic), so the mean is
-/// unbiased, even if the object is hidden, larger, smaller or elsewhere than assumed.
-///
 /// The first lens coordinate selects the technique by interval, and is rescaled within it, so it stays well distributed. Every aligned
-/// block of four samples has the same number of emitter samples, so even light stays free of noise.
-///
-/// Source: E. Veach, L. J. Guibas, "Optimally combining sampling techniques for Monte Carlo rendering",
-/// SIGGRAPH 1995, section 3.2.
+/// block of four samples has equally many emitter samples, so even light stays free of noise.
 
 #ifndef TILT_LENS_EMITTER_SAMPLING_H
 #define TILT_LENS_EMITTER_SAMPLING_H
@@ -30,35 +23,33 @@
 namespace tilt_lens
 {
 
-/// Bounding sphere of a bright object.
 struct Emitter
 {
     Vec3 centre;  ///< relative to the lens centre, world axes, scene units
     double radius;  ///< scene units
     double radiance;  ///< brightest channel, 1 is white
-    double around = 0.0;  ///< possible radiance of its surroundings
+    double around = 0.0;  ///< possible radiance around it
 };
 
-/// The emitters of a picture. Immutable: threads share it.
+/// Immutable, thread-safe.
 class EmitterSampling
 {
   public:
-    /// Keeps the emitters of `all` that are too small on the film and too bright to be found by chance.
-    /// @param plain  draws the samples that are aimed at no emitter; must outlive the result
+    /// Keeps emitters too small on the film and too bright to be found by chance.
+    /// @param plain  draws unaimed samples; must outlive the result
     EmitterSampling(const LensSampler& plain, const SamplingLimits& limits, const std::vector<Emitter>& all);
 
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
 
-    /// The emitters at which a pixel's samples are aimed.
     struct Targets
     {
-        double share = 0.0;  ///< share of the pixel's samples that is aimed at emitters
-        double emission = 0.0;  ///< mean radiance that all of them together add to the pixel if nothing hides them
+        double share = 0.0;  ///< share of the pixel's samples
+        double emission = 0.0;  ///< mean radiance that all add to the pixel if nothing hides them
         struct Target
         {
             std::uint32_t emitter;
-            double share;  ///< share of all samples
+            double share;
         };
         std::vector<Target> targets;
     };
@@ -68,9 +59,8 @@ class EmitterSampling
     /// @param point    of the pixel's sequence
     CameraSample Draw(const Targets& targets, const SampleId& id, const SequencePoint& point) const;
 
-    /// Draws the samples of a run.
     /// @param points   of the group
-    /// @param samples  receives them, at their positions in the group
+    /// @param samples  filled at the run's positions in the group
     void Draw(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
   private:
@@ -82,9 +72,9 @@ class EmitterSampling
     {
         Vec3 centre;
         double radius;  ///< scene units
-        double imageRadius;  ///< radius of its sharp image, pixels
-        double emission;  ///< approximate mean radiance that it adds to a pixel within its circle of confusion
-        bool chooseLensPoint;  ///< importance-sample the lens point; else the film point
+        double imageRadius;  ///< of its sharp image, pixels
+        double emission;  ///< about the mean radiance that it adds within its circle of confusion
+        bool chooseLensPoint;  ///< aims by the lens point; else by the film point
         Box covers;  ///< pixels that may see it
     };
     struct Disc
@@ -94,10 +84,10 @@ class EmitterSampling
     };
 
     const LensSampler& plain;
-    std::uint32_t usable;  ///< samples from this number on are plain: their block of four is incomplete
+    std::uint32_t usable;  ///< later samples are plain: their block of four is incomplete
     std::vector<Kept> kept;
-    std::uint32_t binSide, columns;  ///< side of a bin in pixels, bins in a row
-    std::vector<std::vector<std::uint32_t>> bins;  ///< emitters visible from each bin, brightest first
+    std::uint32_t binSide, columns;  ///< a bin's side in pixels, bins in a row
+    std::vector<std::vector<std::uint32_t>> bins;  ///< visible emitters, brightest first
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;
     bool Keep(const Emitter& emitter, double leastVariance);

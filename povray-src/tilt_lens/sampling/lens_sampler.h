@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_sampler.h
-/// Draws plain samples of the camera: a film point in the pixel's square, and a lens point of the aperture. Emitter sampling
-/// (emitter_sampling.h) replaces some of them.
+/// Draws plain samples: a film point in the pixel's square, and a lens point. Emitter sampling (emitter_sampling.h) replaces some.
 
 #ifndef TILT_LENS_LENS_SAMPLER_H
 #define TILT_LENS_LENS_SAMPLER_H
@@ -18,16 +17,14 @@
 namespace tilt_lens
 {
 
-/// Start of a sample's ray.
 struct CameraSample
 {
-    double x, y;              ///< film point as in MakeRay
-    AperturePoint point;      ///< lens point
-    double weight;            ///< weight of its radiance; 0: no ray to trace
+    double x, y;
+    AperturePoint point;
+    double weight;            ///< of the radiance; 0: no ray to trace
     double expectedEmission;  ///< as in SampleResult
 };
 
-/// The same for a group of samples, one array per number.
 struct CameraSamples
 {
     OfGroup x, y, a, b, weight, expectedEmission;
@@ -40,11 +37,11 @@ struct CameraSamples
     }
 };
 
-/// Immutable: threads share it.
+/// Immutable, thread-safe.
 class LensSampler
 {
   public:
-    /// @param width, height  of the whole picture in pixels
+    /// @param width, height  of the whole picture, pixels
     LensSampler(std::shared_ptr<const LensCamera> itsCamera, std::uint32_t width, std::uint32_t height) :
         camera(std::move(itsCamera)),
         lens(camera->Solved()),
@@ -69,12 +66,11 @@ class LensSampler
         return sample;
     }
 
-    /// Draws the samples of a run.
     /// @param points   of the group
-    /// @param samples  receives them, at their positions in the group
+    /// @param samples  filled at the run's positions in the group
     void Draw(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
-    /// @name The two halves of Draw().
+    /// @name Halves of Draw().
     /// @{
     CameraSample DrawFilmPoint(const SampleId& id, const SequencePoint& point) const
     {
@@ -83,7 +79,7 @@ class LensSampler
     }
     void DrawFilmPoints(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
-    /// Sets lens point and weight: among the lens points that the film point sees, if there is vignetting.
+    /// Sets lens point and weight, within the vignetted opening.
     void DrawLensPoint(const SampleId& id, double u, double v, CameraSample& sample) const
     {
         if (vignetting.None())
@@ -94,7 +90,7 @@ class LensSampler
     /// @}
 
   private:
-    /// Seed of the random numbers that redraw a vignetted lens point; independent of those that the sample's ray draws.
+    /// For redrawing a vignetted lens point; independent of the ray's random numbers.
     std::uint32_t SeedOf(const SampleId& id) const { return PixelHash(id.x, id.y, camera->SeedSalt(), id.index); }
 };
 

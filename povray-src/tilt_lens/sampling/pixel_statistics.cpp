@@ -14,7 +14,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Adds one finite sample, however large.
 void AddOne(const Radiance& value, Radiance& sum, Radiance& allSquares)
 {
     for (std::size_t c = 0; c < value.size(); c++)

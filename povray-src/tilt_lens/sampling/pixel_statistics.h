@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file pixel_statistics.h
-/// Statistics of the samples of one pixel: docs/sampling.md, section 3. This class accumulates and makes no decisions.
+/// Statistics of one pixel's samples: docs/sampling.md, section 3. The samples are a prefix of one low-discrepancy sequence, summed in
+/// two buffers: all earlier rounds, and the last round (in the first round, its two halves).
 ///
-/// The samples are a prefix of one low-discrepancy sequence, taken in rounds that double their number, and summed in two buffers: all
-/// earlier rounds, and the last round (in the first round, its two halves).
-///
-/// Sources: dual buffers as in F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering",
-/// ACM Trans. Graph. 31(6), 2012; the variance of stratified samples as in W. G. Cochran, "Sampling Techniques", 1977,
-/// chapter 5.
+/// Sources: dual buffers as in F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering", ACM Trans. Graph.
+/// 31(6), 2012; the variance of stratified samples as in W. G. Cochran, "Sampling Techniques", 1977, chapter 5.
 
 #ifndef TILT_LENS_PIXEL_STATISTICS_H
 #define TILT_LENS_PIXEL_STATISTICS_H
@@ -27,31 +24,31 @@ namespace tilt_lens
 class PixelStatistics
 {
   public:
-    /// Begins a round that ends before sample number `until`.
+    /// The round ends before sample number `until`.
     void BeginRound(std::uint32_t until);
-    /// Adds the next samples. A sample that is not finite is counted and taken for black.
+    /// Counts a non-finite sample as black.
     void Add(const SampleResult* results, std::uint32_t count);
     void Add(const SampleResult& result) { Add(&result, 1); }
 
     std::uint32_t Samples() const { return samples; }
     std::uint32_t EmitterSamples() const { return emitterSamples; }
     std::uint32_t NotFinite() const { return notFinite; }
-    double ExpectedEmission() const { return expectedEmission; }  ///< of the last emitter sample
+    double ExpectedEmission() const { return expectedEmission; }
 
     Radiance Mean() const;
-    /// Variance of one sample, stratified: a fixed share of the samples is aimed at emitters, so only deviations within the two groups
-    /// count. 0 for fewer than two samples.
+    /// One sample's variance, stratified: a fixed share is aimed at emitters, so only deviations within the two groups count. 0 for
+    /// fewer than two samples.
     Radiance Variance() const;
-    /// Difference of the two buffers' means: pure noise.
+    /// Pure noise: difference of the buffers' means.
     Radiance DualBufferDifference() const;
     std::uint32_t FirstBufferSamples() const { return firstBuffer; }
 
   private:
     std::array<Radiance, 2> sum{};  ///< per buffer
-    Radiance squares{};             ///< sum of squares in both buffers
+    Radiance squares{};
     Radiance emitterSum{};
     std::uint32_t samples = 0;
-    std::uint32_t firstBuffer = 0;  ///< samples in the first buffer
+    std::uint32_t firstBuffer = 0;
     std::uint32_t emitterSamples = 0, notFinite = 0;
     double expectedEmission = 0.0;
 

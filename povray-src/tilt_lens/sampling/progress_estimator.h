@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file progress_estimator.h
-/// Estimates the finished share of a picture's work, although the cost of pixels ranges from a few rays to a thousand.
-///
-/// Finished tiles do not predict the remaining ones: sky often comes first, and half of the pixels may be a tenth of the work. Before the
-/// first tile, one pixel in each block of blockSide by blockSide is therefore probed with probeSamples samples (about 0.03 per pixel of the
-/// picture). The block's expected cost is that pixel's: the samples until its variance is reached, times the rays of one sample. The
-/// blocks' shares are then fixed, so the displayed share never falls, and ends at 1.
-///
-/// Thread-safe.
+/// Estimates the finished share of a picture's work. Thread-safe. Finished tiles do not predict the rest: sky often comes first. So one
+/// pixel per block of blockSide by blockSide is probed first with probeSamples samples (about 0.03 per pixel of the picture). Its
+/// expected samples times rays per sample are the block's fixed weight: the displayed share never falls, and ends at 1.
 
 #ifndef TILT_LENS_PROGRESS_ESTIMATOR_H
 #define TILT_LENS_PROGRESS_ESTIMATOR_H
@@ -26,16 +21,15 @@
 namespace tilt_lens
 {
 
-/// Expected number of samples of a pixel under these limits, estimated from a few samples.
 double ExpectedSamples(const SamplingLimits& limits, const std::vector<Radiance>& tried);
 
 class ProgressEstimator
 {
   public:
-    /// Before Plan() there is no work, and Share() is unknown.
+    /// Before Plan() Share() is unknown.
     ProgressEstimator() = default;
 
-    /// Sets the rendered part of the picture. With `probing`, blocks have no weight until they are probed; without, all weigh the same.
+    /// Sets the rendered part. With `probing`, blocks have no weight until probed; else all weigh the same.
     void Plan(const Area& rendered, bool probing);
 
     struct Probe
@@ -44,24 +38,24 @@ class ProgressEstimator
         std::uint32_t x, y;  ///< pixel to probe, in the whole picture
     };
 
-    /// The next block to probe, by any thread; none when all are assigned.
+    /// For any thread; none when all are assigned.
     std::optional<Probe> NextProbe();
 
-    /// Sets the expected cost per pixel of a block, in any unit common to all blocks.
+    /// Sets a block's expected cost per pixel, in any common unit.
     void SetWeight(std::size_t block, double weight);
 
     void Finish(const Area& tile);
 
-    /// Finished share of the work, 0 to 1; none while blocks are unprobed, or without a plan.
+    /// 0 to 1; none while blocks are unprobed, or without a plan.
     std::optional<double> Share() const;
 
   private:
     Area area{};
     std::uint32_t columns = 0;
-    std::size_t given = 0, tried = 0;  ///< number of probes
-    double done = 0.0, all = 0.0;  ///< sums of pixels' weights
+    std::size_t given = 0, tried = 0;
+    double done = 0.0, all = 0.0;
     std::vector<double> weights;  ///< per pixel, by block
-    std::vector<std::uint32_t> pixels, finished;  ///< by block
+    std::vector<std::uint32_t> pixels, finished;
     mutable std::mutex mutex;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample.h
-/// Interface between the sampler and a ray tracer: requests for samples of a pixel, and their results.
+/// Interface between sampler and ray tracer: requests for samples of a pixel, and results.
 
 #ifndef TILT_LENS_SAMPLE_H
 #define TILT_LENS_SAMPLE_H
@@ -18,22 +18,20 @@
 namespace tilt_lens
 {
 
-/// Identifies one sample of one pixel.
 struct SampleId
 {
-    std::uint32_t x, y;   ///< pixel in the whole picture
+    std::uint32_t x, y;   ///< in the whole picture
     std::uint32_t index;  ///< 0, 1, ... in the order taken
 };
 
-/// Result of tracing one sample.
 struct SampleResult
 {
     Radiance radiance;
     double expectedEmission = 0.0;  ///< for an emitter sample: mean radiance that its emitters add to the pixel if nothing hides them
                                     ///< (emitter_sampling.h); 0 for any other sample
-    CircleOfConfusion circle;       ///< of the hit point, in the whole picture
+    CircleOfConfusion circle;       ///< of the hit, in the whole picture
 
-    /// Result of hitting a sharp surface of this radiance.
+    /// Hit of a sharp surface.
     SampleResult& operator=(const Radiance& value)
     {
         *this = SampleResult();
@@ -42,19 +40,19 @@ struct SampleResult
     }
 };
 
-/// Consecutive samples of one pixel, all in one group of cameraRaysOfBatch samples. Groups begin at multiples of cameraRaysOfBatch, and
-/// their points of the sequence are computed together.
+/// Consecutive samples of one pixel, all in one group of cameraRaysOfBatch samples. Groups begin at multiples of cameraRaysOfBatch; their
+/// points are computed together.
 struct SampleRun
 {
     SampleId first;
     std::uint32_t count;
 
     SampleId operator[](std::uint32_t i) const { return {first.x, first.y, first.index + i}; }
-    /// Position of the first sample in its group.
+    /// The first sample's place in its group.
     std::uint32_t Place() const { return first.index % settings.cameraRaysOfBatch; }
 };
 
-/// Positions in their group of a run's samples, extended to whole multiples of four for vector registers.
+/// A run's places in the group, extended to multiples of four for vector registers.
 struct Quads
 {
     explicit Quads(const SampleRun& run) : begin(run.Place() & ~3u), end((run.Place() + run.count + 3) & ~3u) {}
@@ -65,7 +63,6 @@ struct Quads
     int Count() const { return int(end - begin); }
 };
 
-/// Traces samples, each the one that PixelSampler(id.x, id.y, seed) gives for its index.
 class Tracer
 {
   public:
@@ -88,7 +85,7 @@ class Tracer
     {
     }
 
-    /// @param results  receives one per sample; need not be initialised
+    /// @param results  one per sample; need not be initialised
     void Trace(const SampleRun& samples, SampleResult* results) const { run(samples, results); }
 
   private:

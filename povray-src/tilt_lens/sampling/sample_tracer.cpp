@@ -9,7 +9,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Random pair for the place within a third of the spectrum; area lights count from 0.
+/// Random pair for the place in a third of the spectrum; area lights count from 0.
 constexpr std::uint32_t kHuePair = 0x487565;
 
 } // namespace
@@ -56,8 +56,8 @@ void SampleTracer::TraceRays(const CameraRays& rays, std::uint32_t place, std::u
     }
 }
 
-/// Takes three rays, each with one wavelength of its third of the spectrum, for red, green and blue. All three draw the same random numbers,
-/// so that a uniform grey surface has no noise of colour.
+/// Three rays, each with one wavelength of its third of the spectrum, for red, green and blue. All draw the same random numbers, so a
+/// uniform grey surface has no colour noise.
 void SampleTracer::TraceColours(std::uint32_t place, std::uint32_t index, SampleResult& result)
 {
     const double within = batch.Sampler().PaddedPair(index, kHuePair).u;

@@ -4,17 +4,16 @@
 /// @file sample_tracer.h
 /// Takes the samples that a block asks for. A sample's way:
 ///
-///  1. A block asks for the next samples of a pixel: up to eight with consecutive indices, a SampleRun (Block, sample.h).
-///  2. The pixel's sequence gives each index four coordinates in (0, 1) (PixelSampler).
-///  3. Two become a film point in the pixel, two a lens point in the aperture (LensSampler). Where small bright objects may be seen, half of
-///     the samples are aimed at them, and all get a weight that keeps the mean unbiased (EmitterSampling).
-///  4. Film point and lens point give a ray (FindRays, GlassCamera). A ray that the lens blocks has the weight 0.
-///  5. The renderer follows the other rays to their hits: radiance, and length of the path (RayTracer).
-///  6. Radiance times weight is the sample's result; the length gives its circle of confusion (SampleTracer, LensFootprint).
-///  7. The result goes into its pixel's statistics (PixelStatistics), and into those of the pixels that its circle covers (SentSamples).
-///  8. After each round of samples the stop rule names the pixels that need more; for them the way begins again (UpdateConvergence).
-///  9. Once none does, filters compute the pixels from the statistics of the block and its neighbours (Reconstruct).
-/// 10. The tile of the picture takes the pixels of its blocks (TileSampler).
+///      1. A block asks for a pixel's next samples: up to eight with consecutive indices (SampleRun, sample.h).
+///      2. The pixel's sequence gives each index four coordinates in (0, 1) (PixelSampler).
+///      3. They become film point and lens point (LensSampler), half aimed at small bright objects in view (EmitterSampling).
+///      4. These give a ray (FindRays, GlassCamera); weight 0 if the lens blocks it.
+///      5. The renderer follows it to its hit: radiance, and length of the path (RayTracer).
+///      6. Radiance times weight is the result; the length gives its circle of confusion (SampleTracer, LensFootprint).
+///      7. The result enters the statistics of its pixel (PixelStatistics) and of the pixels in its circle (SentSamples).
+///      8. After each round the stop rule names the pixels that need more samples (UpdateConvergence).
+///      9. Filters compute the pixels from the statistics of the block and its neighbours (Reconstruct).
+///     10. The tile takes its blocks' pixels (TileSampler).
 
 #ifndef TILT_LENS_SAMPLE_TRACER_H
 #define TILT_LENS_SAMPLE_TRACER_H
@@ -28,29 +27,28 @@
 namespace tilt_lens
 {
 
-/// The end of a camera ray.
 struct Hit
 {
     Radiance radiance{};
-    double distance = 0.0;  ///< length of the light's path, scene units; infinite if it ends at no surface
+    double distance = 0.0;  ///< along the light's path, scene units; infinite without a surface
 };
 
-/// Rays of consecutive samples of one pixel.
+/// Consecutive samples of one pixel.
 struct RayRange
 {
     std::uint32_t place, count;  ///< first ray in CameraRays, number of rays
-    std::uint32_t index;  ///< of the first ray's sample
-    const PixelSampler& sequence;  ///< of the pixel: has more random numbers for each sample
-    bool distances;  ///< Hit::distance is needed
+    std::uint32_t index;
+    const PixelSampler& sequence;  ///< the pixel's; has more random numbers per sample
+    bool distances;
 };
 
-/// The one thing that the library asks of a renderer: to follow camera rays, one after the other, to their radiance.
+/// The library's only demand on a renderer: to follow camera rays, one after the other, to their radiance.
 class RayTracer
 {
   public:
     virtual ~RayTracer() = default;
 
-    /// @param hits  receives one for each ray
+    /// @param hits  one per ray
     virtual void Trace(const CameraRays& rays, const RayRange& range, Hit* hits) = 0;
 };
 
@@ -58,16 +56,16 @@ class RayTracer
 class SampleTracer
 {
   public:
-    /// @param aims  false: plain samples alone, aimed at no emitter
+    /// @param aims  false: aimed at no emitter
     SampleTracer(const SampledCamera& camera, RayTracer& rayTracer, bool aims = true) :
         camera(camera), rayTracer(rayTracer), batch(camera, aims)
     {
     }
 
-    /// @param results  receives one per sample; need not be initialised
+    /// @param results  one per sample; need not be initialised
     void Trace(const SampleRun& run, SampleResult* results);
 
-    /// Rays blocked by a lens of glass since it was last set to 0.
+    /// Blocked by a lens of glass since last set to 0.
     std::uint64_t refusedRays = 0;
 
   private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampled_camera.h
-/// A picture's camera with all that its samples need: limits, emitters, circles of confusion.
+/// A picture's camera with everything for its samples: limits, emitters, circles of confusion.
 
 #ifndef TILT_LENS_SAMPLED_CAMERA_H
 #define TILT_LENS_SAMPLED_CAMERA_H
@@ -20,34 +20,32 @@
 namespace tilt_lens
 {
 
-/// Immutable: threads share it.
+/// Immutable, thread-safe.
 class SampledCamera
 {
   public:
-    /// The picture and its scene.
     struct Picture
     {
         std::uint32_t width, height;      ///< pixels
-        std::vector<Emitter> emitters{};  ///< of the scene
+        std::vector<Emitter> emitters{};
     };
 
-    /// @param limits  with a minimum of 0 for the usual one
+    /// @param limits  minimum 0: the usual one
     /// @param seed    of the sampling pattern
     SampledCamera(std::shared_ptr<const LensCamera> lens, const SamplingLimits& limits, const Picture& picture, std::uint32_t seed);
 
     const std::shared_ptr<const LensCamera> lens;
 
-    /// With `blur_samples`' usual minimum in place of 0.
     const SamplingLimits limits;
 
-    /// True if samples also serve the other pixels of their circles of confusion.
+    /// True if samples also serve other pixels of their circles of confusion.
     const bool spreads;
 
     const LensFootprint footprint;
     const LensSampler lensSampler;
     const EmitterSampling emitters;
 
-    const std::uint32_t seed;  ///< scrambles the sequences of all pixels
+    const std::uint32_t seed;
 };
 
 } // namespace tilt_lens

@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Contribution of the lowest bits of the index: the points of a group relative to its first one, bits reversed.
+/// The index's lowest bits: a group's points relative to its first, bits reversed.
 struct GroupTable
 {
     std::uint32_t value[4][settings.cameraRaysOfBatch];
@@ -29,8 +29,7 @@ TILT_LENS_INLINED constexpr std::uint32_t ReverseBits(std::uint32_t x)
     return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// Owen's nested uniform scrambling of a bit-reversed fraction: whether a bit is flipped depends on the seed and the bits below it
-/// (Vegdahl's hash).
+/// Owen's nested uniform scrambling of a bit-reversed fraction: seed and lower bits decide whether a bit is flipped (Vegdahl's hash).
 TILT_LENS_INLINED std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
 {
     x ^= x * 0x3d20adeau;
@@ -41,8 +40,8 @@ TILT_LENS_INLINED std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
     return x;
 }
 
-/// Maps a 32-bit fraction to the middle of its cell in (0, 1). It is read as a signed number, since processors convert those faster; that
-/// flips the highest bit, which the scrambling made random.
+/// Middle of a 32-bit fraction's cell in (0, 1). Read as a signed number, which processors convert faster; that flips the highest bit,
+/// which scrambling made random.
 TILT_LENS_INLINED double ToUnit(std::uint32_t x)
 {
     return static_cast<std::int32_t>(x) * 0x1p-32 + (0.5 + 0x1p-33);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sent_samples.h
-/// The samples of a block that are spread to other pixels, kept until all of its pixels have converged: docs/sampling.md, section 5.
+/// A block's samples for other pixels, kept until all of its pixels have converged: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_SENT_SAMPLES_H
 #define TILT_LENS_SENT_SAMPLES_H
@@ -24,10 +24,10 @@ class SentSamples
     /// @param width, height  of the whole picture, pixels
     SentSamples(const Area& block, std::uint32_t width, std::uint32_t height) : block(block), width(width), height(height) {}
 
-    /// Keeps the sample if it is among its pixel's first settings.mostSentSamples samples and serves other pixels.
+    /// Keeps a sample that is among its pixel's first settings.mostSentSamples and serves other pixels.
     void Add(const SampleId& id, const SampleResult& result);
 
-    /// @param samples  taken by each pixel of the block, row by row
+    /// @param samples  of each pixel of the block, row by row
     /// @param weight  sum of the weights of each pixel's samples
     /// @return null if no sample serves another pixel
     std::shared_ptr<const SpreadSums> Spread(const std::vector<std::uint32_t>& samples, std::uint32_t weight) const;
@@ -39,7 +39,7 @@ class SentSamples
     {
         CircleOfConfusion circle;  ///< relative to the block
         float radiance[3];
-        std::uint32_t pixel;  ///< index in the block, row by row
+        std::uint32_t pixel;  ///< row by row in the block
     };
 
     const Area block;

@@ -21,8 +21,7 @@ struct alignas(16) Lanes
     std::uint32_t value[dimensions];
 };
 
-/// Direction numbers of the first two dimensions of Sobol's sequence, highest bit first: van der Corput's, and those of the polynomial x +
-/// 1.
+/// Direction numbers of Sobol's first two dimensions, highest bit first: van der Corput's, and those of x + 1.
 struct Directions
 {
     std::uint32_t v[bits];
@@ -39,8 +38,8 @@ constexpr Directions MakeDirections(int dimension)
     return d;
 }
 
-/// The pixel pair is the lens pair in this order: bit i of the index toggles the bits kOrder[i] of its point's index, the highest of which
-/// is bit i, so that the first 2^m points stay the first 2^m.
+/// The pixel pair is the lens pair in this order: bit i of the index toggles the bits kOrder[i] of its point's index, the highest of
+/// which is bit i, so the first 2^m points stay the first 2^m.
 // clang-format off
 constexpr std::uint32_t kOrder[bits] = {
     0x1u, 0x3u, 0x6u, 0xdu, 0x11u, 0x22u, 0x44u, 0x89u,
@@ -59,8 +58,8 @@ constexpr Directions Ordered(const Directions& directions)
     return ordered;
 }
 
-/// Contribution of each hexadecimal digit of the index to the Sobol point. Bits are reversed, lowest first, as the scrambling hash needs
-/// them. 2 KiB, since the renderer needs the cache for its scene; a table by bytes would take eight times as much.
+/// Each hexadecimal digit's part of the Sobol point. Bits are reversed, lowest first, as the scrambling hash needs them. 2 KiB, since the
+/// renderer needs the cache for its scene; a table by bytes would take eight times as much.
 struct DigitTable
 {
     Lanes entry[bits / 4][16];
@@ -102,7 +101,6 @@ std::uint64_t PixelKey(std::uint32_t x, std::uint32_t y, std::uint32_t seed)
     return MixBits(pixel ^ MixBits((std::uint64_t{seed} + 1) * kGoldenStep));
 }
 
-/// The Sobol point of an index, bits reversed.
 inline Lanes SobolPoint(std::uint32_t index)
 {
     Lanes point{};

@@ -2,29 +2,28 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sequence.h
-/// Sample sequence of a pixel (docs/sampling.md, section 2): points of [0, 1)^4, two coordinates for the lens and two for the pixel's
+/// A pixel's sample sequence (docs/sampling.md, section 2): points of [0, 1)^4, two coordinates for the lens and two for the pixel's
 /// square. Each pair is a two-dimensional Sobol sequence, the pixel pair reordered, Owen-scrambled by hashing.
 ///
-/// Properties (each has its test, but for the last sentence):
-/// - Pure: a sample depends on (pixel, index, seed) alone, not on threads, tiles or the order of calls. Every index below 2^32 is valid.
+/// Properties, tested except for the last sentence:
+/// - Pure: a sample depends on (pixel, index, seed) alone. Every index below 2^32 is valid.
 /// - Range: odd multiples of 2^-33, so neither 0 nor 1 occurs and the mean is exactly unbiased.
-/// - Stratification of the first 2^m samples, and of every aligned block of 2^m: each coordinate alone has one sample in each of 2^m equal
-///   intervals; the lens pair is a (0, m, 2)-net, with one sample in every elementary interval of area 2^-m, and so is the pixel pair. All
-///   four coordinates of the first 2^m are a (t, m, 4)-net with t <= 2 for m <= 6 and t <= 3 for m <= 14.
-/// - Independence: each pixel and seed has its own scrambling. Means over two seeds are independent and unbiased, so (A - B)^2 / 4
-///   estimates the variance of (A + B) / 2 without bias, whatever the integrand. Blocks of samples of one seed repel each other: the halves
-///   of one sequence would overestimate its error.
+/// - Stratification of every aligned block of 2^m: each coordinate has one sample in each of 2^m equal intervals; lens pair and pixel
+///   pair are (0, m, 2)-nets, with one sample in every elementary interval of area 2^-m. All four coordinates of the first 2^m are a (t,
+///   m, 4)-net with t <= 2 for m <= 6 and t <= 3 for m <= 14.
+/// - Independence: each pixel and seed has its own scrambling, so (A - B)^2 / 4 of means over two seeds estimates the variance of (A + B)
+///   / 2 without bias. Blocks of one seed repel each other: halves of one sequence would overestimate its error.
 ///
 /// Reason for the reordering: sharp surfaces depend on the pixel pair alone, strongly blurred ones on the lens pair, a blur of about a
-/// pixel on all four. Randomly shuffled pairs (padding) have no common strata, and for such a blur are little better than random samples;
-/// Sobol's third and fourth dimensions have common strata but are no (0, m, 2)-net, and 16 or 32 samples in all four dimensions gain
-/// little. The order was searched: for the first seven bits of the index by the least error over random edges, discs, checkers and sines
-/// (six in ten along an axis of the picture) at blurs of 0, 0.5, 1, 3, 10 and 50 pixels; for each further bit by the number of elementary
-/// intervals that contain their share of samples.
+/// pixel on all four. Randomly shuffled pairs (padding) have no common strata, and for such a blur are little better than random. Sobol's
+/// third and fourth dimensions have common strata but are no (0, m, 2)-net, and 16 or 32 samples in all four dimensions gain little. The
+/// order was searched. Its first seven bits minimise the error over random edges, discs, checkers and sines at blurs of 0, 0.5, 1, 3, 10
+/// and 50 pixels; six in ten lay along an axis of the picture. Each further bit maximises the number of elementary intervals with their
+/// share of samples.
 ///
-/// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; I. M. Sobol', "On the distribution of points in a cube and
-/// the approximate evaluation of integrals", USSR Comput. Math. Math. Phys. 7(4), 1967; the hash is N. Vegdahl's improvement of Laine and
-/// Karras's, "Building a Better LK Hash", 2021. Unlike Burley's, indices are not shuffled: scrambling alone makes pixels independent.
+/// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020, but indices are not shuffled, since scrambling alone
+/// makes pixels independent; I. M. Sobol', "On the distribution of points in a cube and the approximate evaluation of integrals", USSR
+/// Comput. Math. Math. Phys. 7(4), 1967; the hash is N. Vegdahl's improvement of Laine and Karras's, "Building a Better LK Hash", 2021.
 
 #ifndef TILT_LENS_SEQUENCE_H
 #define TILT_LENS_SEQUENCE_H
@@ -36,17 +35,15 @@
 namespace tilt_lens
 {
 
-/// One point of (0, 1)^4.
 struct SequencePoint
 {
-    double lensU, lensV;  ///< for the aperture map
-    double pixelX, pixelY;  ///< position in the pixel's square
+    double lensU, lensV;
+    double pixelX, pixelY;
 };
 
-/// One number for each sample of a group. Groups begin at multiples of cameraRaysOfBatch.
+/// One number per sample of a group. Groups begin at multiples of cameraRaysOfBatch.
 using OfGroup = double[settings.cameraRaysOfBatch];
 
-/// The points of a group.
 struct SequencePoints
 {
     OfGroup lensU, lensV, pixelX, pixelY;
@@ -54,14 +51,12 @@ struct SequencePoints
     SequencePoint operator[](std::uint32_t i) const { return {lensU[i], lensV[i], pixelX[i], pixelY[i]}; }
 };
 
-/// One point of (0, 1)^2.
 struct Pair
 {
     double u, v;
 };
 
-/// A bijection of 64-bit words without visible structure: the finaliser of SplitMix64 (D. Stafford's variant 13 of
-/// MurmurHash3's).
+/// A bijection of 64-bit words without visible structure: the finaliser of SplitMix64 (D. Stafford's variant 13 of MurmurHash3's).
 inline std::uint64_t MixBits(std::uint64_t z)
 {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -69,10 +64,10 @@ inline std::uint64_t MixBits(std::uint64_t z)
     return z ^ (z >> 31);
 }
 
-/// The step of SplitMix64's counter: 2^64 over the golden ratio, odd.
+/// Step of SplitMix64's counter: 2^64 over the golden ratio, odd.
 constexpr std::uint64_t kGoldenStep = 0x9e3779b97f4a7c15u;
 
-/// The samples of one pixel. Cheap to make (a few hashes) and to copy.
+/// One pixel's samples. Cheap to make (a few hashes) and copy.
 class PixelSampler
 {
   public:
@@ -82,26 +77,24 @@ class PixelSampler
 
     SequencePoint operator()(std::uint32_t index) const;
 
-    /// The points of the group that contains `index`.
     void FindGroup(std::uint32_t index, SequencePoints& points) const;
 
-    /// Two further coordinates of a sample, as well distributed over the pixel's samples as its lens points, independent of these and of
-    /// pairs with another `number`: the lens sequence in a shuffled order (Burley's shuffled padding).
+    /// Two further coordinates of a sample, as well distributed over the pixel's samples as its lens points, independent of these and
+    /// of pairs with another `number`: the lens sequence in a shuffled order (Burley's shuffled padding).
     Pair PaddedPair(std::uint32_t index, std::uint32_t number) const;
 
-    /// A uniform hash for other needs of a sample, such as the seed of a random generator. Independent of the samples; equals PixelHash(x,
-    /// y, seed, salt).
+    /// A uniform hash for other needs, such as a generator's seed. Independent of the samples; equals PixelHash(x, y, seed, salt).
     std::uint32_t Hash(std::uint32_t salt) const { return std::uint32_t(StreamWord(std::uint64_t{salt} + 3) >> 32); }
 
   private:
     std::uint64_t key;  ///< of (x, y, seed)
     std::uint32_t scrambleSeed[4];  ///< per dimension
 
-    /// Random words of the key. Words 1 and 2 scramble the samples, the later ones serve Hash().
+    /// Random words of the key: 1 and 2 scramble samples, later ones serve Hash().
     std::uint64_t StreamWord(std::uint64_t position) const { return MixBits(key + position * kGoldenStep); }
 };
 
-/// A uniform hash of its four arguments; different arguments give unrelated values.
+/// Uniform hash; different arguments give unrelated values.
 std::uint32_t PixelHash(std::uint32_t x, std::uint32_t y, std::uint32_t seed, std::uint32_t salt);
 
 }  // namespace tilt_lens

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tile_sampler.h
-/// Samples the pixels of one tile of the picture, by way of the blocks that contain them (block.h).
+/// Samples one tile's pixels by way of their blocks (block.h).
 
 #ifndef TILT_LENS_TILE_SAMPLER_H
 #define TILT_LENS_TILE_SAMPLER_H
@@ -19,13 +19,12 @@ namespace tilt_lens
 class TileSampler
 {
   public:
-    /// @param cache  common to all tiles of the picture
     explicit TileSampler(BlockCache& cache) : cache(cache) {}
 
-    /// Samples a tile inside the picture. No tile may be sampled twice.
+    /// Samples a tile inside the picture; once per tile.
     void Run(const Area& tile, const Tracer& trace);
 
-    /// @name Results for a pixel of the tile, after Run.
+    /// @name Valid after Run, for pixels of the tile.
     /// @{
     Radiance Mean(std::uint32_t x, std::uint32_t y) const { return At(x, y).mean; }
     std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const { return At(x, y).samples; }

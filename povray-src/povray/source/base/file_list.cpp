@@ -25,7 +25,6 @@ namespace
 std::mutex sceneFilesMutex; // photons are loaded while the parser runs
 std::vector<std::string> sceneFiles;
 
-/// Appends an entry once, if TILT_LENS_FILE_LIST is set.
 void List(const std::string& entry)
 {
     static const char* const list = std::getenv("TILT_LENS_FILE_LIST");

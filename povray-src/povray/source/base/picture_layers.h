@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture_layers.h
-/// Messages from the renderer to the front end for `Output_Layers`, of the class kPOVMsgClass_ViewImage:
-/// - kPOVMsgIdent_Layers, one per tile: its rectangle, the names of the layers, and their values, one layer after the other. Sent
-///   before the tile's colours and kept with them in the state file, for tiles that a continued render does not repeat.
+/// Messages from renderer to front end for `Output_Layers`, of the class kPOVMsgClass_ViewImage:
+/// - kPOVMsgIdent_Layers, one per tile: rectangle, layer names, and values, layer by layer. Sent before the tile's colours and kept with
+///   them in the state file, for tiles that a continued render does not repeat.
 /// - kPOVMsgIdent_LayerAttributes, one per render: the camera's numbers, for the file's header.
 
 #ifndef POVRAY_BASE_PICTURE_LAYERS_H
@@ -26,11 +26,10 @@ enum
 
     kPOVAttrib_OutputLayers = 'OuLa',
     kPOVAttrib_LayerNames = 'LayN',  ///< string: names, one per line
-    kPOVAttrib_LayerSizes = 'LayS',  ///< of attributes: how many numbers each has
+    kPOVAttrib_LayerSizes = 'LayS',  ///< count of each attribute's numbers
     kPOVAttrib_LayerValues = 'LayV'   ///< vector of floats
 };
 
-/// One per line.
 inline std::string JoinedNames(const std::vector<std::string>& names)
 {
     std::string text;

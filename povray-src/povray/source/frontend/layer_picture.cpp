@@ -29,7 +29,6 @@ namespace
 
 const int kFloatBits = 32;
 
-/// The picture's name with the extension `.layers.exr`.
 Path LayersBeside(const Path& picture)
 {
     Path path = picture;
@@ -56,7 +55,7 @@ shared_ptr<LayerPicture> LayerPicture::Create(POVMS_Object& options)
     const Path path = LayersBeside(Path(options.TryGetUCS2String(kPOVAttrib_OutputFile, "")));
     if (POV_ALLOW_FILE_WRITE(path().c_str(), POV_File_Image_EXR) == false)
         throw POV_EXCEPTION(kCannotOpenFileErr, "IO Restrictions prohibit write access to '" + Text(path) + "'");
-    // removes an older file, as for an older picture, lest it be taken for one of this render after an interruption
+    // an older file could pass for this render's after an interruption
     if (!options.TryGetBool(kPOVAttrib_ContinueTrace, false))
         POV_UCS2_REMOVE(path().c_str());
     return shared_ptr<LayerPicture>(
@@ -146,7 +145,6 @@ void LayerPicture::TakeAttributes(POVMS_Object& message)
         attributes[names[i]].assign(value, value + sizes[i]);
 }
 
-/// Notes a finished tile without layers.
 void LayerPicture::RequireTile(POVMS_Object& message)
 {
     unsigned int x, y;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_picture.h
-/// The front end's part of `Output_Layers`: collects the layers of the tiles and writes them to an OpenEXR file beside the picture.
+/// The front end's part of `Output_Layers`: collects tiles' layers and writes an OpenEXR file beside the picture.
 
 #ifndef POVRAY_FRONTEND_LAYER_PICTURE_H
 #define POVRAY_FRONTEND_LAYER_PICTURE_H
@@ -25,25 +25,25 @@ struct ViewData;
 class LayerPicture
 {
   public:
-    /// Layers of the picture with these options, all zero; NULL if none are asked for. Removes an older file, unless a render is continued.
+    /// Layers, all zero; NULL if not wanted. Removes an older file, unless a render is continued.
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
-    /// An error of the options for layers, in one or two sentences; empty if there is none.
+    /// One or two sentences about the layer options, or empty.
     static std::string Problem(POVMS_Object& options);
 
-    /// A warning about 32-bit colours for a file type that cannot hold them; empty if there is none.
+    /// Warning about 32-bit colours in a file type that cannot hold them; or empty.
     static std::string Remark(POVMS_Object& options);
 
-    /// Handles the layers' part of a message of the class kPOVMsgClass_ViewImage, and keeps a tile's layers in the state file.
+    /// Handles layers in a kPOVMsgClass_ViewImage message, and keeps a tile's in the state file.
     static void Take(const ViewData& view, POVMSType ident, POVMS_Object& message);
 
-    /// Call after a state file was read.
+    /// Call after reading a state file.
     /// @throws pov_base::Exception  the render was begun without layers
     void RequireComplete() const;
 
-    /// Writes the file, under a temporary name until it is complete.
-    /// @throws pov_base::Exception  it cannot be written
+    /// Writes under a temporary name until complete.
+    /// @throws pov_base::Exception  unwritable file
     void Write() const;
 
   private:
@@ -51,8 +51,8 @@ class LayerPicture
     const unsigned int width, height;
     std::map<std::string, std::vector<std::vector<float>>> channels;  ///< rows; empty without a tile
     pov_base::OpenEXR::FloatAttributes attributes;
-    std::vector<bool> covered;  ///< by pixel: has layers
-    bool incomplete;  ///< some finished tile has no layers
+    std::vector<bool> covered;
+    bool incomplete;
 
     LayerPicture(const pov_base::Path& file, unsigned int width, unsigned int height);
 

@@ -94,7 +94,7 @@ std::string Value(POVMS_Object& options, const Option& option)
     }
 }
 
-/// Variables of the command line and of animations, such as frame_number, one per line, sorted.
+/// From command line and animation, such as frame_number, one per line, sorted.
 std::string Declared(POVMS_Object& options)
 {
     std::vector<std::string> lines;
@@ -118,8 +118,8 @@ std::string Declared(POVMS_Object& options)
     return text;
 }
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo) of a file's bytes, in hexadecimal: detects changes, not attacks. "unknown" for a pipe or device, which
-/// cannot be read twice.
+/// Hexadecimal 64-bit FNV-1a (Fowler, Noll, Vo): detects changes, not attacks. "unknown" for a pipe or device, which cannot be read
+/// twice.
 std::string Hash(const std::string& name)
 {
     std::error_code ignored;
@@ -148,7 +148,7 @@ std::vector<Line> Lines(const std::string& key)
     for (size_t from = 0, end; (end = key.find('\n', from)) != std::string::npos; from = end + 1)
     {
         const std::string line = key.substr(from, end - from);
-        // names of files may contain '=', their hashes cannot; values of Declare may contain it
+        // names of files may contain '=', their hashes cannot; values of Declare may
         const size_t equals = line.compare(0, std::strlen(kFile), kFile) == 0 ? line.rfind('=') : line.find('=');
         lines.push_back({line.substr(0, equals), equals == std::string::npos ? "" : line.substr(equals + 1)});
     }
@@ -161,7 +161,6 @@ const Line* Find(const std::vector<Line>& lines, const std::string& name)
     return found == lines.end() ? NULL : &*found;
 }
 
-/// Describes the first difference between the keys of two renders.
 std::string Difference(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -182,7 +181,7 @@ std::string Difference(const std::string& before, const std::string& now)
     return "its files were read in another order";
 }
 
-/// True if the tiles of one picture lie inside the other; POV-Ray's assertion would fail otherwise.
+/// True if tiles of one picture lie inside the other; POV-Ray asserts it.
 bool Fits(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -195,7 +194,6 @@ bool Fits(const std::string& before, const std::string& now)
     return true;
 }
 
-/// Contents of a state file before its tiles.
 struct Start
 {
     enum Kind
@@ -223,7 +221,7 @@ Start ReadKey(IStream& stream, POV_LONG length)
         return kForeign;
     const POV_LONG size = POV_LONG(head[12]) << 24 | head[13] << 16 | head[14] << 8 | head[15];
     if (there < least || begin + least + size > length)
-        return kEmpty; // truncated while being written
+        return kEmpty;
     POVMS_Message message;
     try
     {

@@ -25,7 +25,6 @@ using pov_base::UCS2String;
 namespace
 {
 
-/// The target of a symbolic link; any other name unchanged.
 std::string Resolved(const std::string& name)
 {
     char* path = realpath(name.c_str(), NULL);
@@ -36,7 +35,7 @@ std::string Resolved(const std::string& name)
     return resolved;
 }
 
-/// True if a file may be renamed to `name`: neither a device nor write-protected, in a writable folder.
+/// True if a file may be renamed to `name`: no device, not write-protected, folder writable.
 bool MayBeReplaced(const std::string& name)
 {
     struct stat found;
@@ -58,7 +57,7 @@ WholeFile::WholeFile(const UCS2String& filename) : target(pov_base::UCS2toASCIIS
 {
     if (!IsStandardStream(target))
         target = Resolved(target);
-    // a name of its own for each process: two may write the same picture
+    // one name per process: two may write the same picture
     place = IsStandardStream(target) || !MayBeReplaced(target) ? target : target + "." + std::to_string(getpid()) + ".part";
     errno = 0;  // later errors concern the writing
 }
@@ -76,7 +75,7 @@ UCS2String WholeFile::Place() const
 
 void WholeFile::Finish(boost::scoped_ptr<OStream>& file)
 {
-    // flushes: the file is complete if its size can be read and matches
+    // flushes: the file is complete if its size matches
     errno = 0;
     file->seekg(0, pov_base::IOBase::seek_end);
     const POV_LONG size = file->tellg();

@@ -10,7 +10,7 @@
 namespace vfePlatform
 {
 
-/// Section of `--help` for options that upstream does not have, with the blank line before it.
+/// Section of `--help` for our options, with the blank line before it.
 const char* OwnOptionsHelp();
 
 } // namespace vfePlatform

@@ -14,7 +14,7 @@ namespace povray_install
 namespace
 {
 
-/// The parent of the program's folder; the configured prefix if the system does not tell.
+/// The parent of the program's folder, or the configured prefix if unknown.
 std::filesystem::path Prefix()
 {
     std::error_code error;

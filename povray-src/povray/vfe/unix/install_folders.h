@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The folders of the installation, relative to the program's place at run time.
-///
-/// Stock POV-Ray compiles them in, as the string literals POVLIBDIR and POVCONFDIR. This header, which the build includes ahead of vfe's
-/// files, defines these macros as expressions of type `const char*` that also work before a literal such as "/include". No line of upstream
-/// changes, and a program that was moved still finds its files.
+/// The installation's folders, relative to the program's place at run time, so that a moved program finds its files. Replaces upstream's
+/// string literals POVLIBDIR and POVCONFDIR by expressions of type `const char*` that also work before a literal such as "/include".
 
 #ifndef POVRAY_TILT_LENS_INSTALL_FOLDERS_H
 #define POVRAY_TILT_LENS_INSTALL_FOLDERS_H
@@ -21,7 +18,7 @@ class Folder
   public:
     explicit Folder(const char* relative);
 
-    /// This folder's name followed by `tail`, valid for the whole run.
+    /// Folder name followed by `tail`, valid for the whole run.
     const char* operator/(const char* tail) const;
 
   private:
@@ -36,7 +33,7 @@ const Folder& ConfigFolder();
 
 }  // namespace povray_install
 
-// the empty literal concatenates with a literal that follows the macro
+// the empty literal concatenates with a literal behind the macro
 #define POVLIBDIR ::povray_install::DataFolder() / ""
 #define POVCONFDIR ::povray_install::ConfigFolder() / ""
 

@@ -11,8 +11,7 @@
 namespace pov
 {
 
-/// The point of an area light's row for x in (0, 1), with POV-Ray's weights: POV-Ray bisects the row recursively, and both halves of an odd
-/// row include its middle point.
+/// Point of a row for x in (0, 1), with POV-Ray's weights: it bisects the row recursively, and both halves of an odd row hold its middle.
 static int PointOfRow(int points, double x)
 {
     int first = 0, last = points - 1;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file area_light_sampler.h
-/// Takes one random point of an area light for each camera ray, in place of the whole grid. A pixel averages over many rays, so that the mean
-/// is that of the grid for one shadow ray (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", 1984).
+/// One random point of an area light for each camera ray, in place of the whole grid. The pixel's mean is that of the grid (R. L. Cook,
+/// T. Porter, L. Carpenter, "Distributed Ray Tracing", 1984).
 
 #ifndef POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
 #define POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
@@ -17,13 +17,11 @@ namespace pov
 
 class LightSource;
 
-/// Called by Trace before it walks the grid of an area light.
 class AreaLightSampler
 {
   public:
-    /// A camera ray begins.
-    /// @param itsPixel  sequence of its pixel; must outlive the ray
-    /// @param itsIndex  of its sample
+    /// @param itsPixel  sequence of the ray's pixel; must outlive the ray
+    /// @param itsIndex  of the sample
     void Begin(const tilt_lens::PixelSampler& itsPixel, unsigned int itsIndex)
     {
         pixel = &itsPixel;
@@ -31,12 +29,11 @@ class AreaLightSampler
         lightsMet = 0;
     }
 
-    /// @param radiosityDepth  recursion depth of radiosity; its samples are reused by other pixels and need the whole grid
+    /// @param radiosityDepth  recursion depth; other pixels reuse radiosity's samples, which need the whole grid
     /// @param[out] u, v       column and row of the point
-    /// @return                false if the whole grid must be walked
+    /// @return                false: walk the whole grid
     bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
 
-    /// Points of all lights so far.
     std::uint64_t sampled = 0, skipped = 0;
 
   private:

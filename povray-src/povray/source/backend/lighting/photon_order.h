@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file photon_order.h
-/// Makes photon maps independent of threads. Any free thread shoots the photons of a light and a target, with the random numbers of that
-/// pair (Trace::BeginPhotons). The resulting order depends on the threads, and the tree and the sums of light depend on the order.
+/// Makes photon maps independent of threads. Any free thread shoots the photons of a light and a target (Trace::BeginPhotons); tree and
+/// sums of light depend on their order.
 
 #ifndef POVRAY_BACKEND_PHOTON_ORDER_H
 #define POVRAY_BACKEND_PHOTON_ORDER_H
@@ -13,8 +13,7 @@ namespace pov
 
 class PhotonMap;
 
-/// Sorts the photons of a map that is not yet a tree by their values. Also resets the C library's random numbers, from which the map's
-/// density is estimated.
+/// Sorts the photons of a map before it becomes a tree. Resets the C library's random numbers, from which its density is estimated.
 void OrderPhotons(PhotonMap& map);
 
 } // namespace pov

@@ -23,7 +23,7 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Cosine of the angle up to which a camera's sky counts as the scene's, leaned a little.
+/// Cosine of the angle up to which a camera's sky counts as a leaned scene's sky.
 const double kSameSky = 0.7;
 
 void RequireOneMeaning(const Camera& camera)
@@ -49,7 +49,6 @@ void RequireOneMeaning(const Camera& camera)
                s.bladeCurvature);
 }
 
-/// The first item that gives an ideal lens an aberration, or NULL.
 const char* CharacterAsked(const Character& c)
 {
     return c.edgeLight != 0.0           ? "edge_light"
@@ -61,7 +60,6 @@ const char* CharacterAsked(const Character& c)
                                         : NULL;
 }
 
-/// Refuses items that a lens of glass determines itself.
 void RequireOneLens(const Camera& camera)
 {
     const Statement& s = camera.TiltLens.statement;
@@ -95,7 +93,7 @@ void RequireOneLens(const Camera& camera)
         Refuse("%s and prescription in one camera: the lens of glass has aberrations of its own. Remove %s.", word, word);
 }
 
-/// A lens whose film is placed is focused before it is turned.
+/// A lens with a placed film is focused before it is turned.
 void RequireFilm(const Statement& s)
 {
     if (!s.filmDistance && !s.focusScale)
@@ -110,7 +108,7 @@ void RequireFilm(const Statement& s)
                *s.filmDistance);
 }
 
-/// A blur limit needs sharp points, and nothing else may set the aperture.
+/// A blur limit needs sharp points, and excludes other apertures.
 void RequireSharpPoints(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;
@@ -132,7 +130,6 @@ void RequireSharpPoints(const Camera& camera)
                word, limit, s.fStop ? "f_stop" : "aperture", s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
 }
 
-/// A focus aid shows blur, of which a pinhole has none.
 void RequireAperture(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;

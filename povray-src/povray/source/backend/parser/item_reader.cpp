@@ -61,7 +61,7 @@ void ItemReader::Read(TiltLensCamera& lens)
     }
 }
 
-/// Refuses tokens that begin no value, while it is known which item lacks it.
+/// Refuses tokens that begin no value, so that the error names the item.
 int ItemReader::Numbers(const std::string& name, EXPRESS values)
 {
     parser.Get_Token();

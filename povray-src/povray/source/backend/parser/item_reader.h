@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file item_reader.h
-/// Reads the values of an item of `tilt_lens { ... }`. All functions throw tilt_lens::OpticsError where a value is missing or wrong.
+/// Reads the values of an item of `tilt_lens { ... }`. Missing or wrong values throw tilt_lens::OpticsError.
 
 #ifndef POVRAY_BACKEND_ITEM_READER_H
 #define POVRAY_BACKEND_ITEM_READER_H
@@ -16,10 +16,8 @@
 namespace pov
 {
 
-/// printf into a string.
 std::string Printed(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-/// Throws tilt_lens::OpticsError.
 [[noreturn]] void Refuse(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 extern const NumberRange kFinite, kPositive;
@@ -36,15 +34,13 @@ class ItemReader
 
     /// @param name  in messages
     double Number(const std::string& name, const NumberRange& range);
-    /// A point or a normal.
     tilt_lens::Vec3 Vector();
-    /// A number or a vector of any length. @return  its length
+    /// A number or a vector. @return  its length
     int Numbers(const std::string& name, EXPRESS values);
-    /// Takes a comma; leaves anything else.
     bool NextIsComma();
 };
 
-/// @name Items whose values are not numbers with commas between them (special_items.cpp).
+/// @name Items read by special_items.cpp.
 /// @{
 void ReadShift(ItemReader& reader, TiltLensCamera& lens);
 void ReadPrescription(ItemReader& reader, TiltLensCamera& lens);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file macro_arguments.cpp
-/// The arguments of the macros of tilt_lens.inc. The scene language has no way to ask for the type of a value, so that a
-/// macro itself cannot refuse a wrong one: it would end in the middle of it, with an error that speaks of operators.
+/// Checks the arguments of tilt_lens.inc's macros. The scene language cannot ask for a value's type, so a macro would fail half-way, with
+/// an error about operators.
 
 #include "backend/parser/parse_tilt_lens.h"
 
@@ -20,7 +20,7 @@ namespace pov
 namespace
 {
 
-/// A parameter of any macro of the include file; arguments of parameters with other names are numbers.
+/// A parameter of any macro of the file; others take numbers.
 struct Parameter
 {
     const char* name;
@@ -73,7 +73,7 @@ const char* KindOf(int token)
     }
 }
 
-/// A number may stand for a point whose coordinates are all the same, as everywhere in the language.
+/// As everywhere in the language, a number may stand for a point.
 bool IsAllowed(const char* found, const char* wanted)
 {
     return found == wanted || (wanted == kVector && found == kNumber.kind) || (wanted == kPair && found == kVector);

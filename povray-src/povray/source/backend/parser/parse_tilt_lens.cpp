@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_tilt_lens.cpp
-/// The words inside `tilt_lens { ... }` are known by their spelling and only there, so that scenes may go on using them as identifiers.
+/// Words of `tilt_lens { ... }` are known by their spelling and only there, so scenes may use them as identifiers.
 
 #include "backend/parser/parse_tilt_lens.h"
 
@@ -34,14 +34,13 @@ using tilt_lens::Vec3;
 namespace
 {
 
-const int kReservedWords = 0;  // the parser's symbol table that holds them
+const int kReservedWords = 0;
 
 bool IsMacroOfInclude(const char* name)
 {
     return std::strncmp(name, "Tilt_Lens_", 10) == 0;
 }
 
-/// Refuses an item that stands twice, an item of a second family of focus, and a second one that says how far away the focus lies.
 void RequireNew(const TiltLensItem& item, const std::set<std::string>& words)
 {
     if (words.count(item.word) > 0)
@@ -72,7 +71,7 @@ void RequireAidsTogether(const tilt_lens::FocusAids& aids)
 
 void TiltLensParser::DeclareFeature()
 {
-    const int kGlobal = 1;  // the table of #declare
+    const int kGlobal = 1;
     SYM_ENTRY* entry = parser.Add_Symbol(kGlobal, "Tilt_Lens_Available", FLOAT_ID_TOKEN);
     entry->Data = Create_Float();
     *static_cast<DBL*>(entry->Data) = 1.0;
@@ -83,7 +82,7 @@ CameraDraft& TiltLensParser::Draft(const Camera& camera)
     return parser.Camera_Drafts[&camera];
 }
 
-/// The call, outside of tilt_lens.inc, of the macro that is being run; nothing outside of its macros.
+/// The call of the running macro of tilt_lens.inc, or nothing.
 std::optional<TiltLensPlace> TiltLensParser::Call() const
 {
     std::optional<TiltLensPlace> place;
@@ -92,7 +91,7 @@ std::optional<TiltLensPlace> TiltLensParser::Call() const
     {
         const Parser::CS_ENTRY& entry = parser.Cond_Stack[i];
         if (entry.Macro_Return_Name == NULL)
-            continue; // no macro, or not yet known what
+            continue; // no macro, or not known yet
         if (!IsMacroOfInclude(entry.PMac->Macro_Name))
             break;
         place = TiltLensPlace{UCS2String(entry.Macro_Return_Name), entry.File_Pos.lineno, 0, entry.File_Pos.offset};
@@ -100,7 +99,6 @@ std::optional<TiltLensPlace> TiltLensParser::Call() const
     return place;
 }
 
-/// For messages: the current token, or the call of a macro of tilt_lens.inc.
 TiltLensPlace TiltLensParser::Here() const
 {
     if (const std::optional<TiltLensPlace> call = Call())
@@ -199,7 +197,6 @@ void TiltLensParser::ParseBlockBehindIdentifier(Camera& camera)
     CheckBlock(camera);
 }
 
-/// @return  false at the end of the block
 bool TiltLensParser::ParseItem(TiltLensCamera& lens)
 {
     parser.Get_Token();
@@ -208,7 +205,7 @@ bool TiltLensParser::ParseItem(TiltLensCamera& lens)
         parser.Unget_Token();
         return false;
     }
-    // the spelling decides, whatever a scene may have declared under that name
+    // by spelling, even if the scene has declared the name
     const std::string word = parser.Token.Token_String;
     const TiltLensItem* const item = parser.Token.Token_Id == STRING_LITERAL_TOKEN ? NULL : FindTiltLensItem(word);
     At(Here(), [&] // a value may end lines later
@@ -239,7 +236,7 @@ void TiltLensParser::RefuseWord(const std::string& word)
     Refuse("Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(), NearestTiltLensItem(word).word, names.c_str());
 }
 
-/// A macro runs as soon as its name is read, even where only the next item's word is looked for.
+/// A macro runs as soon as its name is read, even where an item's word is wanted.
 std::vector<SYM_ENTRY*> TiltLensParser::MacrosNamedAsItems()
 {
     std::vector<SYM_ENTRY*> macros;
@@ -253,7 +250,6 @@ std::vector<SYM_ENTRY*> TiltLensParser::MacrosNamedAsItems()
     return macros;
 }
 
-/// A vector that the scene has declared, or nothing.
 std::optional<Vec3> TiltLensParser::DeclaredVector(const char* name)
 {
     for (int table = parser.Table_Index; table > 0; table--)
@@ -271,7 +267,6 @@ void TiltLensParser::WarnLater(Camera& camera, const char* text)
     Draft(camera).warnings.push_back({Here(), text});
 }
 
-/// Where the parser meets a word for another type of camera, behind the block.
 void TiltLensParser::RefuseOtherType(const Camera& camera)
 {
     if (camera.TiltLens.given)
@@ -280,7 +275,6 @@ void TiltLensParser::RefuseOtherType(const Camera& camera)
                      parser.Token.Token_String);
 }
 
-/// Where a camera should end.
 void TiltLensParser::RefuseStrangeItem(const Camera& camera)
 {
     parser.Get_Token();
@@ -303,7 +297,7 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
     TiltLensCamera& lens = camera.TiltLens;
     lens.items.angle = camera.Angle != HUGE_VAL;
     lens.items.aperture = draft.aperture || camera.Aperture != 0.0;
-    // both are marked as infinite while they are not written
+    // unwritten ones are infinite
     const VECTOR& point = camera.Focal_Point[X] != HUGE_VAL ? camera.Focal_Point : camera.Look_At;
     if (point[X] != HUGE_VAL)
     {
@@ -331,7 +325,6 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
     CheckBlock(camera);
 }
 
-/// Checks the block together with the camera around it, once both are known.
 void TiltLensParser::CheckBlock(Camera& camera)
 {
     TiltLensCamera& lens = camera.TiltLens;
@@ -371,7 +364,7 @@ void TiltLensParser::SolveLens(Camera& camera)
         At(lens.place, [&] { RequireFacade(FromPov(across), FromPov(camera.Right)); });
     }
     if (!lens.IsComplete())
-        return;  // FindFocus() will do it
+        return;  // FindFocus() solves it
     At(lens.place, [&]
     {
         TiltLensCamera::Solve(camera);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_tilt_lens.h
-/// The parser's part in `camera { ... tilt_lens { ... } }`: all that the patches of upstream's parser call.
+/// Parses `camera { ... tilt_lens { ... } }`: everything that the patches of upstream's parser call.
 
 #ifndef POVRAY_BACKEND_PARSE_TILT_LENS_H
 #define POVRAY_BACKEND_PARSE_TILT_LENS_H
@@ -21,66 +21,60 @@ namespace pov
 class Parser;
 struct Sym_Table_Entry;
 
-/// A camera statement while it is parsed: all that POV-Ray's Camera does not keep.
+/// Data of a camera statement during parsing that POV-Ray's Camera does not keep.
 struct CameraDraft
 {
-    bool hasBlock = false;                    ///< `tilt_lens` stands in this statement
-    bool aperture = false;                    ///< written, perhaps with the default value 0
-    double variance = 0.0, confidence = 0.9;  ///< as written; else the default
-    tilt_lens::Vec3 facade;  ///< from the lower left to the lower right corner given to Tilt_Lens_Facade; 0: none
+    bool hasBlock = false;
+    bool aperture = false;                    ///< written, even as 0
+    double variance = 0.0, confidence = 0.9;  ///< written or default
+    tilt_lens::Vec3 facade;  ///< lower left to lower right corner of Tilt_Lens_Facade; 0: none
 
     struct Warning
     {
         TiltLensPlace place;
         std::string text;
     };
-    std::vector<Warning> warnings;  ///< about values that are errors if the camera has `tilt_lens`
+    std::vector<Warning> warnings;  ///< errors if the camera has `tilt_lens`
 };
 
-/// A friend of Parser.
 class TiltLensParser
 {
   public:
     explicit TiltLensParser(Parser& parser) : parser(parser) {}
 
-    /// Declares the name by which a scene can tell that this program has the camera.
     void DeclareFeature();
 
-    /// The draft of a camera statement that is being parsed.
     CameraDraft& Draft(const Camera& camera);
 
-    /// Parses `{ ... }` behind the word `tilt_lens`. Inside, the items hide macros of their names.
+    /// Parses `{ ... }` behind `tilt_lens`. Inside, items hide macros of their names.
     void ParseBlock(Camera& camera);
 
-    /// The same behind a camera's identifier: the block takes the place of the camera's own, whose other items stay.
+    /// Behind a camera's identifier: the block replaces the camera's block, other items stay.
     void ParseBlockBehindIdentifier(Camera& camera);
 
-    /// Keeps a warning of the camera's own items until its end, where it is known whether the camera has `tilt_lens`: with
-    /// it, the value is an error, and a default that is not used must not be told of.
+    /// Keeps a warning until the camera's end: with `tilt_lens` the value is an error, and an unused default needs no warning.
     void WarnLater(Camera& camera, const char* text);
 
-    /// @name Errors where upstream's would not name the block.
+    /// @name Errors that upstream would give without naming the block.
     /// @{
     void RefuseOtherType(const Camera& camera);
     void RefuseStrangeItem(const Camera& camera);
     /// @}
 
-    /// Tells the kept warnings if the camera has no `tilt_lens`; else takes from the camera's own items what the lens
-    /// needs, while the parser can still tell which of them were written. Call before POV-Ray fills in the others.
+    /// Sends the kept warnings if the camera has no `tilt_lens`; else takes the lens's data from the camera's own items. Call before
+    /// POV-Ray fills in unwritten items.
     void TakeCameraItems(Camera& camera);
 
-    /// Solves the lens of a camera that is parsed and transformed, for its errors and warnings, and ends the draft. Also other cameras
-    /// pass here, to be recorded (camera_record.h).
+    /// Solves a parsed and transformed camera's lens, for errors and warnings. Records any camera (camera_record.h).
     void Check(Camera& camera);
 
-    /// @name Inside a macro of tilt_lens.inc, send a message that names the call of this macro; elsewhere does nothing.
+    /// @name Inside a macro of tilt_lens.inc, send a message that names the macro's call.
     /// @{
     void ErrorAtCall(const char* text);
-    /// @return  false: nothing is done
+    /// @return  false: not inside a macro
     bool WarningAtCall(unsigned int level, const char* text);
     /// @}
 
-    /// Refuses arguments of the wrong kind for a macro of tilt_lens.inc, where they are given.
     /// @param names  of its parameters
     void CheckMacro(const char* macro, Sym_Table_Entry* const* arguments, char* const* names, int count);
 
@@ -99,7 +93,6 @@ class TiltLensParser
     void ErrorAt(const TiltLensPlace& place, const std::string& text);
     void WarningAt(const TiltLensPlace& place, const std::string& text, unsigned int level = 0);
 
-    /// Calls something, and gives its OpticsError a place.
     template<class Task>
     void At(const TiltLensPlace& place, const Task& task);
 };

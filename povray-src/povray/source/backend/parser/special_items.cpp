@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file special_items.cpp
-/// The items of `tilt_lens { ... }` whose values are not numbers with commas between them.
+/// Items of `tilt_lens { ... }` whose values are not numbers with commas between them.
 
 #include "backend/parser/item_reader.h"
 
@@ -33,7 +33,7 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Parse_Begin and Parse_End would name the word by its token, and the block's words have none.
+/// Parse_Begin and Parse_End would name the word by its token, which the block's words lack.
 void ReadBrace(Parser& parser, int brace, const char* sign)
 {
     parser.Get_Token();
@@ -45,7 +45,7 @@ void ReadBrace(Parser& parser, int brace, const char* sign)
            found.c_str());
 }
 
-/// A point, or `focus_on` or `focus_at` with its value, unless the scene has an identifier of that name.
+/// Also `focus_on` or `focus_at` with its value, unless the scene has declared that name.
 Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
 {
     TiltLensCamera other;
@@ -60,10 +60,10 @@ Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
     return isTarget ? Vec3() : reader.Vector();
 }
 
-/// Limit of a file's size; the largest collections of lenses have a tenth of it.
+/// File size limit, bytes; the largest collections of lenses have a tenth of it.
 const std::size_t kMostBytes = 4u << 20;
 
-/// `FILE#NAME` chooses a lens of a collection; only JSON files are collections.
+/// `FILE#NAME` chooses a lens of a JSON collection.
 struct FileChoice
 {
     std::string file, name;
@@ -78,7 +78,6 @@ struct FileChoice
     }
 };
 
-/// The whole file, searched for like the scene's other files.
 std::string ReadWhole(Parser& parser, const std::string& name)
 {
     UCS2String found;
@@ -99,7 +98,6 @@ std::string ReadWhole(Parser& parser, const std::string& name)
     return text;
 }
 
-/// The name as written.
 std::string ReadName(Parser& parser)
 {
     parser.Get_Token();
@@ -124,7 +122,7 @@ void ReadShift(ItemReader& reader, TiltLensCamera& lens)
 {
     EXPRESS v;
     const int terms = reader.Numbers("shift", v);
-    // a plain number would be promoted to both directions: surely not what was meant
+    // a number promoted to both directions is surely an error
     if (!(terms == 2 || (terms == 3 && v[Z] == 0.0)))
         Refuse("shift in tilt_lens: found a value of %d numbers. It takes two, in millimetres; write it as <right, up>.", terms);
     if (!std::isfinite(v[X]) || !std::isfinite(v[Y]))
@@ -222,7 +220,7 @@ void ReadFocusOn(ItemReader& reader, TiltLensCamera& lens)
                "camera, as in #declare Ball = sphere { 0, 1 }, and then focus_on Ball.",
                parser.Token.Token_Id == END_OF_FILE_TOKEN ? "the end of the file" : parser.Token.Token_String);
     target.kind = FocusTarget::Object;
-    // of an element of an array the index is what was read last
+    // the last token of an array's element is its index
     target.name = std::strcmp(parser.Token.Token_String, "]") == 0 ? "an array's element" : parser.Token.Token_String;
     target.object = shared_ptr<ObjectBase>(Copy_Object(static_cast<ObjectPtr>(parser.Token.Data)),
                                            [](ObjectPtr object) { Destroy_Object(object); });
@@ -248,7 +246,7 @@ void ReadFocusPeaking(ItemReader& reader, TiltLensCamera& lens)
                after.Token_String);
     parser.Unget_Token();
     aids.peakingColour = {colour.red(), colour.green(), colour.blue()};
-    // the tint is light, which OpenEXR's half floats must hold
+    // OpenEXR's half floats must hold the tint
     const double kMost = 65504.0;
     for (double number : {colour.red(), colour.green(), colour.blue()})
         if (!(std::fabs(number) <= kMost))

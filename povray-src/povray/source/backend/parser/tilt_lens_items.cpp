@@ -99,7 +99,6 @@ const std::vector<TiltLensItem> kTiltLensItems = {
 namespace
 {
 
-/// Items of the camera that users expect inside the block.
 const char* const kCameraWords[] = {"aperture",  "focal_point", "look_at",   "blur_samples", "confidence", "variance",   "bokeh",
                                     "angle",     "location",    "direction", "right",        "up",         "sky",        "normal",
                                     "translate", "rotate",      "scale",     "matrix",       "transform",  "perspective"};
@@ -111,7 +110,6 @@ std::string Lowercase(std::string word)
     return word;
 }
 
-/// Levenshtein distance.
 size_t EditDistance(const std::string& a, const std::string& b)
 {
     std::vector<size_t> row(b.size() + 1);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_items.h
-/// The table of the items of `tilt_lens { ... }`: the one place to add an item. Tests compare it with manual, editors and the fuzzer's grammar.
+/// The table of the items of `tilt_lens { ... }`: the one place to add an item. Tests compare it with manual, editors and fuzzer.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_ITEMS_H
 #define POVRAY_BACKEND_TILT_LENS_ITEMS_H
@@ -22,7 +22,7 @@ class ItemReader;
 struct NumberRange
 {
     double least, most;
-    std::string message;  ///< states the range and a remedy, behind the item's word and its value
+    std::string message;  ///< range and remedy; follows word and value
     bool whole = false;
 };
 
@@ -36,14 +36,13 @@ struct ItemNumber
 struct TiltLensItem
 {
     const char* word;
-    const char* values;  ///< as in the manual, by their units or kinds
-    const char* example;  ///< of the values
+    const char* values;  ///< as in the manual, by units or types
+    const char* example;
     std::vector<ItemNumber> numbers;  ///< all but the first are optional
-    void (*read)(ItemReader& reader, TiltLensCamera& lens) = NULL;  ///< for values that are not these numbers
+    void (*read)(ItemReader& reader, TiltLensCamera& lens) = NULL;
     std::optional<tilt_lens::FocusFamily> family = {};
-    bool statesDistance = false;  ///< of the focus
+    bool statesDistance = false;
 
-    /// The item with values.
     std::string Example() const;
 };
 
@@ -53,15 +52,15 @@ extern const std::vector<TiltLensItem> kTiltLensItems;
 /// NULL: there is none.
 const TiltLensItem* FindTiltLensItem(const std::string& word);
 
-/// The nearest item by Levenshtein distance, ignoring case.
+/// Nearest by Levenshtein distance, ignoring case.
 const TiltLensItem& NearestTiltLensItem(const std::string& word);
 
-/// True if a word was probably meant to begin the block.
+/// Probably meant as `tilt_lens`.
 bool LooksLikeTiltLens(const std::string& word);
 
 std::string TiltLensItemNames();
 
-/// True for an item of the camera that users expect inside the block.
+/// Camera items that users expect inside the block.
 bool IsCameraWord(const std::string& word);
 
 }  // namespace pov

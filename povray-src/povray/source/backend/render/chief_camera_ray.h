@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file chief_camera_ray.h
-/// Chief rays of any camera, and their first hits: for picture layers and focus aids.
+/// Chief rays of any camera and their first hits, for picture layers and focus aids.
 
 #ifndef POVRAY_BACKEND_CHIEF_CAMERA_RAY_H
 #define POVRAY_BACKEND_CHIEF_CAMERA_RAY_H
@@ -17,14 +17,13 @@ class Camera;
 class Ray;
 class TracePixel;
 
-/// Chief ray of a pixel's centre: POV-Ray's own, except for a lens with distortion or of glass. A friend of TracePixel.
-/// @return  false if the camera has none there
+/// Through a pixel's centre: POV-Ray's own, unless the lens distorts or is of glass.
+/// @return  false: none
 bool MakeChiefRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
 
-/// Distance along a ray of unit length to the first visible surface, or HUGE_VAL.
+/// Distance along a unit ray to the first visible surface, or HUGE_VAL.
 DBL FirstHit(Trace& trace, const Camera& camera, const Ray& ray);
 
-/// Bends a ray by the camera's normal, if it has one.
 /// @param x, y  film point
 void BendByNormal(Ray& ray, const Camera& camera, double x, double y, TraceThreadData* thread);
 

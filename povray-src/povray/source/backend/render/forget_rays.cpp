@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forget_rays.cpp
-/// Clears the caches that a thread keeps from ray to ray, where they may change the next ray's result. Pixels of pictures with `tilt_lens`
-/// depend on the scene alone, so each of their camera rays starts without these caches. Random numbers are seeded by the sample instead.
+/// Clears caches that may change the next ray's result: pixels with `tilt_lens` depend on the scene alone. Samples seed the random
+/// numbers.
 
 #include <algorithm>
 
@@ -19,20 +19,19 @@ namespace pov
 
 void Trace::ForgetRays()
 {
-    // the last object in a light's way is tested first, with tolerances of its own
+    // the last object in a light's way is tested first, with its own tolerances
     if (shadowCacheUsed)
     {
         std::fill(lightSourceLevel1ShadowCache.begin(), lightSourceLevel1ShadowCache.end(), ObjectPtr(NULL));
         std::fill(lightSourceOtherShadowCache.begin(), lightSourceOtherShadowCache.end(), ObjectPtr(NULL));
         shadowCacheUsed = false;
     }
-    // a ray beside one that missed an isosurface is assumed to miss it, which holds only if max_gradient does
+    // a ray beside one that missed an isosurface is assumed to miss it; false if max_gradient is too small
     threadData->isosurfaceData->cache = false;
-    // points of the last cell of `facets` are recognised by a hash alone
+    // `facets` recognises points of the last cell by a hash alone
     threadData->Facets_Last_Seed = int(0x80000000);
 }
 
-/// The photons of a light and a target do not depend on the thread that shoots them.
 void Trace::BeginPhotons()
 {
     ForgetRays();

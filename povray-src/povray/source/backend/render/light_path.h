@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file light_path.h
-/// Length of a camera ray's path through flat mirrors and panes. A flat mirror preserves vergences: a lamp seen in it is blurred as at the
-/// end of the whole path. A curved surface changes them, so the path ends there.
+/// Length of a camera ray's path through flat mirrors and panes. These preserve vergences: a mirrored lamp is blurred as at the path's
+/// end. Curved surfaces change them, so the path ends there.
 
 #ifndef TILT_LENS_LIGHT_PATH_H
 #define TILT_LENS_LIGHT_PATH_H
@@ -13,21 +13,18 @@
 namespace pov
 {
 
-/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the ray's light, or with any if all are
+/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the light, or with any if all are
 /// black.
 class LightPath
 {
   public:
-    /// Set only while needed.
     bool wanted = false;
 
-    /// The brightest secondary ray of a ray.
     struct Brightest
     {
         double light = 0.0, length = 0.0;
     };
 
-    /// A ray has hit a surface and its light is about to be computed.
     /// @return  argument for End()
     Brightest Begin()
     {
@@ -36,10 +33,9 @@ class LightPath
         return outer;
     }
 
-    /// The ray's light has been computed.
     /// @param hit       object, or NULL
-    /// @param distance  to it, scene units
-    /// @param weight    of the ray, as in TraceRay
+    /// @param distance  scene units
+    /// @param weight    as in TraceRay
     void End(Brightest outer, const ObjectBase* hit, double distance, const Colour& colour, double weight)
     {
         const double light = weight * colour.greyscale();
@@ -47,7 +43,7 @@ class LightPath
         brightest = light >= outer.light ? Brightest{light, length} : outer;
     }
 
-    /// Length of the last path, scene units; HUGE_VAL if it ends at no surface.
+    /// Length of the last path, scene units; HUGE_VAL without a surface.
     double Length() const { return length; }
 
   private:

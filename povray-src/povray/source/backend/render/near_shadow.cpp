@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file near_shadow.cpp
-/// Shadows near their casters. POV-Ray ignores objects nearer than 0.001 units to a point in shadow, except the one that it cached as last
-/// in the light's way. Pictures with `tilt_lens` cache nothing from ray to ray (forget_rays.cpp), and test all objects that could be in
-/// that cache.
+/// Shadows near their casters. POV-Ray ignores objects nearer than 0.001 units to a shaded point, except the cached last occluder.
+/// Pictures with `tilt_lens` have no such cache (forget_rays.cpp), and test all objects that it could hold.
 
 #include <algorithm>
 
@@ -20,7 +19,6 @@ namespace pov
 namespace
 {
 
-/// Opaque objects larger than the tolerance, which POV-Ray could have cached.
 struct MayBeKept : public RayObjectCondition
 {
     virtual bool operator()(const Ray&, const ObjectBase* object, double) const
@@ -33,7 +31,6 @@ struct MayBeKept : public RayObjectCondition
 
 } // namespace
 
-/// @param lightDepth  distance of the light along the ray
 bool Trace::IsInNearShadow(const Ray& ray, double lightDepth)
 {
     Intersection nearest;

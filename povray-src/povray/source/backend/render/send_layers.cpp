@@ -26,13 +26,11 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// The layers of a tile, one after the other.
 class LayerBlock
 {
   public:
     explicit LayerBlock(size_t itsArea) : area(itsArea) {}
 
-    /// Adds a layer of zeros.
     /// @return  its index
     size_t Add(const char* name)
     {
@@ -56,9 +54,9 @@ class LayerBlock
     std::vector<POVMSFloat> values;
 };
 
-/// First hit of the ray through a pixel's centre, transparent surfaces included.
+/// First hit of the ray through a pixel's centre, even on a transparent surface.
 /// @param[out] point  world coordinates
-/// @param[out] depth  along the camera's axis if it has one, else the length of the ray
+/// @param[out] depth  along the camera's axis if it has one, else the ray's length
 bool FirstPoint(TracePixel& trace, const ViewData& view, unsigned int x, unsigned int y, Vec3& point, DBL& depth)
 {
     const Camera& camera = view.GetCamera();

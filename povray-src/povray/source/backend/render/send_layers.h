@@ -18,18 +18,17 @@ namespace pov
 class TracePixel;
 class ViewData;
 
-/// Cost and noise of a pixel.
 struct TiltLensEffort
 {
     unsigned int samples;
     double variance;  ///< see TileSampler::Variance()
 };
 
-/// Sends the camera's numbers to the front end, if layers are asked for.
+/// Sends the camera's numbers to the front end, if layers are wanted.
 void StartLayers(ViewData& view, POVMS_Object& options);
 
-/// Sends a tile's layers, if they are asked for: first hits along the rays through the pixels' centres, and the pixels' effort. Called for
-/// each tile before its colours are sent, so that a tile whose colours are in the state file has its layers there, too.
+/// Sends first hits through pixel centres, and effort, if layers are wanted. Call before the tile's colours are sent, so that a tile in
+/// the state file has its layers.
 /// @param effort  row by row; empty for a tile that was not sampled
 void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const std::vector<TiltLensEffort>& effort = {});
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tiles.cpp
-/// A thread's way through the tiles of a picture with `tilt_lens`.
+/// Renders the tiles of a picture with `tilt_lens` in one thread.
 
 #include <algorithm>
 #include <vector>
@@ -24,7 +24,7 @@ namespace pov
 namespace
 {
 
-/// Traces test pixels before the first tile, shared among all threads, to weight the progress display.
+/// Traces test pixels, shared among threads, to weight the progress display.
 void EstimateWork(TiltLensTracer& tracer)
 {
     static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
@@ -44,9 +44,8 @@ void EstimateWork(TiltLensTracer& tracer)
     }
 }
 
-/// @param alone   true if the tile may share no samples with others, because its pixels depend on the order of tracing
-/// @param pixels  row by row
-/// @param effort  of each
+/// @param alone   share no samples with other tiles: pixels depend on the order of tracing
+/// @param pixels, effort  row by row
 void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect, bool alone, std::vector<Colour>& pixels,
                std::vector<TiltLensEffort>& effort)
 {
@@ -72,7 +71,7 @@ void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect
 
 } // namespace
 
-/// Final render of a `tilt_lens` picture; replaces all anti-aliasing methods.
+/// Final render; replaces all anti-aliasing methods.
 void TraceTask::TiltLensSampling()
 {
     POVRect rect;

@@ -87,7 +87,6 @@ void TiltLensTracer::Trace(const tilt_lens::CameraRays& rays, const tilt_lens::R
     EndSample();
 }
 
-/// Follows a ray of the sample of `pixel` and `index`.
 inline DBL TiltLensTracer::Follow(const Ray& ray, pov::Trace::TraceTicket ticket, Colour& colour)
 {
     BeginSample();
@@ -122,7 +121,6 @@ RenderStatistics& TiltLensTracer::Stats()
     return trace.threadData->Stats();
 }
 
-/// Tests only the objects that may contain lens points.
 void TiltLensTracer::EnterInteriors(Ray& ray) const
 {
     for (const ObjectAroundLens& around : view->aroundLens)
@@ -133,7 +131,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     }
 }
 
-/// Connects generators to the seeds of samples. Not in the constructor, which runs before that of media.
+/// Not in the constructor, which runs before that of media.
 void TiltLensTracer::LeadGenerators()
 {
     trace.crandSeeds.Follow(*this);
@@ -142,11 +140,10 @@ void TiltLensTracer::LeadGenerators()
         ofMedia->seeds.Follow(*this);
 }
 
-/// Creates the sequences of subsurface light, one per recursion level, which Trace would create when first needed: so the sample determines
-/// their first numbers, too.
+/// One sequence per recursion level, so that the sample determines their first numbers. Trace would create them when needed.
 void TiltLensTracer::SeedSubsurface(unsigned int seed)
 {
-    const size_t levels = 3, length = 32767;  // as deep and as long as Trace makes them
+    const size_t levels = 3, length = 32767;  // sizes as in Trace
     while (trace.ssltUniformDirectionGenerator.size() < levels)
         trace.ssltUniformDirectionGenerator.push_back(GetSubRandomDirectionGenerator(0, length));
     while (trace.ssltUniformNumberGenerator.size() < levels)

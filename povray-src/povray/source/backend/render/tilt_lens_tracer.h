@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tracer.h
-/// The bridge from the camera library to POV-Ray's tracing: follows the library's camera rays to their hits. A TracePixel owns one if its
-/// view has a lens with an aperture, and is its friend, because tracing needs TracePixel's private members.
+/// Bridge from the camera library to POV-Ray's tracing: follows camera rays to their hits. A friend of TracePixel, since tracing needs
+/// private members.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_TRACER_H
 #define POVRAY_BACKEND_TILT_LENS_TRACER_H
@@ -30,18 +30,18 @@ inline Colour ToColour(const tilt_lens::Radiance& v)
 class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
 {
   public:
-    /// @return  NULL if the view has no lens with an aperture
+    /// @return  NULL without a lens with an aperture
     /// @param owner  must outlive the result
     static shared_ptr<TiltLensTracer> Create(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    /// @return  NULL if there is none
+    /// @return  NULL: none
     static TiltLensTracer* Of(const TracePixel& owner);
 
     const shared_ptr<TiltLensView> view;
-    tilt_lens::SampleTracer samples;  ///< of the final picture
+    tilt_lens::SampleTracer samples;
     AreaLightSampler areaLights;
 
-    /// A pixel of a preview or of a radiosity pretrace, not of the final picture: a few samples, or one for a pretrace.
+    /// A few samples of a pixel for a preview, one for a radiosity pretrace.
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
 
     /// Follows one ray of a pixel, with whole grids of area lights.
@@ -49,15 +49,14 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     DBL TraceAlone(const Ray& ray, unsigned int x, unsigned int y, Colour& colour);
 
     const Camera& GetCamera() const;
-    RenderStatistics& Stats();  ///< of the thread
+    RenderStatistics& Stats();
 
   private:
     TracePixel& trace;
-    tilt_lens::SampleTracer plainSamples;  ///< of previews
-    const bool interiorsVary;  ///< the lens is partly inside an object, so that rays start in different interiors
+    tilt_lens::SampleTracer plainSamples;  ///< previews
+    const bool interiorsVary;  ///< lens partly inside an object: rays start in different interiors
 
-    /// The current sample.
-    const tilt_lens::PixelSampler* pixel = NULL;  ///< its pixel's sequence
+    const tilt_lens::PixelSampler* pixel = NULL;
     unsigned int index = 0;
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);

@@ -23,13 +23,13 @@ Colour AidPixel(TracePixel& trace, DBL x, DBL y, DBL width, DBL height)
     Ray ray;
     Colour colour;
     if (!MakeChiefRay(trace, ray, x, y, width, height))
-        return colour;  // outside the image circle of a lens of glass
+        return colour;  // outside a glass lens's image circle
     const DBL distance = aids.NeedsLight() ? tracer.TraceAlone(ray, (unsigned int)(int)x, (unsigned int)(int)y, colour)
                                            : FirstHit(trace, camera, ray);
 
-    // a camera normal may have deflected the ray: blur depends on the depth along the axis
+    // the camera's normal may have deflected the ray; blur depends on depth along the axis
     const tilt_lens::Vec3& axis = tracer.view->camera.lens->Solved().axis;
-    const double before = Dot(FromPov(ray.Origin) - FromPov(camera.Location), axis);  // 0 but for a lens of glass
+    const double before = Dot(FromPov(ray.Origin) - FromPov(camera.Location), axis);  // 0 but for glass
     const double depth = before + distance * Dot(FromPov(ray.Direction), axis);
     return aids.Drawn(int(x), int(y), tilt_lens::FilmPointAt(x + 0.5, y + 0.5, width, height),
                       distance < HUGE_VAL && depth > 0.0 ? depth : std::numeric_limits<double>::infinity(), colour);

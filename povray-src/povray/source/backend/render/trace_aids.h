@@ -18,11 +18,10 @@ namespace pov
 class TracePixel;
 class ViewData;
 
-/// A pixel of a picture with focus aids.
 /// @param x, y  pixel; between pixels in a radiosity pretrace
 Colour AidPixel(TracePixel& trace, DBL x, DBL y, DBL width, DBL height);
 
-/// Appends the pixels of a tile, row by row.
+/// Appends a tile's pixels, row by row.
 void TraceAidTile(TracePixel& trace, const ViewData& view, const POVRect& rect, std::vector<Colour>& pixels);
 
 } // namespace pov

@@ -38,7 +38,7 @@ struct RecordedCamera
     TiltLensPlace end;
 };
 
-/// Camera statements of this run. Never destroyed, because objects that they refer to may be destroyed before.
+/// Camera statements of this run. Never destroyed: objects that they refer to may be destroyed before.
 std::vector<RecordedCamera>& Recorded()
 {
     static std::vector<RecordedCamera>& cameras = *new std::vector<RecordedCamera>;
@@ -81,7 +81,7 @@ const char* Truth(bool value)
     return value ? "true" : "false";
 }
 
-/// JSON string in ASCII.
+/// JSON string, ASCII.
 std::string Text(const UCS2String& name)
 {
     std::ostringstream text;
@@ -134,8 +134,7 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// The statement of a solved camera, with a point or a plane in place of the film's position, and the f-number that sharpWithin
-/// has led to.
+/// A solved camera's: a point or plane replaces the film's position, the f-number found replaces sharpWithin.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
@@ -161,7 +160,7 @@ Statement WithFocus(const Camera& camera)
     return s;
 }
 
-/// The statement with the focal length of a lens of glass in its focus state.
+/// With a glass lens's focal length when focused.
 Statement Ideal(const Camera& camera, const Statement& s)
 {
     return IdealStatement(WithGroups(s, camera.TiltLens.lens ? camera.TiltLens.lens->groups : 0.0));
@@ -218,7 +217,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
         {
             FindFocus(recorded.camera, scene, width);
         }
-        catch (const tilt_lens::OpticsError&)  // reported only for the camera of the picture
+        catch (const tilt_lens::OpticsError&)  // reported only for the picture's camera
         {
         }
         text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) +
@@ -239,7 +238,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
     view.TiltLens.statement.fStop.reset();
     view.TiltLens.statement.sharpWithin.reset();
     if (view.TiltLens.given)
-        TiltLensCamera::Solve(view);  // the lens was solved with its diameter at the end of the statement
+        TiltLensCamera::Solve(view);
 }
 
 } // namespace pov

@@ -30,17 +30,15 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Rays around the centre of an object that has a hole there.
 const int kRaysAround = 1024;
 
-/// Each step reduces the disagreement of frame and focus to about focal length / distance of it, unless the ray alternates between two
-/// objects.
+/// Each step multiplies the disagreement of frame and focus by about focal length / distance, unless the ray alternates between objects.
 const int kSteps = 50;
 
-/// Half diagonal of a bounding box beyond which the object counts as infinite; POV-Ray gives such boxes BOUND_HUGE.
+/// Half diagonal of a bounding box of an infinite object, which POV-Ray gives BOUND_HUGE.
 const double kEndless = 0.25 * BOUND_HUGE;
 
-/// Distance of two points, relative to their distance from the lens, that counts as none.
+/// Distance of two equal points, relative to their distance from the lens.
 const double kSamePoint = 1e-9;
 
 std::string Text(const Vec3& v)
@@ -93,7 +91,7 @@ Vec3 Finder::OnObject(const FocusTarget& target)
         throw OpticsError(target.Written() + ": the object is infinite or empty and has no centre to focus on. Give "
                                              "focus_at, focal_point or, for a plane, focal_plane.");
     const Vec3 middle = Vec3{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]} + half - location;
-    // if the camera is at the object's centre, the ray follows the camera's axis
+    // along the camera's axis if the camera is at the object's centre
     const Vec3 way = Length(middle) > 1e-6 * Length(half) ? middle : Length(half) * Normalized(FromPov(camera.Direction));
     const Vec3 aside = Normalized(Cross(way, std::fabs(way.x) < std::fabs(way.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     const Vec3 across = Cross(Normalized(way), aside);
@@ -130,7 +128,6 @@ Vec3 Finder::InPicture(const FocusTarget& target, const Lens& lens)
     return *point;
 }
 
-/// The lens before focusing: at infinity.
 Lens Unfocused(const Camera& camera)
 {
     Camera unfocused(camera);
@@ -147,7 +144,6 @@ Lens Unfocused(const Camera& camera)
     return *unfocused.TiltLens.lens;
 }
 
-/// Calls `todo` for each target with the point that it sets.
 template<class Todo>
 void ForEachTarget(TiltLensCamera& camera, FocusTarget::Kind kind, const Todo& todo)
 {
@@ -158,7 +154,6 @@ void ForEachTarget(TiltLensCamera& camera, FocusTarget::Kind kind, const Todo& t
             todo(camera.pointTargets[i], camera.TargetPoint(i));
 }
 
-/// Describes the found points, for errors of a lens that cannot focus there.
 std::string Found(TiltLensCamera& block)
 {
     std::string text;
@@ -168,8 +163,7 @@ std::string Found(TiltLensCamera& block)
     return text;
 }
 
-/// Iterates focus and angle of view.
-/// @return  true if they agree
+/// @return  true if focus and angle of view agree
 bool FindInPicture(Finder& finder, Camera& camera)
 {
     TiltLensCamera& block = camera.TiltLens;

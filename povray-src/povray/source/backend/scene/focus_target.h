@@ -18,12 +18,12 @@ namespace pov
 
 class SceneData;
 
-/// Sets the points in the camera's statement, and the blur given in pixels, and solves its lens; does nothing where none is missing.
+/// Completes the camera's statement, and solves its lens.
 ///
-/// - Object: its first intersection with the ray from the lens centre to the centre of its bounding box, even behind other objects.
-///   If that ray misses it, the next of 1024 rays around it, by growing angle.
-/// - Place in the picture: first intersection of its chief ray with a visible surface, transparent or not. If focusing changes the
-///   angle of view (`focal_length`), the two are iterated until they agree.
+/// - Object: first intersection with the ray from the lens centre to its bounding box's centre, even behind other objects; else the next
+///   of 1024 rays around it, by growing angle.
+/// - Place in the picture: first intersection of its chief ray with a visible surface, transparent or not. Iterated if focusing changes
+///   the angle of view (`focal_length`).
 ///
 /// @param scene  completely parsed
 /// @param width  of the whole picture, pixels

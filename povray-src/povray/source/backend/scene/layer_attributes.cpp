@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_attributes.cpp
-/// Names and meanings follow OpenEXR's list of standard attributes (openexr.com, "Standard Attributes"). Other names begin with
-/// "tiltLens:".
+/// Names and meanings as in OpenEXR's list (openexr.com, "Standard Attributes"); others begin with "tiltLens:".
 
 #include "backend/scene/layer_attributes.h"
 
@@ -60,7 +59,7 @@ void AddProjection(std::vector<LayerAttribute>& list, const Camera& camera)
     list.push_back({"screenWindowWidth", {window.width}});
     list.push_back({"screenWindowCenter", {window.middleX, window.middleY}});
     list.push_back({"worldToCamera", Matrix(location, window.x, window.y, window.z, none, 1.0)});
-    // maps the upper left and lower right corners to (0, 0) and (1, 1) after division by w = depth
+    // maps upper left and lower right corners to (0, 0) and (1, 1) after division by w = depth
     const Vec3 u = (window.x + (0.5 * window.width - window.middleX) * window.z) / window.width;
     const Vec3 v = ((0.5 * window.height + window.middleY) * window.z - window.y) / window.height;
     list.push_back({"worldToNDC", Matrix(location, u, v, window.z, window.z, 0.0)});
@@ -91,10 +90,10 @@ void AddLens(std::vector<LayerAttribute>& list, const Camera& camera, unsigned i
     list.push_back({"tiltLens:shift", {given.shiftRight, given.shiftUp}});
     list.push_back({"tiltLens:hingeDistance", {HingeDistanceOf(lens)}});
     list.push_back({"tiltLens:millimetresPerUnit", {mm}});
-    // n.X = d with X in world coordinates
+    // n.X = d in world coordinates
     const double distance = Length(lens.focus);
     if (distance == 0.0)
-        return;  // the plane of sharp focus is at infinity
+        return;
     const Vec3 normal = lens.focus / distance;
     list.push_back({"tiltLens:focusNormal", Numbers(normal)});
     list.push_back({"tiltLens:focusDistance", {1.0 / distance + Dot(normal, FromPov(camera.Location))}});

@@ -20,19 +20,18 @@ namespace pov
 struct LayerAttribute
 {
     std::string name;
-    std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (a matrix for row vectors, row by row)
+    std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (matrix for row vectors, row by row)
 };
 
-/// True for perspective and orthographic cameras, whose depth is measured along the axis. For others, which see in all directions, depth is
-/// the length of the ray.
+/// True for perspective and orthographic cameras, whose depth is measured along the axis; else depth is the ray's length.
 bool HasDepthAxis(const Camera& camera);
 
-/// The unit normal of the film, into the scene.
+/// Unit normal of the film, into the scene.
 tilt_lens::Vec3 DepthAxis(const Camera& camera);
 
-/// For a perspective camera, including its `tilt_lens`; empty for others.
+/// Empty for other cameras than perspective ones.
 /// @param camera  as rendered: shift and angle of view are in its direction
-/// @param width   of the whole picture, in pixels
+/// @param width   of the whole picture, pixels
 std::vector<LayerAttribute> LayerAttributesOf(const Camera& camera, unsigned int width);
 
 }  // namespace pov

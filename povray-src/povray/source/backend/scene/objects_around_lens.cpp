@@ -23,7 +23,7 @@ namespace pov
 namespace
 {
 
-/// Half the extent of the lens along one world axis; an aperture picture fills the square around the disc.
+/// Half the lens's extent along a world axis; an aperture picture fills the square around the disc.
 double HalfExtent(double x, double y, bool square)
 {
     return square ? std::fabs(x) + std::fabs(y) : std::hypot(x, y);
@@ -35,7 +35,7 @@ struct LensBox
     double low[3], high[3];
 };
 
-/// Box around the first surface of a lens of glass, where its rays start.
+/// Box around a glass lens's first surface, where rays start.
 LensBox BoxOfGlass(const Camera& camera, const tilt_lens::SolvedLens& lens)
 {
     const tilt_lens::GlassLens::Front front = lens.glass->FrontBox();
@@ -61,14 +61,13 @@ LensBox BoxOfLens(const Camera& camera, const tilt_lens::SolvedLens& lens)
     LensBox box;
     for (int i = X; i <= Z; i++)
     {
-        const double room = half[i] + 1e-9 * std::fabs(camera.Location[i]);  // with room for rounding
+        const double room = half[i] + 1e-9 * std::fabs(camera.Location[i]);  // rounding
         box.low[i] = camera.Location[i] - room;
         box.high[i] = camera.Location[i] + room;
     }
     return box;
 }
 
-/// True if the object's own box excludes that it contains a point of the box.
 bool IsApart(const LensBox& box, const ObjectBase& object)
 {
     for (int i = X; i <= Z; i++)
@@ -81,7 +80,6 @@ bool IsApart(const LensBox& box, const ObjectBase& object)
     return false;
 }
 
-/// Number of the box's corners inside the object.
 int CornersInside(const LensBox& box, const ObjectBase& object)
 {
     int inside = 0;
@@ -94,7 +92,6 @@ int CornersInside(const LensBox& box, const ObjectBase& object)
     return inside;
 }
 
-/// A convex solid contains the box if it contains its corners.
 bool IsConvexSolid(const ObjectBase& object)
 {
     const bool solid = dynamic_cast<const Sphere*>(&object) != NULL || dynamic_cast<const Box*>(&object) != NULL;
@@ -114,7 +111,7 @@ std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt
         const bool plane = dynamic_cast<const Plane*>(object) != NULL;
         const int inside = plane || IsConvexSolid(*object) ? CornersInside(box, *object) : 0;
         if (plane && inside == 0)
-            continue;  // a plane's own box is all of space; but its outside is convex, so that it contains no point of the box
+            continue;  // a plane's box is all of space; its outside is convex, so that it contains no point of the box
         objects.push_back({object, inside == 8});
     }
     return objects;

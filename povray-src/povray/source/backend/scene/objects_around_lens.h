@@ -21,10 +21,10 @@ class SceneData;
 struct ObjectAroundLens
 {
     ObjectPtr object;
-    bool holdsLens;  ///< contains the whole lens; else each ray must be tested
+    bool holdsLens;  ///< contains the whole lens; else test each ray
 };
 
-/// Every object with an interior that may contain a part of the lens, in the scene's order.
+/// Objects with interior that may contain a part of the lens, in the scene's order.
 std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::SolvedLens& lens, const SceneData& scene);
 
 } // namespace pov

@@ -16,7 +16,6 @@ using tilt_lens::Rgb;
 namespace
 {
 
-/// Blends a colour over another; the lower one keeps its own transparency.
 void Lay(Colour& under, const Colour& over, double opacity)
 {
     under *= COLC(1.0 - opacity);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_aids.h
-/// The focus aids of one picture: draws them into pixels that one chief ray has found.
+/// Draws one picture's focus aids into pixels traced by chief rays.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_AIDS_H
 #define POVRAY_BACKEND_TILT_LENS_AIDS_H
@@ -25,15 +25,12 @@ class TiltLensAids
     TiltLensAids(const tilt_lens::FocusAids& aids, const shared_ptr<const tilt_lens::LensCamera>& camera, int width, int height,
                  pov_base::GammaCurvePtr display);
 
-    /// False if only distances count, not the scene's light.
     bool NeedsLight() const { return !aids.map; }
 
-    /// The pixel with the aids drawn in.
     /// @param film   the pixel's centre
-    /// @param depth  of the hit that it shows, along the camera's axis; infinite for none
+    /// @param depth  along the camera's axis; infinite without a hit
     Colour Drawn(int x, int y, const tilt_lens::FilmPoint& film, double depth, const Colour& picture) const;
 
-    /// Line of the report before the render.
     std::string Describe() const;
 
   private:

@@ -38,7 +38,6 @@ double Determinant(const TRANSFORM* trans)
     return Dot(Vec3{m[0][0], m[0][1], m[0][2]}, Cross(Vec3{m[1][0], m[1][1], m[1][2]}, Vec3{m[2][0], m[2][1], m[2][2]}));
 }
 
-/// Whether the camera statement has transformations.
 bool IsMoved(const Camera& camera)
 {
     for (int row = 0; row < 4; row++)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_camera.h
-/// The `tilt_lens` block in POV-Ray's Camera: its statement, its place in the scene file, and the action of camera transformations.
+/// The `tilt_lens` block in POV-Ray's Camera: statement, place in the scene file, and camera transformations.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
 #define POVRAY_BACKEND_TILT_LENS_CAMERA_H
@@ -30,18 +30,17 @@ inline tilt_lens::Vec3 FromPov(const VECTOR v)
     return {v[X], v[Y], v[Z]};
 }
 
-/// Place in a scene file, for messages.
 struct TiltLensPlace
 {
     UCS2String file;
     POV_LONG line = 0, column = 0, offset = 0;
 };
 
-/// Which items the camera's statement has, for a block that follows the camera's identifier.
+/// Items of the statement, for a block behind the camera's identifier.
 struct CameraItems
 {
     bool angle = false, aperture = false;
-    bool focalPoint = false;  ///< `focal_point` or `look_at`: it is the statement's focalPoint
+    bool focalPoint = false;  ///< `focal_point` or `look_at`: the statement's focalPoint
 };
 
 /// A point in focus, found by a ray after parsing.
@@ -54,47 +53,44 @@ struct FocusTarget
         Picture
     } kind = NotUsed;
     std::string name;
-    shared_ptr<ObjectBase> object; ///< a copy
+    shared_ptr<ObjectBase> object;
     double x = 0.0, y = 0.0;       ///< in the picture: from the lower left corner, 0 to 1
     tilt_lens::Vec3 found;         ///< world
 
-    std::string Written() const;  ///< as in the scene
+    std::string Written() const;
 };
 
 struct TiltLensCamera
 {
-    bool given = false;  ///< the camera has a `tilt_lens` block; without it, only `items` and the statement's focalPoint
+    bool given = false;  ///< camera has a `tilt_lens` block; else only `items` and the statement's focalPoint
                          ///< and scale are used
     CameraItems items;
-    TiltLensPlace place; ///< of the block's first word
-    std::set<std::string> words;  ///< names of the block's items
+    TiltLensPlace place; ///< the block's first word
+    std::set<std::string> words;
     tilt_lens::Statement statement;
-    tilt_lens::FocusAids aids;  ///< drawn in place of the lens's picture
+    tilt_lens::FocusAids aids;
 
-    FocusTarget focusTarget;                ///< in place of the statement's focalPoint
-    std::vector<FocusTarget> pointTargets;  ///< in place of its points or sharpPoints; empty without such
+    FocusTarget focusTarget;                ///< replaces the statement's focalPoint
+    std::vector<FocusTarget> pointTargets;  ///< replace its points or sharpPoints; may be empty
 
-    /// `sharp_within`, from which the picture's width makes the statement's sharpWithin.
+    /// `sharp_within`; becomes the statement's sharpWithin by the picture's width.
     std::optional<double> sharpWithinPixels;
 
-    /// False if FindFocus() (focus_target.h) must still complete the statement.
+    /// False before FindFocus() (focus_target.h).
     bool IsComplete() const;
 
-    /// The point of the statement that pointTargets[i] stands for.
+    /// The statement's point for pointTargets[i].
     tilt_lens::Vec3& TargetPoint(std::size_t i);
 
     /// The item that sets the aperture by the blur of sharp_points, or NULL.
     const char* BlurLimitWord() const;
 
-    /// The solved lens. Set at the end of a camera statement, or before the render if the focus must be found; NULL before that and after a
-    /// transformation.
+    /// Set at the end of a camera statement, or before the render if the focus must be found; NULL before and after a transformation.
     shared_ptr<const tilt_lens::SolvedLens> lens;
 
-    /// Transforms plane, points and scale with the camera.
     void Transform(const TRANSFORM* trans);
 
-    /// Solves the camera's block.
-    /// @throws tilt_lens::OpticsError  which says where the camera was transformed
+    /// @throws tilt_lens::OpticsError  says where the camera was transformed
     static void Solve(Camera& camera);
 };
 

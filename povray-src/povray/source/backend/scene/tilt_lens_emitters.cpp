@@ -25,7 +25,6 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Radiance that the texture emits.
 double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
 {
     double brightest = 0.0;
@@ -45,9 +44,8 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
     return brightest;
 }
 
-/// Bounding sphere of an object, relative to the camera's location.
-/// @param light   the object's radiance
-/// @param around  greatest radiance of its surroundings
+/// Bounding sphere, relative to the camera's location.
+/// @param light, around  radiance of the object, greatest radiance around it
 tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double light, double around)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -60,8 +58,8 @@ tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double ligh
     return {low + half - location, Length(half), light, around};
 }
 
-/// Emitted radiance above which an object stands out from lit surfaces, which are seldom brighter than the sum of the light sources. At
-/// most white; white if radiosity or other objects light the scene.
+/// Radiance above which an object outshines lit surfaces, which are seldom brighter than the sum of the light sources. At most white;
+/// white if radiosity or other objects light the scene.
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;
@@ -72,7 +70,6 @@ double LeastRadiance(const SceneData& scene)
     return known ? std::min(lights, tilt_lens::settings.greatestLitRadiance) : tilt_lens::settings.greatestLitRadiance;
 }
 
-/// @param leastRadiance  1 is white
 void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, double leastRadiance,
              std::vector<tilt_lens::Emitter>& emitters)
 {

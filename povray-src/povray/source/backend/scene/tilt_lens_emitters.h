@@ -18,9 +18,9 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) is brighter than lit surfaces. Parts of unions count
-/// separately, other CSG as a whole. Relative to the camera's location. The brightness is that of the brightest layer of a plain texture;
-/// texture maps are ignored. An error of it does no harm: it only decides how many samples emitters get.
+/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) outshines lit surfaces, relative to the camera's
+/// location. Parts of unions count separately, other CSG as a whole; plain textures by their brightest layer, texture maps not. Errors of
+/// brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 } // namespace pov

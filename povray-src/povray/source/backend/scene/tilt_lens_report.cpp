@@ -32,7 +32,7 @@ std::string Line(const char* format, double a, double b = 0.0, double c = 0.0)
     return text;
 }
 
-/// A vector as text; components within rounding error of 0, relative to `scale`, become 0.
+/// Rounding errors, relative to `scale`, become 0.
 std::string Text(const Vec3& v, double scale)
 {
     const double least = 1e-12 * scale;
@@ -40,7 +40,7 @@ std::string Text(const Vec3& v, double scale)
     return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">";
 }
 
-/// A distance in scene units. Infinite up to rounding, relative to the usual distance `scale`, becomes "infinity".
+/// Distance in scene units; "infinity" up to rounding, relative to the usual distance `scale`.
 std::string Distance(double units, double scale)
 {
     return std::isfinite(units) && units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
@@ -56,18 +56,16 @@ double Tidy(double degrees)
     return std::fabs(degrees) < 1e-9 ? 0.0 : degrees;
 }
 
-/// "1 thread", "2 threads".
 std::string Count(double number, const char* what)
 {
     return Line("%.0f ", number) + what + (number == 1.0 ? "" : "s");
 }
 
-/// Size and shift of the frame on the film, and angle of view.
 std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const tilt_lens::Statement& given = camera.TiltLens.statement;
     const double height = given.filmWidth * Length(lens.up) / Length(lens.right);
-    // includes a shift from the camera's own `direction`
+    // includes the shift of the camera's own `direction`
     const double perUnit = given.filmWidth / Length(lens.right), scale = 1e-9 * given.filmWidth;
     const double right = Dot(lens.direction, lens.axisRight) * perUnit, up = Dot(lens.direction, lens.axisUp) * perUnit;
     const auto number = [=](double mm) { return std::fabs(mm) < scale ? 0.0 : mm; };
@@ -78,7 +76,7 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
-/// Brightness of the darkest corner relative to the centre, by natural vignetting alone.
+/// Brightness by natural vignetting alone, relative to the centre.
 double DarkestCorner(const TiltLensCamera& block)
 {
     tilt_lens::Character natural;
@@ -89,7 +87,6 @@ double DarkestCorner(const TiltLensCamera& block)
     return darkest;
 }
 
-/// The lens's aberrations, one line each.
 std::string CharacterOf(const TiltLensCamera& block)
 {
     const tilt_lens::SolvedLens& lens = *block.lens;
@@ -121,13 +118,13 @@ std::string CharacterOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Cardinal points of the glass, along its axis from the front principal point, which is the camera's location.
+/// Cardinal points along the axis, from the front principal point: the camera's location.
 std::string GlassOf(const tilt_lens::SolvedLens& lens, double filmWidth)
 {
     const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
     std::string text = Line("  Glass................open to f/%.4g, rear principal point at %.5g mm\n", points.fNumber, -points.separation);
     text += Line("    surfaces...........first at %.5g, last at %.5g mm\n", points.frontVertex, points.rearVertex);
-    // along the axis, from H' to the centre of the tilted film
+    // along the axis, from H' to the tilted film's centre
     const double film = lens.filmDistance / lens.millimetre * Dot(lens.axis, lens.normal), height = 0.5 * filmWidth;
     text += Line("    film...............%.5g mm behind the last\n", film + points.separation + points.rearVertex);
     text += Line("    entrance pupil.....at %.5g mm, diameter %.5g mm\n", points.entrancePupil,
@@ -162,7 +159,6 @@ std::string SqueezeOf(double squeeze)
     return squeeze > 1.0 ? Line(", squeezed to %.4g of its width", 1.0 / squeeze) : Line(", squeezed to %.4g of its height", squeeze);
 }
 
-/// How the focus was found, if the scene states it neither as a point nor as a plane.
 std::string FocusOf(const TiltLensCamera& block)
 {
     std::string text;
@@ -181,10 +177,9 @@ std::string FocusOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Blur in pixels up to which a point is called sharp: rounding.
+/// Rounding of a sharp point's blur, pixels.
 const double kSharp = 1e-6;
 
-/// The blur of the sharp points through an untilted lens.
 std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, double greatest, const std::function<std::string(double)>& blur)
 {
     const double stop = lens.focalLength / lens.diameter;
@@ -197,7 +192,6 @@ std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, doubl
     return text + Line("f/%.4g in place of f/%.4g for the same\n", stop * *without / greatest, stop);
 }
 
-/// The points that sharp_points names, the blur of each, and which of them set it.
 std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, double width)
 {
     const TiltLensCamera& block = camera.TiltLens;
@@ -228,7 +222,6 @@ std::string SharpPointsOf(const Camera& camera, const tilt_lens::Lens& lens, dou
     return lens.diameter > 0.0 ? text + WithoutTilt(camera, lens, greatest, blurText) : text;
 }
 
-/// Position of the focusing groups, and the film's movement in addition.
 std::string GroupsOf(const TiltLensCamera& block)
 {
     const tilt_lens::SolvedLens& lens = *block.lens;
@@ -248,7 +241,7 @@ std::string GroupsOf(const TiltLensCamera& block)
     return text;
 }
 
-/// The plane of sharp focus by a point to check it: its intersection with the axis, if in front, else its nearest point.
+/// A point of the plane: its intersection with the axis, if in front, else its nearest point.
 std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -262,7 +255,6 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
-/// Omitted or unusable work, one line each.
 std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics)
 {
     const tilt_lens::SamplingLimits& limits = view.camera.limits;

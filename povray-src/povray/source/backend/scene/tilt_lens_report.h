@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_report.h
-/// The report of a `tilt_lens` picture: the lens before the render, effort and noise after it.
+/// Report of a `tilt_lens` picture: the lens before the render, effort and noise after it.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_REPORT_H
 #define POVRAY_BACKEND_TILT_LENS_REPORT_H
@@ -16,20 +16,17 @@ class Camera;
 class TiltLensAids;
 class TiltLensView;
 
-/// Cost of a render, from POV-Ray's statistics.
 struct TiltLensCost
 {
     double seconds, cpuSeconds;  ///< longest thread; sum of all threads
     double threads;
-    double rays;         ///< all but shadow rays
-    double shadowTests;  ///< tests of an object against a shadow ray
+    double rays;         ///< without shadow rays
+    double shadowTests;  ///< pairs of object and shadow ray
 };
 
-/// The lens and the aids, if any, for a picture `width` pixels wide.
 /// @param camera  with a solved lens
 std::string DescribeTiltLens(const Camera& camera, double width, const TiltLensAids* aids);
 
-/// Samples and error, for the statistics after the render.
 std::string SummarizeTiltLens(const TiltLensView& view, const TiltLensCost& cost);
 
 } // namespace pov

@@ -26,7 +26,7 @@ namespace pov
 namespace
 {
 
-/// The aperture's shape, before edge light and squeeze.
+/// Aperture before edge light and squeeze.
 tilt_lens::Aperture DiaphragmOf(const Camera& camera, shared_ptr<SceneData> scene)
 {
     const tilt_lens::Statement& s = camera.TiltLens.statement;
@@ -62,7 +62,6 @@ shared_ptr<const tilt_lens::LensCamera> LensCameraOf(const Camera& camera, share
                                                          camera.TiltLens.statement.character, camera.Tnormal != NULL);
 }
 
-/// With a minimum of 0 if the scene states none.
 tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
 {
     tilt_lens::SamplingLimits limits;
@@ -103,7 +102,7 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
     camera.Direction[X] = lens.direction.x;
     camera.Direction[Y] = lens.direction.y;
     camera.Direction[Z] = lens.direction.z;
-    camera.Aperture = 0.0;  // disables POV-Ray's own focal blur
+    camera.Aperture = 0.0;
     if (IsPlainPinhole(lens, camera.TiltLens.statement.character))
         return shared_ptr<TiltLensView>();
     shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view));
@@ -127,18 +126,17 @@ tilt_lens::SamplingStatistics TiltLensView::Statistics() const
 
 void TiltLensView::AddProgress(POVMS_Object& message) const
 {
-    // no work is done in a mosaic preview or in radiosity's first pass; the addition makes a rounded sum of 1 read 100
+    // without work in mosaic previews and radiosity's first pass; the addition makes a rounded sum of 1 read 100
     const std::optional<double> share = progress.Share();
     if (share && *share > 0.0)
     {
         message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
-        // pixels of a continued render belong to the picture as well
+        // includes pixels of a continued render
         message.SetInt(kPOVAttrib_PixelsCompleted, message.GetInt(kPOVAttrib_PixelsCompleted) + POVMSInt(pixelsBefore));
     }
 }
 
-/// Prepares the threads' common data of a camera with `tilt_lens`, sends its report, and replaces anti-aliasing. Other cameras are only
-/// recorded, for TILT_LENS_PREVIEW.
+/// Other cameras are only recorded for TILT_LENS_PREVIEW.
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
@@ -166,7 +164,7 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column, place.offset, "%s",
                          error.what());
     }
-    catch (const std::invalid_argument& error)  // a bokeh picture without light
+    catch (const std::invalid_argument& error)  // bokeh without light
     {
         messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column, place.offset, "%s",
                          error.what());
@@ -182,12 +180,11 @@ void View::StartTiltLens(unsigned int& tracingmethod)
     PlanTiltLensWork();
 }
 
-/// Plans the progress display, with the tiles that a continued render already has.
 void View::PlanTiltLensWork()
 {
     const POVRect& area = viewData.renderArea;
     tilt_lens::ProgressEstimator& progress = viewData.tiltLens->progress;
-    // test pixels would change a radiosity cache, and with it the picture
+    // test pixels would change a radiosity cache and the picture
     const bool probing = !viewData.tiltLens->aids && !viewData.sceneData->radiositySettings.radiosityEnabled;
     progress.Plan({area.left, area.top, area.GetWidth(), area.GetHeight()}, probing);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_view.h
-/// Data that all render threads of a `tilt_lens` picture share: camera, sampling limits, blocks, statistics.
+/// Data shared by all render threads of a `tilt_lens` picture: camera, sampling limits, blocks, statistics.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_VIEW_H
 #define POVRAY_BACKEND_TILT_LENS_VIEW_H
@@ -28,7 +28,6 @@ namespace pov
 
 class ViewData;
 
-/// In pixels of the whole picture.
 inline tilt_lens::Area AreaOf(const POVRect& rect)
 {
     return {(unsigned int)rect.left, (unsigned int)rect.top, (unsigned int)rect.GetWidth(), (unsigned int)rect.GetHeight()};
@@ -37,45 +36,42 @@ inline tilt_lens::Area AreaOf(const POVRect& rect)
 class TiltLensView
 {
   public:
-    /// Added to POV-Ray's tracing methods 0 to 2, its kinds of anti-aliasing.
+    /// POV-Ray's tracing methods 0 to 2 are its kinds of anti-aliasing.
     static const unsigned int kTracingMethod = 3;
 
-    /// Prepares a camera for its render: shift and angle of view become part of its `direction`.
+    /// Makes shift and angle of view a part of the camera's `direction`.
     /// @param camera  with a solved lens (TiltLensCamera::lens)
     /// @return        NULL for an ideal pinhole, which POV-Ray's own camera renders
-    /// @throws std::invalid_argument  a bokeh picture without any light
+    /// @throws std::invalid_argument  a bokeh picture without light
     static shared_ptr<TiltLensView> Create(Camera& camera, ViewData& view);
 
-    /// Checks optical_vignetting, for the parser, which knows file and line.
-    /// @throws tilt_lens::OpticsError  the rim leaves at most 1 per cent of the light in the middle of the picture
+    /// For the parser, which knows file and line.
+    /// @throws tilt_lens::OpticsError  optical_vignetting leaves at most 1 per cent of the light in the picture's middle
     static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
 
     const tilt_lens::SampledCamera camera;
 
-    /// The blocks being sampled.
     const shared_ptr<tilt_lens::BlockCache> blocks;
 
-    /// The only objects that rays from the lens must be tested against for interiors.
     const std::vector<ObjectAroundLens> aroundLens;
 
-    /// All objects with an interior, for the report.
     const std::size_t objectsWithInterior;
 
     tilt_lens::ProgressEstimator progress;
 
-    /// Pixels that a continued render already has; set before the first tile.
+    /// Pixels of a continued render; set before the first tile.
     std::uint64_t pixelsBefore = 0;
 
-    /// Drawn in place of the lens's picture; else NULL.
+    /// Replace the lens's picture; may be NULL.
     shared_ptr<const TiltLensAids> aids;
 
-    /// @name Statistics of all tiles so far. Thread-safe.
+    /// @name Statistics of all tiles. Thread-safe.
     /// @{
     void Add(const tilt_lens::SamplingStatistics& tile);
     tilt_lens::SamplingStatistics Statistics() const;
     /// @}
 
-    /// Adds the finished share of the work, in per cent, to a progress message, if known.
+    /// Adds the finished share of the work, per cent, if known.
     void AddProgress(POVMS_Object& message) const;
 
   private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_seeds.h
-/// Seeds random generators by the current sample, so that a picture does not depend on the order of tracing. Most samples draw no number; a
-/// seed is computed at the first draw.
+/// Seeds random generators by sample, so that pictures do not depend on the order of tracing: at the first draw, since most samples draw
+/// nothing.
 
 #ifndef POVRAY_BACKEND_SAMPLE_SEEDS_H
 #define POVRAY_BACKEND_SAMPLE_SEEDS_H
@@ -18,10 +18,9 @@ class SampleSeedSource
   public:
     virtual ~SampleSeedSource() = default;
 
-    /// Of the current sample.
     virtual unsigned int Seed() const = 0;
 
-    /// Number of the current sample, from 1; 0 if none is being traced.
+    /// Counts samples from 1; 0 between samples.
     std::size_t Sample() const { return sample; }
 
   protected:
@@ -32,15 +31,15 @@ class SampleSeedSource
     std::size_t sample = 0, begun = 0;
 };
 
-/// Member of a generator: takes one seed per sample.
+/// Member of a generator: one seed per sample.
 class SampleSeeds
 {
   public:
-    /// @param itsSource  must outlive the generator's last draw
+    /// @param itsSource  must outlive the last draw
     void Follow(const SampleSeedSource& itsSource) { source = &itsSource; }
 
     /// Call before each draw.
-    /// @param state  of the generator; set to the seed at the sample's first draw
+    /// @param state  set to the seed at the sample's first draw
     template<class State>
     void Take(State& state)
     {
@@ -52,7 +51,7 @@ class SampleSeeds
 
   private:
     const SampleSeedSource* source = NULL;
-    std::size_t seeded = 0;  ///< sample of the last draw
+    std::size_t seeded = 0;
 };
 
 }  // namespace pov

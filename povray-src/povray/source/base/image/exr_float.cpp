@@ -29,10 +29,9 @@ namespace OpenEXR
 namespace
 {
 
-/// A place in a file: OpenEXR 2 has a type of its own for it, OpenEXR 3 uint64_t.
+/// Place in a file: OpenEXR 2 has its own type, OpenEXR 3 uint64_t.
 using Place = decltype(std::declval<Imf::OStream&>().tellp());
 
-/// Adapter from POV-Ray's file to OpenEXR's.
 class FloatStream : public Imf::OStream
 {
   public:
@@ -102,7 +101,7 @@ void WriteFloats(OStream& file, unsigned int width, unsigned int height, const s
     for (size_t i = 0; i < channels.size(); i++)
     {
         header.channels().insert(channels[i], Imf::Channel(Imf::FLOAT));
-        // stride 0: each row reuses the same buffer
+        // stride 0: each row reuses the buffer
         pixels.insert(channels[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row[i].data()), sizeof(float), 0));
     }
     for (const FloatAttributes::value_type& attribute : attributes)

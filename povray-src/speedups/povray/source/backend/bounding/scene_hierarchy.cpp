@@ -41,7 +41,7 @@ BoxItem ItemOf(const BBOX& box, const void* what)
     return item;
 }
 
-/// The object that a light source looks like; any other object itself.
+/// A light source's looks_like object; else the object.
 ObjectPtr Visible(ObjectPtr object)
 {
     if (!(object->Type & LIGHT_SOURCE_OBJECT))
@@ -67,8 +67,8 @@ struct TwoConditions
     bool After(const Ray& ray, ObjectPtr object, DBL depth) const { return after(ray, object, depth); }
 };
 
-/// Find_Intersection() for an object whose box the ray met, except that it skips intersections behind the best.
-/// @param precedes  true if an intersection at the same depth as the best replaces it
+/// Find_Intersection() for an object whose box the ray met, but skips intersections behind the best.
+/// @param precedes  true if an intersection at the best's depth replaces it
 /// @param hits      an empty stack; empty again afterwards
 template<class Conditions>
 TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best, const Conditions& conditions,
@@ -82,7 +82,7 @@ TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ra
         return false;
     const Intersection* nearest = NULL;
     DBL depth = best.Depth;
-    // intersections are contiguous; only the nearest is copied
+    // intersections are contiguous; copies only the nearest
     const Intersection* hit = &hits->top();
     for (size_t left = hits->size(); left > 0; left--, hit--)
     {
@@ -100,7 +100,7 @@ TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ra
     return nearest != NULL;
 }
 
-/// MInvTransPoint() and MInvTransDirection() with the same operations, the components side by side.
+/// MInvTransPoint() and MInvTransDirection() with the same operations, components side by side.
 TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR origin, VECTOR direction)
 {
     using tilt_lens::Double4;
@@ -115,8 +115,8 @@ TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR 
     }
 }
 
-/// Mesh::intersect_mesh_triangle() with the same operations, and so the same results, except that it rejects depths of `nearest` and beyond
-/// first, and reads only the two coordinates that count.
+/// Mesh::intersect_mesh_triangle() with the same operations and results, but first rejects depths of `nearest` and beyond, and reads only
+/// the two coordinates that count.
 /// @param[out] depth  ray parameter at the triangle's plane
 TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin, const VECTOR direction,
                                      DBL nearest, DBL& depth)

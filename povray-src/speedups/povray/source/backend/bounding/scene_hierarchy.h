@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file scene_hierarchy.h
-/// Bounding hierarchies of a scene with `tilt_lens`, in place of stock's: one of its objects, and one of the triangles of each mesh.
-/// They find the same nearest intersection. Of objects at exactly the same depth, they find the one that comes first in the scene, as
-/// POV-Ray does without bounding (-MB); stock's hierarchies find the first in their queue. Scenes without `tilt_lens` therefore keep
-/// stock's.
+/// Bounding hierarchies of a scene with `tilt_lens`, in place of stock's: one of its objects, and one of each mesh's triangles. They find
+/// the same nearest intersection. At equal depth they find the scene's first object, as POV-Ray does without bounding (-MB); stock's find
+/// the first in their queue, so scenes without `tilt_lens` keep them.
 
 #ifndef SCENE_HIERARCHY_H
 #define SCENE_HIERARCHY_H
@@ -24,11 +23,11 @@ namespace pov
 class SceneHierarchy
 {
   public:
-    /// Gives each mesh a hierarchy, in CSG, bounding and clipping objects as well.
+    /// Also in CSG, bounding and clipping objects.
     /// @param all  the scene's objects; must outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
 
-    /// Builds the hierarchy of the objects; must precede Intersect().
+    /// Must precede Intersect().
     void AddObjects(const std::vector<ObjectPtr>& all);
 
     unsigned int FiniteObjects() const { return objects.size() - infinite.size(); }
@@ -38,17 +37,16 @@ class SceneHierarchy
     /// @return      true if there is one
     bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const { return Intersect(ray, best, 0, -HUGE_VAL, thread); }
 
-    /// Only objects and intersections that fulfil the conditions.
     bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition, const RayObjectCondition& postcondition,
                    TraceThreadData* thread) const;
 
-    /// Only objects with none of the flags, and intersections beyond the given depth.
+    /// Only objects with none of the flags, and intersections beyond the depth.
     bool Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const;
 
   private:
     std::vector<std::unique_ptr<speedups::BoxHierarchy>> meshes;
-    std::vector<ObjectPtr> objects;          ///< in the scene's order
-    std::vector<const ObjectPtr*> infinite;  ///< those without a finite box
+    std::vector<ObjectPtr> objects;
+    std::vector<const ObjectPtr*> infinite;
     std::unique_ptr<speedups::BoxHierarchy> finite;
 
     void AddMeshes(const std::vector<ObjectPtr>& among);
@@ -62,11 +60,11 @@ class SceneHierarchy
     TILT_LENS_FOR_AVX2 bool IntersectByAvx2(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const;
 };
 
-/// Traversal of a mesh's own hierarchy, and the making of stock's tree for Mesh::intersect_bbox_tree().
+/// Traverses a mesh's hierarchy, and makes stock's tree for Mesh::intersect_bbox_tree().
 class MeshHierarchy
 {
   public:
-    /// True if the mesh has stock's bounding tree, mesh.Data->Tree. Makes the tree at the first call; thread-safe.
+    /// True if the mesh has stock's tree, mesh.Data->Tree; made at the first call. Thread-safe.
     static bool HasTree(const Mesh& mesh)
     {
         return __atomic_load_n(&mesh.Data->Tree, __ATOMIC_ACQUIRE) != NULL || (mesh.Data->Bounded && MakeTree(mesh));
@@ -74,7 +72,7 @@ class MeshHierarchy
 
     static std::unique_ptr<speedups::BoxHierarchy> Of(Mesh& mesh);
 
-    /// Replaces Mesh::All_Intersections() for a mesh with a hierarchy.
+    /// Mesh::All_Intersections() for a mesh with a hierarchy.
     static bool AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
 
   private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file macro_files.h
-/// Text files kept open for macros. A macro of another file is read from that file at each invocation, and to open it the parser must ask
-/// the frontend for its place.
+/// Text files kept open for macros. A macro is read from its file at each invocation; to open it the parser must ask the frontend for its
+/// place.
 
 #ifndef POVRAY_BACKEND_MACRO_FILES_H
 #define POVRAY_BACKEND_MACRO_FILES_H
@@ -21,18 +21,17 @@ namespace pov
 class MacroFiles
 {
   public:
-    /// Returns a file kept under this name, at any position, to the caller's ownership; null if there is none.
+    /// A file kept under this name, at any position, which the caller owns; null if there is none.
     pov_base::ITextStream* Take(const UCS2* name);
-    /// Takes ownership. Beyond `most` files, closes the one kept longest.
+    /// Takes ownership. Beyond `most` files, closes the oldest.
     void Keep(pov_base::ITextStream* file);
-    /// Closes all files, because the scene may have changed some.
     void Forget() { files.clear(); }
 
     /// Far below the usual limit of about a thousand open files.
     static constexpr std::size_t most = 32;
 
   private:
-    std::vector<std::unique_ptr<pov_base::ITextStream>> files;  ///< oldest first
+    std::vector<std::unique_ptr<pov_base::ITextStream>> files;
 };
 
 } // namespace pov

@@ -13,7 +13,7 @@
 namespace pov
 {
 
-/// A hierarchy takes the flags in place of the conditions, which saves two virtual calls per object.
+/// A hierarchy takes flags in place of conditions, which saves two virtual calls per object.
 bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flags, double depth, const RayObjectCondition& precondition,
                           const RayObjectCondition& postcondition)
 {

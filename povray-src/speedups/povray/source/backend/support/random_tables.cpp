@@ -19,7 +19,7 @@ struct Tables
     std::map<std::tuple<double, double, std::size_t>, const std::vector<double>> kept;
 };
 
-/// Never destroyed, because statics use it while they are constructed and perhaps while they are destroyed.
+/// Never destroyed: statics use it during construction and perhaps destruction.
 Tables& Kept()
 {
     static Tables& tables = *new Tables;
