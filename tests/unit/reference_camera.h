@@ -3,8 +3,7 @@
 
 /// @file reference_camera.h
 /// An independent camera in any number type: plane of sharp focus as normal and distance, thin lens equation,
-/// intersection of chief ray and plane, ray through it. It shares no formula with the library beyond the laws of
-/// optics.
+/// Chief ray meets plane, ray through that point. No formula is shared with the library.
 
 #ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
 #define TILT_LENS_TESTS_REFERENCE_CAMERA_H
@@ -16,8 +15,7 @@
 namespace tilt_lens
 {
 
-/// Newton's method from the double's root: 53 digits, 107, 215. Boost's root is digit by digit, which would dominate the time for ten
-/// million cameras.
+/// Newton from the double's root: 53, 107, 215 digits. Boost's root, digit by digit, is too slow for ten million cameras.
 template<typename Real>
 Real Root(const Real& a)
 {
@@ -98,7 +96,7 @@ class ReferenceCamera
 
     V Chief(double x, double y) const { return direction + V(camera.right) * Real(x) + V(camera.up) * Real(y); }
     V LensPoint(double a, double b) const { return Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b)); }
-    /// The plane of sharp focus is Focus().X = 1.
+    /// Focus().X = 1.
     V Focus() const { return n * (Real(1) / d); }
     Real Radius() const { return radius; }
     Real FilmDistance() const { return s; }
@@ -177,8 +175,7 @@ class ReferenceCamera
                     up * (Real(given.shiftUp) * perMillimetre);
     }
 
-    /// The smallest rotation that takes the axis to the lens normal (Rodrigues): the component along the shared line of both planes stays,
-    /// the rest turns.
+    /// The smallest rotation (Rodrigues) keeps the component along both planes' line.
     V Turned(const V& v) const
     {
         const V turn = axis.Cross(t);

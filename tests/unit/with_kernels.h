@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file with_kernels.h
-/// Runs a test's code with each variant of the kernels.
+/// Runs code with each variant of the kernels.
 
 #ifndef TILT_LENS_TESTS_WITH_KERNELS_H
 #define TILT_LENS_TESTS_WITH_KERNELS_H
@@ -12,13 +12,13 @@
 namespace tilt_lens
 {
 
-/// False where one variant is all there is.
+/// False for a single variant.
 inline bool HasSeveralVariants()
 {
     return kernels != &plain::kKernels;
 }
 
-/// Result of a function while the plain kernels replace those of this processor.
+/// With the plain kernels.
 template<class Function>
 auto WithPlainKernels(const Function& function)
 {
