@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The place of this repository, and command lines that start its Python programs from any folder."""
+"""The repository's place, and command lines of its Python programs."""
 
 import pathlib
 import sys
@@ -11,5 +11,5 @@ LAUNCHER = ROOT / "run_module.py"
 
 
 def module_command(module, *words):
-    """The command line that runs a module of this repository, such as "tests.stress.run", in any current folder."""
+    """In any current folder."""
     return [sys.executable, "-B", str(LAUNCHER), module, *map(str, words)]

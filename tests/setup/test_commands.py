@@ -454,7 +454,7 @@ class SetupStep(CommandTest):
         self.assert_fails_saying(process, "packages could not be installed", "is there a network?")
 
     def installed_of(self, packages, known=""):
-        """What the lines PACKAGES install if apt knows the names KNOWN."""
+        """Packages installed for the lines PACKAGES if apt knows the names KNOWN."""
         (self.copy / "cmake" / "debian-packages").write_text(packages, encoding="utf-8")
         self.tool("id", "echo 0")
         self.tool("apt-cache", f'case " {known} " in *" $2 "*) echo "  Candidate: 1" ;; *) echo "  Candidate: (none)" ;; esac')

@@ -146,7 +146,7 @@ void CompareNoisy(const Arguments& arguments)
     Conclude(report, test.passed, reason.str());
 }
 
-/// Of all channels of the decoded pixels.
+/// All channels of the decoded pixels, whatever the file around them.
 void CompareExact(const Arguments& arguments)
 {
     const Pair pair = LoadPair(arguments);

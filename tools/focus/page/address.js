@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The user's choices in the page's address, behind its #, so that a reload, Back and Forward, and a second tab have them: JSON in base64url.
-/// The browser does not send this part to the program.
+/// The user's choices behind the address's #, for reload, Back, Forward and further tabs: JSON in base64url, never sent.
 
 import { MOST, PLAIN } from "./model.js";
 
@@ -12,7 +11,7 @@ export const isSize = value => isNumber(value) && value > 0;
 const isVector = (value, count = 3) => Array.isArray(value) && value.length === count && value.every(isNumber);
 export const areVectors = (value, least, most) => Array.isArray(value) && value.length >= least && value.length <= most && value.every(v => isVector(v));
 
-/// Tests of a block's members beyond the kind of PLAIN's own.
+/// Beyond the kind of PLAIN's.
 const MEMBERS = {
     family: value => FAMILIES.includes(value), points: value => areVectors(value, 3, 3), sharpPoints: value => areVectors(value, 0, MOST),
     shift: value => isVector(value, 2), focalLength: value => value === null || isSize(value), fStop: isSize,
@@ -20,7 +19,6 @@ const MEMBERS = {
 };
 const isBlock = block => Object.entries(PLAIN).every(([name, plain]) => (MEMBERS[name] ?? (Array.isArray(plain) ? isVector : isNumber))(block?.[name]));
 
-/// True for a value of the form of Model.state.
 export function isState(state) {
     return isBlock(state?.block) && ["location", "direction", "right", "up", "sky"].every(name => isVector(state.camera?.[name])) &&
         areVectors(state.picks, 0, MOST) && ["one", "three", "more"].includes(state.mode) &&
@@ -28,7 +26,7 @@ export function isState(state) {
         (state.real === null || ["focalLength", "fStop", "tilt", "shift"].every(name => isNumber(state.real?.[name])));
 }
 
-/// A short mark of a text (FNV-1a of 32 bits).
+/// FNV-1a of 32 bits.
 export function markOf(text) {
     let mark = 0x811c9dc5;
     for (const byte of new TextEncoder().encode(text))
@@ -36,14 +34,13 @@ export function markOf(text) {
     return (mark >>> 0).toString(16);
 }
 
-/// @param kept  any JSON
 export function writeAddress(kept) {
     const bytes = new TextEncoder().encode(JSON.stringify(kept));
     const text = btoa(Array.from(bytes, byte => String.fromCharCode(byte)).join(""));
     history.replaceState(null, "", `#${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`);
 }
 
-/// Reads the value that writeAddress() stored; null without one.
+/// Null without a value.
 export function readAddress() {
     try {
         const text = atob(location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/"));

@@ -5,8 +5,8 @@
 
 import { EVERYWHERE } from "./shaders.js";
 
-/// A program that runs a fragment shader for each pixel. @param defines  names for its #ifdef
-/// @throws Error  it does not compile
+/// @param defines names for its #ifdef
+/// @throws Error it does not compile
 export function newProgram(gl, fragment, defines) {
     const variant = fragment.replace("\n", `\n${defines.map(name => `#define ${name}\n`).join("")}`);
     const program = gl.createProgram();
@@ -24,7 +24,6 @@ export function newProgram(gl, fragment, defines) {
     return { program, places: {} };
 }
 
-/// A texture without interpolation.
 export function newTexture(gl) {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -33,7 +32,7 @@ export function newTexture(gl) {
     return texture;
 }
 
-/// A render target: a texture of 32-bit floats with its framebuffer.
+/// 32-bit floats with a framebuffer.
 export function newTarget(gl) {
     const texture = newTexture(gl), framebuffer = gl.createFramebuffer(), target = { texture, framebuffer };
     setSize(gl, target, [1, 1]);
@@ -42,7 +41,7 @@ export function newTarget(gl) {
     return target;
 }
 
-/// Resizes a target; a change discards its contents.
+/// A change discards its contents.
 export function setSize(gl, target, size) {
     if (target.size && target.size[0] === size[0] && target.size[1] === size[1])
         return;
