@@ -17,7 +17,7 @@ MODEL = "package/models/dragon_vrip_res{}.ply.gz"
 
 
 def read_ply(text):
-    """Vertices and triangles of an ASCII PLY file without other elements."""
+    """ASCII, without other elements."""
     lines = iter(text.splitlines())
     counts = {}
     for line in lines:
@@ -36,14 +36,14 @@ def read_ply(text):
 
 
 def write_mesh(out, vertices, faces):
-    """In the place of our own dragon: about 3 units long, on y = 0, head toward -x."""
+    """About 3 units long, on y = 0, head toward -x."""
     low = [min(v[i] for v in vertices) for i in range(3)]
     high = [max(v[i] for v in vertices) for i in range(3)]
     size = 2.9 / (high[0] - low[0])
     out.write("// The Stanford dragon; Stanford Computer Graphics Laboratory.\n" "#declare Stanford_Dragon = mesh2\n{\n")
     out.write(f"vertex_vectors {{ {len(vertices)}\n")
     for x, y, z in vertices:
-        # right-handed to left-handed: z changes its sign
+        # right-handed to left-handed
         out.write(
             f",<{size * (x - (low[0] + high[0]) / 2):.5f},{size * (y - low[1]):.5f}," f"{-size * (z - (low[2] + high[2]) / 2):.5f}>\n"
         )
