@@ -69,7 +69,6 @@ class Killed(BatchTest):
         return said
 
     def test_oiiotool_ends_with_who_runs_it(self):
-        """The last steps of a batch run oiiotool."""
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "oiiotool").write_text("#!/bin/sh\nexec sleep 1000\n")

@@ -113,7 +113,6 @@ class Options(unittest.TestCase):
 
 
 def message(contents):
-    """As in POV-Ray's state file."""
     return b"POVRAYMS\0\0\3p" + struct.pack(">i", len(contents)) + b"RAWS" + contents
 
 
@@ -193,7 +192,6 @@ class Lists(unittest.TestCase):
                 task.check_inputs(description, folder, before, begun)
 
     def test_a_file_with_a_date_in_the_future(self):
-        """As from archives and file systems with another clock."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             path = folder / "own.inc"

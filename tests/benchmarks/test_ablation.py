@@ -10,7 +10,6 @@ from tools.repository import ROOT
 
 
 def curve(constant, samples=(8, 16, 64)):
-    """Independent samples."""
     return [{"mse": constant / n, "samples": n, "variance": 1e-3, "beyond": 0.0} for n in samples]
 
 

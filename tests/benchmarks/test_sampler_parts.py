@@ -18,7 +18,6 @@ HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "textures")  # scenes whose refere
 
 
 def errors_of(noisy, sharp, counts=(2, 4, 8)):
-    """Squared errors fall with the samples."""
     return {n: [[noisy / n, sharp / n]] * 4 for n in counts}
 
 

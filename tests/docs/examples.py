@@ -42,7 +42,6 @@ def scene_of(example):
 
 
 def run(povray, folder, scene, options=(), library=()):
-    """Runs the program as ./render does."""
     command = povray_run.command(povray, scene, "picture.png", SIZE, *options, library=[povray_run.INCLUDE, *library])
     done = povray_run.run(command, folder, povray_run.user_environment())
     return done.code, done.said

@@ -40,7 +40,6 @@ class Lens:
             setattr(self, name, numbers(match) if match else None)
 
     def off_plane(self, point):
-        """Relative to the distances involved."""
         along = sum(n * (p - q) for n, p, q in zip(self.normal, point, self.point))
         return abs(along) / (1 + max(abs(v) for v in [*point, *self.point]))
 
@@ -222,7 +221,6 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
     def test_near_far(self):
-        """The lens has no swing."""
         for near, far in (((-1, 0.2, 0), (4, 3, 20)), ((0.5, 1, 1), (0.5, 0, 9)), ((2, 2, 5), (-3, 0, 12))):
             places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (near, far)]
             lens = report(

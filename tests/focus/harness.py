@@ -128,7 +128,7 @@ class FocusTest(WaitingTest):
         return (self.folder / "errors").read_text(errors="replace")
 
     def end(self, number=signal.SIGINT):
-        """As Ctrl-C does."""
+        """Sends the signal of Ctrl-C."""
         if self.process.poll() is None:
             os.killpg(self.process.pid, number)
         try:
@@ -259,7 +259,7 @@ class PageTest(FocusTest):
         return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
     def console(self):
-        """Except those about software rendering."""
+        """Messages except those about software rendering."""
         log = self.browser.get_log("browser")
         return [entry["message"] for entry in log if "GPU stall due to ReadPixels" not in entry["message"]]
 

@@ -55,7 +55,7 @@ requestAnimationFrame(step);
 
 
 class Measure(PageTest):
-    """Not a test: makes the page's figures."""
+    """Makes the page's figures; not a test."""
 
     def start_times(self, scene, *words):
         """Seconds to the page, to the first picture through the lens, to the whole preview."""

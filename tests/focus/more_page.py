@@ -5,7 +5,6 @@ import re
 from tests.focus.harness import SETTINGS, PageTest
 from tools import povray_run
 
-# on the three towers, the floor and the wall
 PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3), (0.3, -0.4), (0.4, 0.3))
 WITHIN = 1.5  # pixels
 ROW = r"(?P<blur>[\d.]+) px (?P<side>before|behind)(?P<binds>, binds)?|sharp"

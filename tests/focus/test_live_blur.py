@@ -23,7 +23,6 @@ sphere { <1.4, 0, 4>, 0.1 pigment { rgb 1 } finish { emission 40 } }
 sphere { <0, -1.2, 0>, 0.1 pigment { rgb 1 } finish { emission 1 } }
 """
 )
-# a red post before a wall of another colour
 POST = (
     VIEW
     + """\

@@ -73,7 +73,6 @@ class Newcomer(MorePage):
         self.assertEqual(self.console(), [])
 
     def test_the_copied_text_makes_the_same_lens(self):
-        """Pasted into the camera."""
         self.open(self.scene(EXPORTER), *(f"+{name}{side}" for name, side in zip("WH", SIZE)))
         self.click_all(PLACES)
         self.click("#holding label")

@@ -31,13 +31,13 @@ return { ...found, meet: meet && [Number(meet.getAttribute("cx")), Number(meet.g
 
 
 def off_line(line, point):
-    """From the infinite line."""
+    """The line is infinite."""
     x1, y1, x2, y2 = line
     return abs((x2 - x1) * (point[1] - y1) - (y2 - y1) * (point[0] - x1)) / math.hypot(x2 - x1, y2 - y1)
 
 
 def angle(line):
-    """Degrees from 0 to 180."""
+    """Direction in degrees from 0 to 180."""
     x1, y1, x2, y2 = line
     return math.degrees(math.atan2(y1 - y2, x2 - x1)) % 180
 
@@ -102,11 +102,9 @@ class Overlays(PageTest):
                 self.assertLess((self.other(live[name], copy, size)[same] > 2).mean(), 0.005)
 
     def other(self, live, scene, size):
-        """Greatest difference in each pixel, without the scale of colours."""
         return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
 
     def live(self, show):
-        """Without blur; the upper rows."""
         import numpy
 
         values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)

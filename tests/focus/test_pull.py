@@ -29,7 +29,6 @@ class Pull(PageTest):
         self.run(script, value)
 
     def mark_two(self):
-        """One tower at 0.2; three points and another f-stop at 0.8."""
         self.move_clock(0.2)
         self.set_number("fStop", 0.7)
         self.click_at(*NEAR)

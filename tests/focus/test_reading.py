@@ -83,7 +83,7 @@ class Reading(PageTest):
         self.assertEqual(self.console(), [])
 
     def nothing(self):
-        """Where the picture has no surface."""
+        """The numbers where the picture has no surface."""
         return self.browser.execute_async_script(
             """
             const done = arguments[0];

@@ -17,7 +17,6 @@ PINHOLE = LENS.replace("f_stop 0.7 ", "")
 
 class Record(FocusTest):
     def render(self, items, preview=True):
-        """Returns the picture's hash and the record."""
         scene = self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {items}\n"))
         record, picture = self.folder / "record.json", self.folder / "picture.png"
         record.unlink(missing_ok=True)

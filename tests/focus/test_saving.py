@@ -20,7 +20,6 @@ from tools.focus.scene_text import EditError, with_block
 
 class WhileItIsChecked(ClientTest):
     def write(self, scene, gate, then):
-        """Acts while the program parses the changed scene."""
         address = self.start(scene, *WORDS)
 
         async def ask():

@@ -26,7 +26,7 @@ class Stale(PageTest):
             self.press("#back")
             self.assertFalse(self.is_other(), f"{knob} as before")
         self.set_number("fStop", 16)
-        # a page that connects later starts with the scene's own lens
+        # a later page starts with the scene's own lens
         self.browser.get(address)
         self.until("the preview", self.drawn)
         self.until("the picture", lambda: "Done" in self.text("true-said"))

@@ -63,7 +63,6 @@ class Tutorial(PageTest):
         self.assertEqual(self.console(), [])
 
     def put_in_by_hand(self, scene):
-        """The copied block in the page's own camera, behind the scene."""
         camera = self.run("return focusPage.describe('plane').expect.camera")
         vectors = "".join(f"  {name} <{', '.join(map(repr, value))}>\n" for name, value in camera.items())
         version = re.search(r"#version [^;]+;", scene.read_text()).group()

@@ -21,7 +21,6 @@ CAMERA = "camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 apert
 
 
 def _animate(povray, folder, first, last):
-    """Returns the messages of the first failure."""
     # one frame more: a single one would be no animation
     command = povray_run.command(
         povray, "scene.pov", "frame.exr", (8, 6), "+FE", "+WT1", "+KFI1", f"+KFF{last + 1}", f"+SF{first}", f"+EF{last}", "-C"
@@ -69,7 +68,7 @@ def _render_batch(povray, texts):
 
 
 def render(povray, texts):
-    """As blocks.tally()."""
+    """Returns failed blocks as blocks.tally() does."""
     wrong = []
     for start in range(0, len(texts), BATCH):
         wrong += _render_batch(povray, texts[start : start + BATCH])

@@ -132,7 +132,7 @@ ParseOutcome Parse(const std::string& scene)
         std::abort();
     {
         shared_ptr<pov::SceneData> data(new pov::SceneData);
-        // from the command line, by upstream's Scene
+        // upstream's Scene sets it from the command line
         data->inputFile = pov_base::ASCIItoUCS2String("scene.pov");
         data->realTimeRaytracing = data->clocklessAnimation = data->outputAlpha = false;
         data->boundingMethod = 1;

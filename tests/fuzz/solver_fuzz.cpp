@@ -20,7 +20,7 @@ namespace
 
 using namespace tilt_lens;
 
-/// Zeros after the end of the bytes.
+/// Bytes after the end are zero.
 class Bytes
 {
   public:

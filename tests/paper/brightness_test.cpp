@@ -14,7 +14,7 @@ namespace
 using paper::Point;
 using witness::Picture;
 
-/// Linear values.
+/// The pixels' values are linear.
 template<typename Value>
 Picture Make(int width, int height, Value value)
 {

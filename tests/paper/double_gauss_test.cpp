@@ -29,7 +29,7 @@ TEST(GlassLens, SendsTheFocalPointToInfinity)
     for (const double height : {0.01, 0.5, 1.0})
     {
         const paper::Ray ray = Out(lens, focus, height, 0.0);
-        // spherical aberration: the cube of the height
+        // spherical aberration grows with the cube of the height
         EXPECT_NEAR(ray.direction.x / ray.direction.z, 0.0, 1e-7 + 2e-5 * std::pow(height, 3));
     }
 }

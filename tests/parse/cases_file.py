@@ -53,7 +53,6 @@ class Case:
 
 
 def place_of_mark(name, files):
-    """None without a mark."""
     places = [(file, number) for file, text in files.items() for number, line in enumerate(text.split("\n"), 1) if MARK in line]
     if len(places) > 1:
         raise BadCase(f"{name}: more than one mark {MARK}")

@@ -61,12 +61,11 @@ def header_fields(text):
 
 
 def new_files(text):
-    """{name: lines}."""
     return [(name, int(lines)) for name, lines in re.findall(r"^\+\+\+ b/(\S+)\n@@ -0,0 \+1,(\d+) @@$", text, re.MULTILINE)]
 
 
 def changed_lines(text, sign):
-    """Without the sign."""
+    """Returns lines without their sign."""
     in_hunk = False
     for line in text.splitlines():
         if line.startswith("@@"):

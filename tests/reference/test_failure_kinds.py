@@ -55,7 +55,6 @@ class FailureKinds(unittest.TestCase):
         manifest.save({NAME: record} if record else {}, self.references)
 
     def check(self, script, *more):
-        """Returns exit code and messages."""
         stand_in = self.folder / "stand_in"
         stand_in.write_text("#!/bin/sh\n" + script + "\n")
         stand_in.chmod(0o755)

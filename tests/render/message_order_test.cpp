@@ -14,7 +14,7 @@
 namespace
 {
 
-/// The clock stands still.
+/// The session's clock stands still.
 class StandingClock : public vfePlatform::vfeUnixSession
 {
   public:

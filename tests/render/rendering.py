@@ -23,8 +23,6 @@ HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 
 @dataclasses.dataclass
 class Picture:
-    """Linear, row by row from the top."""
-
     width: int
     height: int
     names: list  # of the channels
@@ -58,7 +56,6 @@ def read_pixels(path):
 
 
 def read_picture(path, told):
-    """All channels have one type."""
     width, height, form, names, data = read_pixels(path)
     code, scale = {"uint8": ("B", 255.0), "uint16": ("H", 65535.0), "half": ("e", 1.0), "float": ("f", 1.0)}[form]
     if code == "e":
@@ -159,7 +156,6 @@ class RenderTest(unittest.TestCase):
     longMessage = False
 
     def assert_same(self, a, b, what=""):
-        """And not empty."""
         rms, largest = difference(a, b)
         if largest != 0.0:
             off = [i // len(a.names) for i, (u, v) in enumerate(zip(a.values, b.values)) if u != v]

@@ -25,7 +25,6 @@ def memory(*options):
 
 class BandMemory(unittest.TestCase):
     def test_layers_of_a_band(self):
-        """The file writer's buffers hold some rows."""
         added = memory("+N") - memory()
         self.assertLess(added, WHOLE / 8, f"{added / 1e6:.0f} MB more with +N")
 

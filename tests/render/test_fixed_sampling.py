@@ -90,7 +90,7 @@ class Reference:
         return [min(1.0, values[i]) for i in self.kept]
 
     def error(self, values):
-        """Without the reference's own."""
+        """The reference's own error is subtracted."""
         return statistics.fmean((a - b) ** 2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
 
     def excess(self, values, others):
@@ -155,7 +155,7 @@ class FixedSampling(rendering.RenderTest):
         )
 
     def test_the_comparison_finds_an_eighth_of_the_rays(self):
-        """The comparison can fail."""
+        """Shows that the comparison can fail."""
         found = Excess(Reference(1, 16), evenly(1, 2), evenly(1, 16), SETTINGS.scenes)
         self.assertTrue(found.is_found, found.told())
 

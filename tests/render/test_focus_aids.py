@@ -82,7 +82,7 @@ class Peaking(rendering.RenderTest):
         self.assertTrue(300 < tinted < 9000, f"{tinted} pixels are tinted\n{sharp.told}")
 
     def test_an_area_light_lights_with_all_its_points(self):
-        """Also with one ray per pixel."""
+        """The rule holds also with one ray per pixel."""
         tinted = self.count_tinted(picture(PEAKING, world=AREA_LIT), pinhole(world=AREA_LIT))
         self.assertGreater(tinted, 300)
 

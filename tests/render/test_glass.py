@@ -40,7 +40,6 @@ def said(scene):
 
 class EvenLight(rendering.RenderTest):
     def test_uniform_without_vignetting(self):
-        """Stopped down, no rim vignettes."""
         for items in ("f_stop 11", "f_stop 8 tilt 1", "f_stop 16 blades 5, 20 blade_curvature 0.5", "f_stop 16 squeeze 2 tilt 2 swing 1"):
             picture = render(camera(GAUSS + items) + EVEN)
             self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
@@ -59,7 +58,7 @@ class EvenLight(rendering.RenderTest):
                 self.assertLess(level(x + 1, y) - level(x, y), 0.06)
 
     def test_natural_vignetting_of_a_thin_lens(self):
-        """The fourth power of the cosine."""
+        """Brightness falls with the fourth power of the cosine."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "thin.dat").write_text("100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 2\n")
             scene = camera('prescription "thin.dat" natural_vignetting 1 film_width 60', unit=1000)
@@ -72,7 +71,7 @@ class EvenLight(rendering.RenderTest):
 
 class Focus(rendering.RenderTest):
     def test_as_the_ideal_lens_of_its_numbers(self):
-        """For pupils near the principal points."""
+        """The pupils lie near the principal points."""
         turned = "tilt 3 swing -2 shift <2, 1> f_stop 4 "
         samples = "blur_samples 64, 256 variance 1e-5 "
         world = WORLD + "plane { y, -0.7 pigment { checker rgb <1, 0.5, 0.2> rgb 0.1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
@@ -149,7 +148,7 @@ class Dispersion(rendering.RenderTest):
     SINGLET = "100 4 1.5168 30 64.17\n-100 30 1 30\n0 0 0 4\n"
 
     def test_uniform_surface_stays_uniform(self):
-        """Even where the rims vignette."""
+        """Light stays uniform even where the rims vignette."""
         picture = render(camera(self.PLANAR + "f_stop 11") + EVEN)
         self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
         wide = render(camera(self.PLANAR) + EVEN)

@@ -82,7 +82,6 @@ class Report(rendering.RenderTest):
         self.assertNotRegex(said, re.compile("tilt[ _]lens", re.IGNORECASE))
 
     def test_samples_and_error(self):
-        """Both within their limits."""
         said = rendering.render_and_listen(scenes.camera(samples="blur_samples 16, 4096 variance 1/2000 ") + scenes.WORLD)[1]
         samples = re.search(r"Samples per pixel\.+mean ([\d.]+), 99% (\d+), most (\d+)", said)
         error = re.search(r"Standard error\.+([\d.e-]+) of white", said)

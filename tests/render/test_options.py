@@ -13,7 +13,6 @@ STOCK = "camera { location -4*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } fini
 
 
 def run(scene, *options):
-    """A folder for each run."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         code, said = rendering.Job(scene, options).attempt(pathlib.Path(name))
         return code, said, sorted(path.name for path in pathlib.Path(name).iterdir())

@@ -31,7 +31,7 @@ class OtherState(rendering.RenderTest):
         self.picture = self.folder / "picture.png"
 
     def begin(self, scene, *options, **size):
-        """As an interrupted render leaves it."""
+        """Makes a state file, as an interrupted render leaves it."""
         # a folder of the picture's name keeps the state file
         self.picture.mkdir()
         (self.picture / "used").touch()
@@ -53,7 +53,7 @@ class OtherState(rendering.RenderTest):
         self.assertFalse(self.picture.exists(), said)
 
     def continued(self, scene, *options, **size):
-        """The pixels of an uninterrupted render."""
+        """The pixels equal those of an uninterrupted render."""
         code, said = run(self.folder, scene, "+C", *options, **size)
         self.assertEqual(code, 0, said)
         found = rendering.read_picture(self.picture, "continued\n")

@@ -70,7 +70,6 @@ WAYS_TO_WRITE = (
 
 
 def prefix():
-    """With include files and settings."""
     return pathlib.Path(os.path.realpath(rendering.SETTINGS.povray)).parents[1]
 
 
@@ -176,7 +175,7 @@ class Permissions(rendering.RenderTest):
                 self.assertEqual(code, 0, said)
 
     def test_a_folder_that_does_not_exist(self):
-        """No matter of permissions."""
+        """The message does not speak of permissions."""
         code, said = self.attempt('#fopen F "nowhere/../../outside/new.txt" write')
         self.assertEqual(code, 1, said)
         self.assertIn("Parse Error: Cannot open 'nowhere/../../outside/new.txt", said)
@@ -200,7 +199,6 @@ class Permissions(rendering.RenderTest):
                 self.assertEqual("Not permitted" in said, not permitted, said)
 
     def test_folder_of_the_picture(self):
-        """Only the command line permits it."""
         for options, permitted in (
             (("+O../outside/",), True),
             (("+O../outside/picture.png",), True),

@@ -58,7 +58,6 @@ class SubImages(rendering.RenderTest):
         cls.whole = rendering.render(scenes.TILTED, "+WT2", **SIZE)
 
     def check(self, left, top, right, bottom, *options):
-        """From 1, as in POV-Ray."""
         part = rendering.render(scenes.TILTED, f"+SC{left}", f"+EC{right}", f"+SR{top}", f"+ER{bottom}", *options, **SIZE)
         # the file has the whole size, black outside the part
         place = (left - 1, top - 1, right, bottom)

@@ -62,7 +62,7 @@ def best_plane(points):
 
 
 def in_pixels(defocus_value, diameter):
-    """Lens diameter in units."""
+    """The lens diameter is in scene units."""
     return defocus_value * diameter * FILM_DISTANCE * WIDTH / FILM
 
 

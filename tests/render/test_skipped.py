@@ -16,7 +16,6 @@ GLASS = "sphere { SPHERE pigment { rgbt 1 } interior { ior 1.3 } }\n"
 
 
 def numbers(line, said):
-    """None without the line."""
     found = re.search(rf"^  {line}\.+(.*)$", said, re.M)
     return [int(number) for number in re.findall(r"\d+", found.group(1))] if found else None
 

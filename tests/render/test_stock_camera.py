@@ -60,8 +60,6 @@ class WithAperture(rendering.RenderTest):
 
 
 class BlurSize(rendering.RenderTest):
-    """A small light out of focus."""
-
     SCENE = "sphere { <0, 0, 8>, 0.1 pigment { rgb 1 } finish { ambient 20 diffuse 0 } }\n"
     CAMERA = "location -4*z right 4/3*x up y direction 1.5*z focal_point 0 aperture 2 blur_samples 1500 variance 0 "
 
@@ -92,7 +90,7 @@ class BlurSize(rendering.RenderTest):
         self.assertLess(abs(light / stock_light - 1), 0.15, told)
 
     def test_blur_scales_with_aperture(self):
-        """The test fails for another aperture."""
+        """Shows that the test fails for another aperture."""
         half = self.CAMERA.replace("aperture 2", "aperture 1")
         self.assertLess(
             self.spread(f"camera {{ {half}tilt_lens {{}} }}\n{self.SCENE}")[0],

@@ -68,8 +68,6 @@ CASES = {  # where the camera is and looks; samples; lens; world
 
 
 class Measure(rendering.RenderTest):
-    """The measure finds such textures."""
-
     def figures(self, filtered):
         random = numpy.random.default_rng(1)
         power = error_direction.spectrum(filtered(random.normal(size=(192, 192)))[..., None])

@@ -32,7 +32,6 @@ class SetupTest(unittest.TestCase):
         self.folder = pathlib.Path(scratch.name)
 
     def run_command(self, *command, cwd=None, env=None):
-        """ENV is added to the environment."""
         return subprocess.run(
             [str(word) for word in command],
             cwd=cwd or self.folder,

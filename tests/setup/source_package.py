@@ -86,13 +86,11 @@ class SourcePackageTest(SetupTest):
         )
 
     def write_series(self, text):
-        """One patch inserts TEXT before TARGET."""
         first = ORIG[f"povray-1/{TARGET}"]
         (self.series / "add-line.patch").write_text(f"--- a/{TARGET}\n+++ b/{TARGET}\n@@ -1 +1,2 @@\n+{text}\n {first}", encoding="utf-8")
         (self.series / "series").write_text("# a comment\nadd-line.patch\n", encoding="utf-8")
 
     def prepare(self, tarball="", env=None):
-        """As the configure step does."""
         script = self.folder / "prepare.cmake"
         script.write_text(
             f'include("{REPOSITORY}/cmake/PatchedSource.cmake")\n'

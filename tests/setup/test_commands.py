@@ -46,7 +46,6 @@ class CommandTest(SetupTest):
         (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
 
     def built(self, target):
-        """TARGET has nothing to do."""
         build = self.copy / "build"
         build.mkdir()
         (build / "CMakeCache.txt").write_text(
@@ -346,7 +345,7 @@ class SetupsAtOnce(BuiltProgram):
         self.assertEqual((self.build / "builds").read_text(encoding="utf-8"), "built\n")
 
     def with_cmake_file(self, time):
-        """A configuration of the time 1000."""
+        """The configuration has the time 1000."""
         (self.build / "build.ninja").write_text(
             "rule configure\n  command = echo configured >> builds && touch build.ninja\n  generator = 1\n"
             "build build.ninja: configure listfile\nbuild povray: phony\n",
@@ -507,7 +506,7 @@ class SetupStep(CommandTest):
 
 
 class OtherSystems(CommandTest):
-    """Without apt and dpkg."""
+    """Systems without apt and dpkg."""
 
     EVERYWHERE = (
         "awk",

@@ -34,7 +34,7 @@ class Format(SetupTest):
             self.skipTest(f"black {found} is installed, not {wanted}")
 
     def black(self, *words):
-        """Without cached results."""
+        """Black's cache is empty."""
         return self.run_command("black", "--config", SETTINGS, *words, env={"BLACK_CACHE_DIR": str(self.folder)})
 
     def test_files(self):

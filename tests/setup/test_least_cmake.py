@@ -29,7 +29,7 @@ def minimum(name):
 
 
 def sections(help_option):
-    """CMake's manual by command or variable."""
+    """Texts of CMake's manual by command or variable."""
     text = subprocess.run([CMAKE, help_option], capture_output=True, text=True, check=True).stdout
     parts = re.split(r"^(\w+)\n-{2,}$", text, flags=re.MULTILINE)
     return dict(zip(parts[1::2], parts[2::2]))

@@ -19,8 +19,6 @@ DAY = 24 * 60 * 60
 
 @dataclasses.dataclass
 class System:
-    """/etc/os-release, apt settings, the package's place."""
-
     release: str
     settings: str  # MIRROR, DEAD and KEY stand for addresses and for the words about the key
     suite: str
@@ -156,7 +154,6 @@ class Mirrors(SourcePackageTest):
         return "file:" + urllib.parse.quote(str(root))
 
     def environment(self, system, mirror, key):
-        """apt has SYSTEM's settings alone."""
         if system.deb822:
             key = {
                 "": "",

@@ -17,8 +17,6 @@ def modules():
 
 
 class Modules(SetupTest):
-    """A folder with modules named as ours and Python's."""
-
     def setUp(self):
         super().setUp()
         for name in (*PACKAGES, "json", "store"):

@@ -15,12 +15,11 @@ TESTS = REPOSITORY / "tests"
 
 
 def misnamed(paths, pattern, has_tests):
-    """Name and contents differ."""
+    """Files whose name contradicts their contents."""
     return [str(path) for path in sorted(paths) if bool(re.search(pattern, path.name)) != bool(has_tests.search(path.read_text()))]
 
 
 def left_out_classes(path, calls):
-    """Classes with tests that CALLS leave out."""
     classes = [
         node.name
         for node in ast.parse(path.read_text()).body
@@ -51,7 +50,6 @@ class Names(SetupTest):
         self.assertEqual(found, [str(self.folder / "good.py"), str(self.folder / "test_x.py")])
 
     def called(self):
-        """Arguments of each call, by module."""
         told = self.run_command("ctest", "--show-only=json-v1", cwd=BUILD)
         self.assert_succeeds(told)
         calls = {}

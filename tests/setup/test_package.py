@@ -14,7 +14,6 @@ from tests.setup.scratch import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
 
 CPACK = pathlib.Path(CMAKE).with_name("cpack")
 MAINTAINER = {"DEBFULLNAME": "A tester", "DEBEMAIL": "tester@example.org"}
-# the package's folders, and single files in shared ones
 OWN = re.compile(
     r"""/(etc|usr/(lib|share|share/doc))/povray-tilt-lens/.*
     | /usr/bin/povray-tilt-lens
@@ -108,7 +107,7 @@ class Package(SetupTest):
         self.assert_is_the_source(archive)
 
     def assert_is_the_source(self, archive):
-        """Files under version control only."""
+        """Files under version control, and no others."""
         with tarfile.open(archive) as opened:
             held = {name.partition("/")[2] for name in (entry.name for entry in opened if not entry.isdir())}
         self.assertIn("CMakeLists.txt", held)
@@ -120,7 +119,7 @@ class Package(SetupTest):
             self.assertEqual({name for name in wanted if name and (REPOSITORY / name).exists()} - held, set())
 
     def test_source_can_be_configured(self):
-        """With this build's files of upstream."""
+        """The archive suffices, with this build's files of upstream."""
         archive = next((self.root / "usr/share/doc/povray-tilt-lens").glob("*.tar.xz"))
         self.assert_succeeds(self.run_command("tar", "--extract", "--file", archive, "--directory", self.folder))
         cache = dict(re.findall(r"^(\w+):[A-Z]+=(.*)$", (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"), re.MULTILINE))

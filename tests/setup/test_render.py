@@ -183,7 +183,7 @@ class FileNames(RenderTest):
 
 class Signals(RenderTest):
     def stopped(self, send):
-        """Receives a signal while it traces."""
+        """The program receives the signal while it traces."""
         (self.place / "s.pov").write_text(SLOW, encoding="utf-8")
         state = self.place / "s.pov-state"
         state.unlink(missing_ok=True)

@@ -144,8 +144,6 @@ class EveryObject(rendering.RenderTest):
                 )
 
     def test_along_axes(self):
-        """On faces, edges and corners."""
-
         def axes(block, direction, up):
             return (
                 f"camera {{ location -4*{direction} direction {direction} right 4*vcross({up}, {direction}) up 3*{up} "
@@ -189,7 +187,7 @@ class EveryObject(rendering.RenderTest):
         self.assert_as_without_boxes(LIGHTS + FLOOR + world, "degenerate")
 
     def test_equal_depth(self):
-        """The first named object is visible."""
+        """The object named first is visible."""
         for count in (3, 40):
             boxes = [
                 f"box {{ -1, 1 pigment {{ rgb <{i % 3/2}, {i/count:.3f}, {1 - i/count:.3f}> }} finish {{ ambient 1 diffuse 0 }} }}\n"

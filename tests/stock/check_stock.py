@@ -30,7 +30,7 @@ def arguments():
 
 
 def render(program, args, folder):
-    """With copies of the scene's neighbours."""
+    """Copies of the scene's neighbours lie beside it."""
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir(parents=True)

@@ -100,7 +100,7 @@ class TextFiles(unittest.TestCase):
         self.check('#declare I = 0;\n#include "a.inc"\n', ["0", "1"], a="#while (I < 2)\nTold(str(I, 0, 0))\n#declare I = I + 1;\n#end\n")
 
     def test_long_loop(self):
-        """Longer than the unpatched program's buffer."""
+        """The loop is longer than the unpatched program's buffer."""
         filler = "// nothing but a comment, to make the loop long\n" * 40
         self.check(f"#declare I = 0;\n#while (I < 3)\n{filler}Told(str(I, 0, 0))\n{filler}#declare I = I + 1;\n#end\n", ["0", "1", "2"])
 

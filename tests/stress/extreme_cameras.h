@@ -66,7 +66,7 @@ inline void PullParallel(Random& random, Request& r, FilmPoint& at)
     SetPlane(r, normal, r.camera.location + DistanceToFocus(r) * random(-1.0, 1.0) * across);
 }
 
-/// Crosses the frame close to the lens.
+/// The plane crosses the frame close to the lens.
 inline void PullThroughView(Random& random, Request& r, FilmPoint&)
 {
     const Vec3 axis = AxisOf(r.camera);
@@ -110,7 +110,7 @@ inline void PullFartherCamera(Random& random, Request& r, FilmPoint&)
     MoveAway(random, r, 1e12);
 }
 
-/// With or without the scene unit.
+/// The whole world is scaled, with or without the scene unit.
 inline void PullScale(Random& random, Request& r, FilmPoint&)
 {
     const double scale = random.Power(-9.0, 9.0);
@@ -146,13 +146,13 @@ inline void PullFilm(Random& random, Request& r, FilmPoint&)
         r.given.focalLength = *r.given.focalLength * ratio;
 }
 
-/// A telescope's, and far below.
+/// Down to a telescope's angle of view, and far below.
 inline void PullNarrow(Random& random, Request& r, FilmPoint&)
 {
     const double share = random.Power(-9.0, -4.0);
     r.camera.right = share * r.camera.right;
     r.camera.up = share * r.camera.up;
-    // sets the angle of view
+    // a focal length would set the angle of view
     r.given.focalLength.reset();
 }
 
@@ -164,7 +164,7 @@ inline void PullCorners(Random& random, Request&, FilmPoint& at)
     at = {Sign(random) * middle, Sign(random) * middle};
 }
 
-/// Extremes of floating point.
+/// Some numbers become extremes of floating point.
 inline void PullOddNumbers(Random& random, Request& r, FilmPoint&)
 {
     Statement& s = r.given;

@@ -74,7 +74,6 @@ def killed(count, wholes, stop):
 
 
 def one_kill(folder, scene, whole, stop, moment):
-    """The outcome as 0 and 1."""
     process = rendering.Job(scene, OPTIONS, **SIZE).start(folder)
     time.sleep(moment)
     late = process.poll() is not None
@@ -173,7 +172,6 @@ def _small_files():
 
 
 def read_only(folder, whole):
-    """No write permission."""
     code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", through=povray_run.held_to_permissions())
     return case("read-only output folder", code, said, whole, folder, ("cannot", "denied", "not permitted", "failed"))
 

@@ -31,7 +31,7 @@ def use(setup):
 
 
 def random_lens(r):
-    """Looks along z."""
+    """The camera looks along z."""
     kind = r.randrange(4)
     if kind == 0:
         focus = f"tilt {r.uniform(-60, 60):.4f} swing {r.uniform(-60, 60):.4f} "
@@ -114,7 +114,7 @@ def furnaces(setup, count, work):
 
 
 def camera(lens, batch=0, aperture=0.3, samples="blur_samples 32 variance 0", tail="", location="<0.4, 1.5, -4>", look_at="<0, 0.5, 0.5>"):
-    """`batch` pixels wider on each side."""
+    """The frame is `batch` pixels wider on each side."""
     wide, high = (WIDTH + 2 * batch) / WIDTH, (HEIGHT + 2 * batch) / HEIGHT
     return (
         f"camera {{ location {location} direction 1.3*z right {WIDTH / HEIGHT * wide!r}*x up {high!r}*y "
@@ -129,7 +129,7 @@ def picture(scene, batch=0):
 
 
 def independent(scene_of, count, jobs):
-    """scene_of(batch): wider by `batch`."""
+    """scene_of(batch) has a frame wider by `batch`."""
     return results.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
 
 
@@ -161,7 +161,7 @@ def block_scores(left, right, flip):
 
 
 def mirrors(setup, count, pictures):
-    """The flipped picture, within the noise."""
+    """The mirrored scene gives the flipped picture, within the noise."""
     r = random.Random(8)
     worst, wrong = 0.0, None
     for _ in range(count):
@@ -237,7 +237,6 @@ def limit_of_scores(result):
 
 
 def students_quantile(p, freedom):
-    """By bisection of its integral."""
     scale = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2)) / math.sqrt(freedom * math.pi)
 
     def beyond(t, steps=4000):

@@ -65,7 +65,7 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
     return std::hypot(dx, dy) * kPictureWidth;
 }
 
-/// The angle itself if small.
+/// Equals the angle if that is small.
 Exact AngleBetween(const V& a, const V& b)
 {
     return a.Cross(b).Length() / (a.Length() * b.Length());
@@ -122,7 +122,7 @@ Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
     return Normalized(P - (a * lens.lensX + b * lens.lensY));
 }
 
-/// accepted with a warning
+/// the library accepts such a lens with a warning
 bool ReachesFilm(const Lens& lens)
 {
     return std::hypot(Dot(lens.lensX, lens.axis), Dot(lens.lensY, lens.axis)) >= lens.filmDistance;
@@ -141,7 +141,7 @@ struct Run
     void KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e);
 };
 
-/// Before its first number.
+/// Words before the first number or vector.
 void Run::Refuse(const std::string& message)
 {
     refused++;

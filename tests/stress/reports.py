@@ -35,7 +35,7 @@ SMALL = re.compile(
 
 
 def innermost(stack):
-    """The program's own."""
+    """First function that is the program's own."""
     for function, path in FRAME.findall(stack):
         if not path.startswith(LIBRARIES) and not SMALL.match(function):
             return function
@@ -43,7 +43,7 @@ def innermost(stack):
 
 
 def known(block, names):
-    """None if a side is unknown."""
+    """None if one side is unknown."""
     sides = SIDE.findall(block) if "ThreadSanitizer" in block else []
     seen = [innermost(stack) for stack in sides if LOST not in stack]
     found = {next((name for name in names if re.match(re.escape(name) + r"(?:\(|<|$)", function)), None) for function in seen}

@@ -49,7 +49,7 @@ std::vector<Point> Projection(const PixelSampler& sampler, int d, int e, std::ui
     return points;
 }
 
-/// 2^i by 2^j boxes with equal counts.
+/// True if all of 2^i by 2^j boxes have the same count.
 bool IsEven(const std::vector<Point>& points, int i, int j)
 {
     std::vector<std::uint32_t> count(std::size_t(1) << (i + j));

@@ -21,7 +21,7 @@ LIT = {name: test_light.Renders.WORLDS[name] for name in ("radiosity", "photons"
 
 
 def environment(tool_suppressions=True):
-    """Continues after findings."""
+    """The program continues after findings."""
     named = f":suppressions={reports.SUPPRESSIONS}/ubsan.txt" if tool_suppressions else ""
     return {
         **os.environ,
@@ -157,7 +157,7 @@ def measure(setup):
 
 
 def faults(result):
-    """Findings, failed runs, silent sanitizers."""
+    """Unsuppressed findings, failed runs, and sanitizers that report nothing."""
     found = []
     for row in result["rows"]:
         if row["what"].endswith("nothing suppressed"):

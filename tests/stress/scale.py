@@ -37,7 +37,7 @@ def spheres(count):
 
 
 def slope(rows, key, of):
-    """Logarithmic."""
+    """The slope is logarithmic."""
     xs = [math.log(row[key]) for row in rows]
     ys = [math.log(max(row[of], 0.01)) for row in rows]
     return statistics.linear_regression(xs, ys).slope

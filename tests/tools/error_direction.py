@@ -27,7 +27,7 @@ def values_of(picture):
 
 
 def spectrum(difference):
-    """By frequency: down, across."""
+    """Power by frequency: down, across."""
     taper = 0.5 - 0.5 * numpy.cos(2 * numpy.pi * (numpy.arange(SIDE) + 0.5) / SIDE)
     window = numpy.outer(taper, taper)[..., None]
     height, width = difference.shape[:2]
@@ -63,7 +63,7 @@ def blocks_over_surroundings(power):
 
 
 def figures(first, second):
-    """1: no preference."""
+    """Ratios; 1 means no preference."""
     power = spectrum(values_of(first) - values_of(second))
     return axes_over_diagonals(power), blocks_over_surroundings(power)
 

@@ -66,7 +66,7 @@ void OnDisc(double u, double v, LensPoint& point)
     point.b = radius * std::sin(angle);
 }
 
-/// Area-preserving, by triangles of centre and edge.
+/// Area-preserving, one triangle of centre and edge at a time.
 void OnPolygon(double u, double v, int blades, double degrees, LensPoint& point)
 {
     const double sector = std::min(std::floor(v * blades), blades - 1.0);

@@ -60,7 +60,7 @@ class Entry:
         return "new.png" if self.case else "new.exr"
 
     def job(self, povray, declare=()):
-        """`declare`: Name=Value."""
+        """`declare` holds Name=Value."""
         form = ["+FN16", "File_Gamma=1.0"] if self.case else ["+FE"]
         return pictures.Render(
             str(povray), self.scene, self.width, self.height, form + self.options + ["Declare=" + item for item in declare]

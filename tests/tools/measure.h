@@ -30,7 +30,7 @@ struct Figures
     std::vector<PixelDifference> worst;  ///< the largest first
 };
 
-/// Equal sizes.
+/// Both pictures must have one size.
 Figures Measure(const Picture& picture, const Picture& reference, std::size_t worstCount = 10);
 
 bool IsFinite(const Picture& picture);

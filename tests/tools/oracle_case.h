@@ -19,7 +19,7 @@
 namespace witness
 {
 
-/// As in POV-Ray.
+/// In POV-Ray's terms.
 struct Transformation
 {
     enum class Kind

@@ -17,7 +17,7 @@ namespace
 
 const double kDegree = std::acos(-1.0) / 180.0;
 
-/// POV-Ray's look_at with default sky; left-handed.
+/// Axes of POV-Ray's look_at with the default sky; left-handed.
 struct Basis
 {
     Vector right, up, axis;
@@ -40,7 +40,7 @@ Vector TurnedNormal(double turnUp, double turnRight)
     return Unit({-std::sin(b) * std::cos(a), -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b)});
 }
 
-/// Homogeneous (X, weight): k.X = weight.
+/// Points are homogeneous (X, weight): k.X = weight.
 Vector PlaneThrough(const Vector points[3], const double weights[3])
 {
     const double determinant = Dot(points[0], Cross(points[1], points[2]));
@@ -160,7 +160,7 @@ Vector TurnWithLens(const Vector& v, const Vector& t)
 
 Vector Rotated(Vector v, const Vector& degrees)
 {
-    // x, then y, then z, left-handed
+    // POV-Ray rotates about x, then y, then z, left-handed
     const double cx = std::cos(degrees.x * kDegree), sx = std::sin(degrees.x * kDegree);
     v = {v.x, cx * v.y - sx * v.z, sx * v.y + cx * v.z};
     const double cy = std::cos(degrees.y * kDegree), sy = std::sin(degrees.y * kDegree);

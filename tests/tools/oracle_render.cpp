@@ -33,7 +33,7 @@ std::string Sdl(const Vector& v)
     return out.str();
 }
 
-/// From 1, inclusive.
+/// Frames count from 1, both ends included.
 struct Range
 {
     int first, last;

@@ -28,7 +28,7 @@ std::unique_ptr<OIIO::ImageInput> OpenPicture(const std::string& path)
 {
     if (!std::filesystem::exists(path))
         throw MissingPicture("no such picture: " + path);
-    // no division by alpha
+    // keeps stored values: no division by alpha
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wish);

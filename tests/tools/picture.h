@@ -26,14 +26,14 @@ struct Picture
     bool SameSize(const Picture& other) const { return width == other.width && height == other.height; }
 };
 
-/// Zero if unknown.
+/// The error is zero if unknown.
 struct Reference
 {
     Picture mean, error;
     int batches = 1;  ///< independent pictures in the mean; 1: the error is unknown
 };
 
-/// Undecodable, or too few channels.
+/// The file exists but is undecodable, or has too few channels.
 class UnreadablePicture : public std::runtime_error
 {
   public:
@@ -46,11 +46,11 @@ class MissingPicture : public std::runtime_error
     using std::runtime_error::runtime_error;
 };
 
-/// As stored.
+/// Returns values as stored.
 /// @throws MissingPicture, UnreadablePicture
 Picture ReadPicture(const std::string& path);
 
-/// Three times over.
+/// Returns one channel three times over.
 /// @throws MissingPicture, UnreadablePicture
 Picture ReadChannel(const std::string& path, const std::string& channel);
 
@@ -69,7 +69,7 @@ void WritePreview(const std::string& path, const Picture& picture, int zoom);
 /// @throws MissingPicture, UnreadablePicture
 void WritePixels(const std::string& path, std::ostream& out);
 
-/// Over independent pictures of one size.
+/// All pictures have one size.
 Reference Average(const std::vector<Picture>& batches);
 
 }  // namespace witness

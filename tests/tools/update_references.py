@@ -55,7 +55,7 @@ def upstream():
 
 
 def make_oracle(entry, args, work):
-    """Picture, command, program, samples."""
+    """Returns picture, command, program, number of samples."""
     if not args.oracle:
         raise SystemExit(f"{entry.name}: give --oracle")
     output = work / "oracle.exr"

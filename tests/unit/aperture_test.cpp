@@ -39,7 +39,7 @@ struct Outline
 
     Aperture Make() const { return blades == 0 ? Aperture::Disc() : Aperture::Polygon(blades, angle, curvature); }
 
-    /// The corners' polygon plus circular segments.
+    /// Area of the corners' polygon plus circular segments.
     double Area() const
     {
         if (blades == 0)
@@ -118,7 +118,7 @@ TEST_P(ApertureOutline, TheMapPreservesAreaEverywhere)
         const double u = unit(random), v = unit(random);
         const AperturePoint p = aperture(u, v), q = aperture(u + h, v), r = aperture(u, v + h);
         const double jacobian = ((q.a - p.a) * (r.b - p.b) - (q.b - p.b) * (r.a - p.a)) / (h * h);
-        // not across a crease between smooth parts
+        // difference quotients fail across a crease between smooth parts
         if (std::fabs(jacobian - GetParam().Area()) > 1e-4)
             ++creases;
     }

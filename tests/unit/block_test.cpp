@@ -27,7 +27,7 @@ const LensFootprint& Footprint()
     return lens;
 }
 
-/// Blurred over `radius` pixels.
+/// The sample is blurred over `radius` pixels.
 SampleResult Blurred(const SampleId& id, double grey, float radius)
 {
     SampleResult result;
@@ -118,7 +118,7 @@ TEST(SentSamples, EachPixelHasTheSameTotalWeight)
     for (const SpreadSums::Sum sum : {SpreadSums::kRed, SpreadSums::kShare, SpreadSums::kSquares})
         for (int x = 0; x < 4; x++)
             EXPECT_NEAR(*unequal->From(sum, x, 1), *equal->From(sum, x, 1), 1e-4) << sum << ", " << x;
-    // less weight each: less noise
+    // more samples, less weight each: less noise
     EXPECT_LT(*unequal->From(SpreadSums::kSquaredShares, 1, 1), *equal->From(SpreadSums::kSquaredShares, 1, 1));
     EXPECT_NEAR(unequal->OwnShare(0, 0), equal->OwnShare(0, 0), 1e-4);
     EXPECT_NEAR(unequal->PixelWeight(), 4.0f, 1e-5);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Closed forms, round trips, refused values.
+// Distortion, field curvature, colour fringes: closed forms, round trips, refused values.
 
 #include <cmath>
 #include <string>
@@ -127,7 +127,7 @@ TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
         most = std::max(most, nearness);
     }
     EXPECT_GT(most, 1.4 * least);
-    // 50 mm focused at 400: 0.4/8 more
+    // focus at 400 mm adds 0.4/8
     given = Block(Distorted(0.1, -0.02, 0.4));
     given.focalPoint = {0.0, 0.0, 400.0};
     Statement constant = given;

@@ -121,7 +121,7 @@ TEST(FirstRound, LoneVarianceCountsIsolatedPixelsOnly)
 
 TEST(UpdateConvergence, FollowsAnEdgeThatAllMissedAtFirst)
 {
-    // a later round hits one column
+    // only a later round hits anything, in one column
     const auto late = [](const SampleId& id, SampleResult& result)
     { result = Grey(id.x == kMiddle.left + 5 && id.index >= 8 && id.index % 2 == 0 ? 1.0 : 0.0); };
     Prepared block(Limits(8, 1024, 1e-4), late);
@@ -179,7 +179,7 @@ TEST(Neighbourhood, AveragesFirstRoundsOverTheirPixels)
     EXPECT_NEAR(Neighbourhood(rounds, Limits(8, 1024, 1e-4)).loneVariance, own.loneVariance / 2.0, 1e-12);
 }
 
-/// Around 0.7; 8 samples.
+/// Dim noise around 0.7, after 8 samples.
 Prepared DimNoise()
 {
     SamplingLimits limits = Limits(8, 1024, 1e-3);
@@ -207,7 +207,7 @@ TEST(Forecast, IsSkippedWhereItSavesTooFewRays)
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, 8));
 }
 
-/// After 8 samples.
+/// Active pixels after 8 samples.
 std::size_t ActiveAfterFirstRound(double variance, bool denoise, const Tracer& trace)
 {
     SamplingLimits limits = Limits(8, 1024, variance);

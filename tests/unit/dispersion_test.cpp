@@ -20,7 +20,7 @@ namespace
 
 constexpr double kWavelengths[] = {405.0, 450.0, 486.1327, 550.0, 587.5618, 650.0, 695.0};
 
-/// BK7, biconvex; stop far behind.
+/// A biconvex lens of BK7, its stop far behind it.
 const char* const kSinglet = "50 6 1.5168 20 64.17\n-70 10 1 20\n0 0 0 8\n";
 
 TEST(Dispersion, ReproducesTheAbbeNumber)
@@ -97,7 +97,7 @@ TEST(Dispersion, AchromatHasTheSecondarySpectrum)
     const auto focal = [&](double wavelength) { return GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength; };
     EXPECT_NEAR(focal(kLineD), f, 1e-4);
     EXPECT_NEAR(focal(kLineF), focal(kLineC), 1e-6 * f);
-    // power is proportional to n - 1
+    // the power of each part is proportional to n - 1
     for (const double wavelength : kWavelengths)
     {
         const double power = power1 * (IndexAt(n1, V1, wavelength) - 1.0) / (n1 - 1.0) +
@@ -171,7 +171,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
     }
     const Prescription prescription = ReadPrescription(kSinglet);
     const auto power = [&](double hue) { return 1.0 / GlassLens(AtWavelength(prescription, WavelengthOf(hue))).Cardinal().focalLength; };
-    // equal spherical aberration
+    // both have equal spherical aberration
     EXPECT_NEAR((apart[0] - apart[1]) / (power(-47.0 / 48.0) - power(47.0 / 48.0)), 1.0, 0.03) << film;
 }
 

@@ -113,7 +113,7 @@ Character Real()
     return character;
 }
 
-/// For every shape of aperture.
+/// Lamps for every shape of aperture.
 std::vector<Case> Cases()
 {
     const Emitter far{{1.0, 0.5, 40.0}, 0.03, 40.0}, near{{-0.4, 0.3, 5.0}, 0.005, 40.0}, sharp{{0.7, -0.6, 10.0}, 0.03, 40.0},
@@ -213,7 +213,7 @@ TEST(EmitterSampling, LowersTheVarianceOfLamps)
     }
 }
 
-/// It costs samples only.
+/// A hidden lamp costs samples only.
 TEST(EmitterSampling, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};

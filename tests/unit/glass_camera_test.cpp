@@ -83,7 +83,6 @@ Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& 
     return passage == Passage::Passed && !(aperture.Density({stop.a, stop.b}) > 0.0) ? Passage::Stopped : passage;
 }
 
-/// Counts all directions, far beyond those sampled.
 struct Counted
 {
     double area = 0.0, l = 0.0, m = 0.0;  ///< of the directions that pass; mean direction
@@ -332,7 +331,7 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
         for (const double right : {1.0, -1.0})
             for (const double up : {1.0, -1.0})
                 EXPECT_NEAR(camera.Brightness({right * film.x, up * film.y}), camera.Brightness(film), 2e-4);
-    // no rim vignettes
+    // stopped down, no rim vignettes
     const GlassCamera stopped = Camera(kDoubleGauss).FStop(11.0).Made();
     for (const FilmPoint& film : {FilmPoint{0.5, 0.5}, FilmPoint{-0.21, 0.4}})
         EXPECT_EQ(stopped.Brightness(film), 1.0);

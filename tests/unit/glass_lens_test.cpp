@@ -39,7 +39,7 @@ Prescription DoubleGauss()
     return ReadPrescription(kDoubleGauss);
 }
 
-/// Conic, asphere, curved first surface.
+/// A lens with conic, asphere and curved first surface.
 Prescription Aspheric()
 {
     Prescription lens = Singlet(30.0, -45.0, 6.0, 1.6, 2.0, 16.0);
@@ -60,7 +60,7 @@ Vec3 At(const GlassRay& ray, double z)
 
 TEST(CardinalPoints, MatchAThickLens)
 {
-    // lensmaker's equation
+    // lensmaker's equation and principal points
     const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
     const CardinalPoints points = GlassLens(Singlet(a, b, d, n)).Cardinal();
     const double f = 1.0 / ((n - 1.0) * (1.0 / a - 1.0 / b + (n - 1.0) * d / (n * a * b)));
@@ -92,7 +92,7 @@ TEST(CardinalPoints, PupilsAreImagesOfTheStop)
     EXPECT_NEAR(points.fNumber, 50.0 / 8.0, 1e-8);
     EXPECT_NEAR(1.0 / points.exitPupil, 1.0 / 20.0 - 1.0 / 50.0, 1e-8);  // 1/image = 1/f - 1/object, on the scene's side
     EXPECT_NEAR(points.exitMagnification, 50.0 / 30.0, 1e-8);
-    // in the front focal point: telecentric
+    // a stop in the front focal point is telecentric
     EXPECT_GT(std::fabs(GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5, 50.0)).Cardinal().exitPupil), 1e6);
 }
 
@@ -122,7 +122,7 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, 0.0, 1e-6 * height / points.focalLength);
         EXPECT_NEAR(ray.origin.x, height, 1e-6 * height);
-        // to H', out of H, same direction
+        // a ray towards H' leaves from H in the same direction
         ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, -points.separation})};
         const Vec3 before = ray.direction;
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
@@ -172,7 +172,7 @@ TEST(GlassLens, SphereHasAplanaticPoints)
         GlassRay ray{aim - 100.0 * direction, direction};
         StopPoint stop;
         ASSERT_EQ(lens.TraceFromScene(ray, stop, false), Passage::Passed);
-        // the end's plane refracts at height x
+        // the plane at the end refracts at height x
         const double planeZ = lens.Cardinal().rearVertex, sine = -ray.direction.x / n;
         const double x = ray.origin.x + (centre - R / n - planeZ) * (sine / std::sqrt(1.0 - sine * sine));
         EXPECT_NEAR(x, 0.0, 1e-11) << angle;
@@ -241,7 +241,7 @@ TEST(GlassLens, RaysAreReversible)
     }
 }
 
-/// Past rims and stop: some are blocked.
+/// Rays past rims and stop: some of the four are blocked.
 TEST(GlassLens, TracesFourSideBySideAsOneByOne)
 {
     std::mt19937 random(2);
@@ -303,7 +303,7 @@ TEST(GlassLens, ReportsTheFateOfARay)
     ray = {{0.0, 0.0, rear - 10.0}, Normalized(Vec3{0.8, 0.0, 1.0})};
     EXPECT_EQ(lens.Trace(ray, stop), Passage::Stopped);
     EXPECT_GT(stop.a, 1.0);
-    // total reflection of steep rays from within
+    // a plane first surface totally reflects steep rays from within
     Prescription flat;
     flat.rows = {Row(0.0, 30.0, 1.8, 100.0), Row(-20.0, 1.0, 1.0, 38.0), Row(0.0, 0.0, 1.0, 38.0)};
     flat.stop = 2;

@@ -131,7 +131,7 @@ TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
     }
 }
 
-/// Rays through an almost closed stop meet.
+/// Real rays through an almost closed stop meet in the focal point.
 TEST(InnerFocus, LeadsRealRaysToTheFocus)
 {
     for (const Named& named : Lenses())
@@ -270,7 +270,7 @@ TEST(InnerFocus, RefusesInconsistentData)
     ExpectError(kThinGroups, "585.714", "700", 2, "is focused at 585.7");
     // no group moves
     ExpectError(kThinGroups, "[20, 28]", "20", 2, "are all moved thicknesses there");
-    // a zoom's lists lack object-distance: an error
+    // lists of a zoom lack object-distance, which is an error
     ExpectError(kThinGroups, "\"object-distance\": [\"infinity\", 585.714],", "", 6, "a zoom");
 }
 

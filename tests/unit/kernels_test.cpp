@@ -26,7 +26,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 40, kHeight = 36;
 
-/// On a dark wall and posts.
+/// Bright stripes on a dark wall and posts.
 struct Stripes : RayTracer
 {
     double transparency, scale;
@@ -104,7 +104,7 @@ TEST(Kernels, AllVariantsGiveTheSamePicture)
     }
 }
 
-/// Comparisons and rounding differ most easily here.
+/// Comparisons and rounding differ most easily at these numbers.
 TEST(Kernels, AllVariantsMapTheEdgesOfTheUnitSquareAlike)
 {
     if (!HasSeveralVariants())

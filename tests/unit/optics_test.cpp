@@ -23,7 +23,7 @@ Vec3 CameraPart(const Lens& lens, const Vec3& v)
     return {Dot(v, lens.axisRight), Dot(v, lens.axisUp), Dot(v, lens.axis)};
 }
 
-/// Also near 0.
+/// Accurate near 0 as well.
 double AngleBetween(const Vec3& a, const Vec3& b)
 {
     return std::atan2(Length(Cross(a, b)), Dot(a, b));
@@ -32,7 +32,7 @@ double AngleBetween(const Vec3& a, const Vec3& b)
 class EveryFamily : public testing::TestWithParam<std::tuple<FocusFamily, bool>>
 {
   protected:
-    /// For many random cameras of the family.
+    /// Calls check(request, lens) for many random cameras.
     template<typename Check>
     void ForMany(Check check)
     {
@@ -151,7 +151,7 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
     Random random(3);
     ForMany([&](const Request&, const Lens& lens)
     {
-            // z = -s, t.X = 0
+            // the line of film and lens: z = -s, t.X = 0
         const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
         const double across = std::hypot(t.x, t.y), s = lens.filmDistance;
         if (across < 1e-3)
@@ -265,7 +265,7 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
     });
 }
 
-/// Angles in the camera's vertical plane.
+/// The angles lie in the camera's vertical plane.
 double PaperLensAngle(double filmDistance, double focusAngle, double distance)
 {
     return std::atan(filmDistance * std::tan(focusAngle) / (distance + filmDistance));
@@ -290,7 +290,7 @@ TEST(PaperEquation, HoldsInBothDirections)
         ASSERT_NEAR(TiltOf(lens) * kDegree, turn, 1e-15 * (1 + 20.0 / distance));
         ASSERT_NEAR(FocusAngleOf(lens) * kDegree, std::fabs(angle), 4e-15);
 
-        // the inverse
+        // and the inverse equation
         request.given.family = FocusFamily::LensTurn;
         request.given.tilt = turn / kDegree;
         request.given.swing = 0.0;

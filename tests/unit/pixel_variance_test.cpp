@@ -99,7 +99,7 @@ TEST(VarianceRatio, IsShrunkTowardsThePriorForFewNoisyPixels)
     EXPECT_EQ(VarianceRatioTerms().Ratio(0.9), 0.9) << "no noise at all";
 }
 
-// Four iterations leave a few per cent.
+// Four iterations leave an error of a few per cent.
 TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
 {
     for (const double n : {8.0, 64.0, 4096.0})

@@ -39,7 +39,6 @@ Vec<Real> As(const Vec3& v)
     return Vec<Real>(v);
 }
 
-/// MakeRay()'s formula, in a longer type.
 LensRay ExactRay(const Lens& lens, double x, double y, double a, double b, Vec<long double>& direction)
 {
     using V = Vec<long double>;
@@ -66,7 +65,7 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
             Vec<long double> truth;
             const LensRay exact = ExactRay(lens, x, y, a, b, truth), ray = MakeRay(lens, x, y, a, b);
             const double ulps = Ulps(As<long double>(ray.direction), truth);
-            // NaN fails
+            // written so that NaN fails
             if (!(ulps <= 4.0) || !(Length(ray.origin - exact.origin) <= 0x1p-50 * lens.diameter))
                 FAIL() << ulps << " ulp\n" << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
             worst = std::max(worst, ulps);
@@ -76,7 +75,7 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
     std::printf("[          ] %d rays: mean %.2f ulp, worst %.2f ulp\n", rays, sum / rays, worst);
 }
 
-/// From statement to ray.
+/// Errors from the statement to the ray.
 struct Tally
 {
     double worst = 0.0, sum = 0.0;

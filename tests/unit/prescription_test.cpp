@@ -73,7 +73,7 @@ void ExpectTriplet(const Prescription& lens)
     }
 }
 
-/// It must exist.
+/// The text must contain the part.
 std::string With(std::string text, const std::string& part, const std::string& by)
 {
     const std::size_t at = text.find(part);
@@ -111,7 +111,7 @@ TEST(Prescription, PlanesBesideAMarkedStopAreRims)
     const Prescription lens = ReadPrescription(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"));
     EXPECT_EQ(lens.stop, 2u);
     EXPECT_EQ(lens.rows.size(), 8u);
-    // indistinguishable without a mark
+    // the files are indistinguishable without a mark
     ExpectError(With(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"), "0    1    0 ", "0    1    1 "), 6, "second stop");
 }
 
@@ -246,7 +246,7 @@ TEST(Prescription, ChoosesFromADatabase)
     ExpectError(both, 0, "no lens of the name 'third'", "third");
     ExpectError(both, 0, "no lens of the name 'a triplet, another'", "a triplet, another");
     ExpectError(kIset, 0, "holds one lens", "third");
-    // the chosen lens, 13 lines farther down
+    // the line of the chosen lens, 13 lines farther down
     const std::string wrong = "{" + lens + "," + With(With(lens, "a triplet", "another"), "\"ior\": 1.6", "\"ior\": 9") + "}";
     ExpectError(wrong, 4 + 13, "index of refraction of 9", "another");
 }

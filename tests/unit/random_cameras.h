@@ -24,7 +24,7 @@ namespace tilt_lens
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-/// The same for every standard library.
+/// Numbers are the same for every standard library.
 class Random
 {
   public:
@@ -98,7 +98,7 @@ inline std::shared_ptr<const SolvedLens> Shared(const SolvedLens& lens)
     return std::make_shared<const SolvedLens>(lens);
 }
 
-/// Often sheared.
+/// Axes are often sheared.
 inline CameraFrame RandomFrame(Random& random)
 {
     const Vec3 axis = random.Direction();
@@ -116,7 +116,7 @@ inline CameraFrame RandomFrame(Random& random)
     return camera;
 }
 
-/// Into the scene.
+/// The film's normal points into the scene.
 inline Vec3 AxisOf(const CameraFrame& camera)
 {
     const Vec3 axis = Normalized(Cross(camera.right, camera.up));
@@ -177,7 +177,7 @@ inline bool CouldBeBuilt(const Lens& lens)
     return dip < 0.5 * lens.filmDistance && lens.diameter < 2.0 * lens.focalLength;
 }
 
-/// Its lens could be built.
+/// A request whose lens could be built.
 inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
 {
     for (;;)

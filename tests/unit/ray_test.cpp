@@ -80,12 +80,12 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
         const Vec3 chief = ChiefRay(lens, x, y);
         const double w = Dot(lens.focus, chief);
         (w > 0.0 ? before : behind)++;
-            // in |chief|, times w: any distance
+            // in units of |chief|, times w: holds at any distance
         for (const LensCoordinates& l : kLensPoints)
         {
             const LensRay ray = MakeRay(lens, x, y, l.a, l.b);
             const double size = Length(chief) + std::fabs(w) * Length(ray.origin);
-                // negative behind the lens
+                // the parameter is negative behind the lens
             EXPECT_LT(Length(w * ray.origin + ray.direction - chief), 4e-15 * size);
             EXPECT_NEAR(Dot(lens.focus, w * ray.origin + ray.direction), w, 1e-14 * Length(lens.focus) * size);
             EXPECT_GT(Dot(ray.direction, lens.normal), 0.0) << "the ray leaves towards the film";
@@ -97,7 +97,7 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
 
 TEST(Ray, FocusAtInfinityGivesParallelRays)
 {
-    // the floor, one unit below the camera
+    // the plane of sharp focus: the floor, one unit below the camera
     const CameraFrame camera{{0, 1, 0}, {0, 0, 1}, {1.25, 0, 0}, {0, 1, 0}};
     Statement given;
     given.family = FocusFamily::FocalPlane;
@@ -191,7 +191,7 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
         for (const LensCoordinates& p : kLensPoints)
         {
             const Vec3 l = p.a * lens.lensX + p.b * lens.lensY;
-                // mirrored film: the frame
+                // the film, mirrored at the lens centre, is the frame
             const Vec3 film = FilmPointOfLight(lens, point, l);
             const Vec3 frame = film * (-Dot(lens.direction, lens.axis) / lens.filmDistance) - lens.direction;
             const double y = Dot(frame, lens.axisUp) / Dot(lens.up, lens.axisUp);
@@ -248,7 +248,7 @@ TEST(Blur, VergenceIsTheBlurOfAParallelLens)
         const double T = random.Power(0.5, 4.0) * lens.focalLength / Dot(chief, lens.axis);
         const Vec3 l = a * lens.lensX + b * lens.lensY;
         const Vec3 moved = FilmPointOfLight(lens, T * chief, l) - FilmPointOfLight(lens, T * chief, {0, 0, 0});
-        // film over frame
+        // scale of film over frame
         const double scale = lens.filmDistance / Dot(chief, lens.axis), blur = BlurVergence(lens, chief, T);
         // a difference of points has their rounding error
         EXPECT_LT(Length(moved - scale * blur * l), 4e-15 * scale * Length(chief));

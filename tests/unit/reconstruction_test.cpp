@@ -59,7 +59,7 @@ struct Errors
     double before = 0.0, after = 0.0, claimed = 0.0;
 };
 
-/// Noise around `truth`, many blocks.
+/// Errors over many blocks of noise around `truth`.
 Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
 {
     std::mt19937 random(7);
@@ -192,7 +192,7 @@ TEST(Reconstruction, RepeatsPixelsBeyondThePicturesEdge)
 
 TEST(Reconstruction, LampsLeaveDarkPixelsBesideThemUnharmed)
 {
-    // noise far above the surroundings
+    // a lamp's noise is far above the surroundings
     for (const double lamp : {10.0, 1e3, 1e6})
         for (const double dark : {0.0, 0.5})
         {

@@ -3,7 +3,7 @@
 
 /// @file reference_camera.h
 /// An independent camera in any number type: plane of sharp focus as normal and distance, thin lens equation,
-/// Chief ray meets plane, ray through that point. No formula is shared with the library.
+/// intersection of chief ray and plane, ray through it. It shares no formula with the library.
 
 #ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
 #define TILT_LENS_TESTS_REFERENCE_CAMERA_H
@@ -96,7 +96,7 @@ class ReferenceCamera
 
     V Chief(double x, double y) const { return direction + V(camera.right) * Real(x) + V(camera.up) * Real(y); }
     V LensPoint(double a, double b) const { return Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b)); }
-    /// Focus().X = 1.
+    /// The plane of sharp focus is Focus().X = 1.
     V Focus() const { return n * (Real(1) / d); }
     Real Radius() const { return radius; }
     Real FilmDistance() const { return s; }

@@ -22,7 +22,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// Across the axis. Remembers the requested ranges.
+/// A wall across the axis. Remembers the requested ranges.
 struct Wall : RayTracer
 {
     double distance = 20.0;

@@ -228,7 +228,7 @@ TEST(PixelSampler, ScramblingIsOwens)
         }
 }
 
-/// With its exact mean.
+/// An integrand with its exact mean.
 struct Integrand
 {
     const char* name;
@@ -273,7 +273,7 @@ double MeanOf(const Integrand& integrand, const Pixel& p, int samples)
     return sum / samples;
 }
 
-/// For mean and standard error.
+/// Sums for a mean and its standard error.
 struct Tally
 {
     double n = 0, sum = 0, squares = 0;
@@ -307,7 +307,7 @@ TEST_P(SamplerIntegral, IsUnbiased)
 
 TEST_P(SamplerIntegral, ErrorsOfNeighboursAndSeedsAreUncorrelated)
 {
-    // rows, columns, diagonals, seeds
+    // neighbours by rows, columns and diagonals, and seeds
     const Pixel steps[] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {1, 0, 0u - 1}};
     for (int samples : {1, 4, 16})
         for (const Pixel& step : steps)

@@ -189,7 +189,7 @@ TEST(SharpPlane, ServesOtherPointsWhereThreeBind)
         const RealVec k = LeastGreatestBlur(equations);
         ASSERT_EQ(double(GreatestResidual(equations, k)), 0.5);
         ASSERT_LT(double(abs(k.x)) + double(abs(k.z - Real(1.5))), 1e-25);
-        // of k.y alone
+        // an optimum of k.y alone, over pairs
         const Equations rest(equations.begin() + 3, equations.end());
         Real least = 0;
         for (const VergenceEquation& a : rest)

@@ -153,7 +153,7 @@ TEST(SharpPoints, WidestApertureHoldsAll)
             held++;
             ASSERT_NEAR(greatest, *request.given.sharpWithin, 1e-9 * greatest) << request;
         }
-        // that f-number
+        // the same lens, written with that f-number
         const double limit = *request.given.sharpWithin;
         request.given.sharpWithin.reset();
         request.given.fStop = stop;
@@ -162,7 +162,7 @@ TEST(SharpPoints, WidestApertureHoldsAll)
     EXPECT_GT(held, 100);
 }
 
-/// Against all planes across the axis.
+/// Compares with all planes across the axis.
 TEST(SharpPoints, KnowsTheBestLensWithoutTilt)
 {
     Random random(5);

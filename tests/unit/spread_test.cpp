@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Positions, and shares sent and received.
+// Spread samples: positions, and shares sent and received.
 
 #include "tilt_lens/reconstruction/padded_spread.h"
 
@@ -49,7 +49,7 @@ FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint&
     for (int i = 0; i < 200; i++)
     {
         const double w = Dot(lens.focus, chief);
-        // T: depth along the axis
+        // T is the depth along the axis
         const double inverse = (Dot(lens.direction, lens.axis) - w * Dot(l, lens.axis)) / Dot(point - l, lens.axis);
         chief = inverse * point - (inverse - w) * l;
     }
@@ -97,7 +97,7 @@ CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float ra
     return {x, y, radius, 0.0f, 0.0f, radius, &lens};
 }
 
-/// Red, green, blue, shares.
+/// Received red, green, blue and shares.
 Float4 SentTo(const SpreadSums& sums, int x, int y)
 {
     Float4 sent;
@@ -137,14 +137,14 @@ TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
     }
 }
 
-/// Along rows or columns.
+/// A sample's window along rows or columns.
 double Window(double distance)
 {
     const double radius = kReach + 1.0;
     return std::abs(distance) < radius ? 1.0 - distance * distance / (radius * radius) : 0.0;
 }
 
-/// Over a circle's extent, by midpoints.
+/// Integral over a circle's extent, by midpoints.
 double SendersTo(int pixel, double middle, double half, double begin, double end)
 {
     constexpr int kSteps = 200;
@@ -156,7 +156,7 @@ double SendersTo(int pixel, double middle, double half, double begin, double end
     return std::max(1.0, sum * (to - from) / kSteps);
 }
 
-/// The corner cuts off circles.
+/// The picture's corner cuts off circles.
 TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
 {
     Random random(13);
@@ -361,7 +361,7 @@ TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
     EXPECT_EQ(received->ownShare[PaddedBlock::At(10, 10)], 1.0f);
 }
 
-/// Evenly blurred noise, reconstructed with spread samples.
+/// A block of evenly blurred noise, reconstructed with spread samples.
 TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);

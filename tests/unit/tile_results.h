@@ -21,7 +21,7 @@ inline Radiance Grey(double value)
     return {value, value, value, 0.0, 0.0};
 }
 
-/// In (0, 1).
+/// Each sample has a number in (0, 1).
 inline double Noise(const SampleId& id, std::uint32_t salt)
 {
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
@@ -42,13 +42,13 @@ inline void Constant(const SampleId&, SampleResult& light)
     light = Grey(0.7);
 }
 
-/// Variance 1/12, unaffected by stratification.
+/// Noise of variance 1/12, unaffected by stratification.
 inline void WhiteNoise(const SampleId& id, SampleResult& light)
 {
     light = Grey(Noise(id, 1));
 }
 
-/// Sharp and slanted, black and white.
+/// A sharp slanted edge, black and white.
 inline void Edge(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -74,7 +74,7 @@ inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, con
     return results;
 }
 
-/// The only tile in `width` by `height`.
+/// The tile is the only rendered part of `width` by `height`.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width, std::uint32_t height,
                                      const Tracer& trace)
 {
@@ -83,7 +83,7 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
     return ResultsOf(sampler, tile, trace);
 }
 
-/// At (left, top) of a large picture.
+/// The block lies at (left, top) of a large picture.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left, std::uint32_t top, const Tracer& trace)
 {
     return ResultsOf(limits, {left, top, settings.blockSide, settings.blockSide}, 4096, 4096, trace);

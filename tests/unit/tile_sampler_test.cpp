@@ -361,7 +361,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     for (int y = 0; y < 64; y++)
         for (int x = 0; x < 64; x++)
         {
-            // half visible at `blur`
+            // half of the lamp is visible at `blur`
             const double distance = std::hypot(x + 0.5 - middle, y + 0.5 - middle);
             if (distance < blur - 1.0 || distance > blur + 1.0)
                 continue;

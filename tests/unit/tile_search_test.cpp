@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Covers a sixteenth of a row's pixels.
+/// The line covers a sixteenth of its pixels.
 void LineAlongRow(const SampleId& id, SampleResult& light)
 {
     light = Grey(id.y == settings.blockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Known pixels against the requested variance.
+// Errors of known pixels against the requested variance.
 
 #include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/tile_sampler.h"
@@ -32,7 +32,7 @@ double Half(std::uint32_t, std::uint32_t)
     return 0.5;
 }
 
-/// Lens fraction that sees the bright side.
+/// Fraction of the lens that sees the bright side.
 double BlurredEdgeMean(std::uint32_t x, std::uint32_t)
 {
     return std::min(1.0, (x % 64 + 0.5) / 64.0);

@@ -80,7 +80,7 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     EXPECT_GT(vignetting.Brightness({-0.2, 0.0}), 1.0) << "nearer to the axis than the middle of the shifted frame";
 }
 
-/// Unit circles, relative to one's area.
+/// Common area of unit circles, relative to that of one.
 double Overlap(double apart)
 {
     const double half = 0.5 * apart;

@@ -12,13 +12,13 @@
 namespace tilt_lens
 {
 
-/// False for a single variant.
+/// False where one variant is all there is.
 inline bool HasSeveralVariants()
 {
     return kernels != &plain::kKernels;
 }
 
-/// With the plain kernels.
+/// Runs with the plain kernels.
 template<class Function>
 auto WithPlainKernels(const Function& function)
 {
