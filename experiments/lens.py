@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A tilted thin lens in closed form.
 
-Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the unit lens normal
-and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's rule and the thin lens
+Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. The unit lens normal is t,
+the focal length f. The plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's rule and the thin lens
 equation). Lengths in scene units, angles in degrees, image in pixels from the upper left corner."""
 
 import dataclasses
