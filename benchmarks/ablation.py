@@ -151,7 +151,7 @@ def kept(records):
 
 
 def worst(found, name):
-    """And its scene."""
+    """The greatest, and its scene."""
     row = max((row for row in found if row[name] is not None), key=lambda row: row[name])
     return row[name], row["scene"]
 

@@ -48,7 +48,7 @@ def record(tools, scene, corner, path):
 
 
 def replay(tools, samples, rays, prefix):
-    """And the mean of all samples."""
+    """Pictures, and the mean of all samples."""
     command = [
         tools / "replay_samples",
         samples,

@@ -48,7 +48,7 @@ def table(header, rows):
 
 
 def ratio_cell(line):
-    """And the error compared at."""
+    """Ratio, and the error compared at."""
     if line["ratio"] is None:
         return f"not reached ({line['rmse']:.4f})"
     least = "at least " if line.get("at_least") else ""

@@ -19,7 +19,6 @@ def numbers_of_threads(processors=None):
 
 
 def traced(messages):
-    """As reported."""
     found = re.search(r"^  Trace Time:[^(]*\(([0-9.]+) seconds\)\s+using \d+ thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     if not found:
         raise Failed(f"the program does not report how long it traced:\n{messages[-1000:]}")

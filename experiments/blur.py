@@ -157,7 +157,7 @@ def line_through(a, b):
 
 
 def meet(first, second):
-    """(y, z)."""
+    """(y, z) where two such lines meet."""
     y = (second[0] - first[0]) / (first[1] - second[1])
     return y, first[0] + first[1] * y
 

@@ -57,7 +57,7 @@ class Laboratory:
         return str(self.tools / "tests" / "paper" / "tools" / name)
 
     def run(self, command, stdin=None, accept=(0,)):
-        """Returns standard output."""
+        """Runs a program; its standard output."""
         done = subprocess.run([str(part) for part in command], input=stdin, text=True, capture_output=True, check=False)
         if done.returncode not in accept:
             raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n" f"{done.stderr[-3000:]}")

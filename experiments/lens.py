@@ -90,7 +90,7 @@ class Lens:
 
     @classmethod
     def of_angle(cls, view, angle, diameter, normal, point):
-        """`angle` degrees wide."""
+        """The lens of this diameter whose view is `angle` degrees wide, focused on a plane."""
         s = view.film_width / view.scene_unit / 2 / math.tan(math.radians(angle / 2))
         n = view.turned(unit(normal))
         q = add(times(1 / dot(n, view.local(point)), n), (0, 0, 1 / s))
@@ -166,7 +166,7 @@ class Lens:
         return met[0] / met[2], met[1] / met[2]
 
     def seen_size(self, rim, p):
-        """Area, by differences."""
+        """Area on the film of a small piece parallel to it, by differences."""
         step = 1e-4 * p[2]
         (ax, ay), (bx, by) = (self.seen_from(rim, (p[0] + d, p[1], p[2])) for d in (-step, step))
         (cx, cy), (dx, dy) = (self.seen_from(rim, (p[0], p[1] + d, p[2])) for d in (-step, step))

@@ -15,7 +15,7 @@ INSIDE, FIRST, LAST = 120, 100, 340  # a column on the tower, and rows below its
 
 
 def slope(pairs):
-    """Least squares."""
+    """Slope of the least-squares line through (x, y) pairs."""
     n = len(pairs)
     mx, my = sum(x for x, _ in pairs) / n, sum(y for _, y in pairs) / n
     return sum((x - mx) * (y - my) for x, y in pairs) / sum((x - mx) ** 2 for x, _ in pairs)

@@ -131,7 +131,7 @@ class Cluster:
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
-        """It dies with this process."""
+        """It ends with this process, even if this process is killed."""
         env = dict(self.env, LD_PRELOAD="libnss_wrapper.so", NSS_WRAPPER_HOSTS=f"{self.folder}/hosts", NSS_WRAPPER_HOSTNAME=HOST)
         with open(self.folder / "log" / f"{name}.out", "ab") as log:
             process = subprocess.Popen(
@@ -220,7 +220,7 @@ class Cluster:
 
 
 def main():
-    """python3 -m tools.cluster NODES COMMAND..."""
+    """python3 -m tools.cluster NODES COMMAND...: runs a command with a private cluster."""
     if len(sys.argv) < 3 or not sys.argv[1].isdigit():
         sys.exit("usage: python3 -m tools.cluster NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes")
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder, int(sys.argv[1])) as cluster:

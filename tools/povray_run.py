@@ -68,7 +68,7 @@ def user_environment(without=USER_SETTINGS, **variables):
 
 
 def environment(**variables):
-    """POV-Ray reads no INI file."""
+    """The environment in which POV-Ray reads no INI file at all, with these variables."""
     return user_environment(**{"POVINI": str(NO_SETTINGS), **variables})
 
 
@@ -98,7 +98,7 @@ class Done:
         return f"{shlex.join(self.command)}\n{ended}\n{self.said[-3000:]}"
 
     def succeeded(self):
-        """Raises Failed."""
+        """This run. Raises Failed if it failed."""
         if self.code != 0:
             raise Failed(self.told())
         return self

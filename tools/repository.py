@@ -11,5 +11,5 @@ LAUNCHER = ROOT / "run_module.py"
 
 
 def module_command(module, *words):
-    """In any current folder."""
+    """The command line that runs a module of this repository, such as "tests.stress.run", in any current folder."""
     return [sys.executable, "-B", str(LAUNCHER), module, *map(str, words)]

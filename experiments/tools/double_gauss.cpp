@@ -27,7 +27,7 @@ const int kStopAfter = 4;           // index in the table above
 const std::size_t kFirstElement = 2;  // its surfaces
 const double kPrintedStop = 5.705;  // mm behind that surface
 
-/// Slope: dy/dz.
+/// A paraxial ray: height and slope against z, in the meaning of dy/dz.
 struct Paraxial
 {
     double y, slope;
@@ -161,7 +161,7 @@ std::optional<Passage> GlassLens::Trace(const Ray& fromFilm, bool rims) const
         const double square = b * b - witness::Dot(offset, offset) + s.radius * s.radius;
         if (square < 0.0)
             return std::nullopt;
-        // the vertex's side
+        // The intersection on the vertex's side.
         const double step = s.radius > 0.0 ? -b + std::sqrt(square) : -b - std::sqrt(square);
         ray.origin = ray.origin + step * ray.direction;
         if (rims && std::hypot(ray.origin.x, ray.origin.y) > s.rim)

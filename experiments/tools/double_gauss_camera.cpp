@@ -20,7 +20,7 @@ namespace
 const double kFilmWidth = 36.0;
 const double kPi = std::acos(-1.0);
 
-/// Between fitted places.
+/// Steps of the frame's width and height between the fitted places.
 const int kPlaces = 24;
 
 /// Beyond the paraxial pupil: the stop decides.

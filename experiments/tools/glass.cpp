@@ -43,7 +43,7 @@ bool Near(const std::vector<double>& lines, double reach, double x, double y)
     return false;
 }
 
-/// Or only within `reach` of the lines.
+/// The whole picture, or only the surroundings of the lines within `reach`, black elsewhere.
 witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& camera, Model model, int samples,
                             const std::vector<double>& lines, double reach)
 {

@@ -46,7 +46,7 @@ double Relative(long double value, long double truth)
     return static_cast<double>(std::fabs(value - truth) / std::fabs(truth) / epsilon);
 }
 
-/// In both directions.
+/// The equation against the solver, in both directions.
 Row Solve(double focusTilt, double distance, double filmDistance)
 {
     Row row{focusTilt, distance, filmDistance, 0, 0, 0, 0, 0, 0};

@@ -167,7 +167,7 @@ def tasks_of(description, missing, settings, engine):
 
 
 def report(work, description, complaints, elapsed):
-    """Returns the exit code."""
+    """Prints and stores summary and failures; returns the exit code."""
     state = progress.State(work, description)
     lines = [
         *complaints,

@@ -22,7 +22,7 @@ def say(text):
 
 
 class Request:
-    """With all files resolved."""
+    """The command line with all files resolved."""
 
     def __init__(self, settings, words):
         self.settings = settings
@@ -69,7 +69,7 @@ class Request:
         self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
-        """Without looking at the scene."""
+        """The part of the key that needs no look at the scene."""
         return {
             "format": 1,
             "kind": self.kind,
@@ -114,7 +114,7 @@ class Request:
 
 
 def understood(settings, words):
-    """Errors are UsageErrors."""
+    """The request; errors in it are UsageErrors."""
     try:
         return Request(settings, words)
     except BatchError as error:
@@ -188,7 +188,7 @@ def lock_of_output(kind, output, pictures):
 
 
 def has_jobs(folder):
-    """True if unknown."""
+    """True if the batch has jobs in a queue, or if that is unknown."""
     try:
         return bool(slurm.active_jobs(Work(folder)))
     except BatchError:  # the controller does not answer

@@ -20,7 +20,7 @@ IN_INI = re.compile(r"^\s*([+-]K|\w+_Clock|Cyclic_Animation)", re.IGNORECASE | r
 
 
 def single(value):
-    """As in POV-Ray's options."""
+    """Single precision, as in POV-Ray's options."""
     return struct.unpack("f", struct.pack("f", value))[0]
 
 
@@ -98,7 +98,7 @@ def objection(work, old, new, inputs):
 
 
 def lengthen(work, request, stored, new):
-    """Or returns the objection."""
+    """Adds frames to the description, or returns the objection."""
     old = stored["key"]
     longer = request.kind == old["kind"] == "film" and len(new["pictures"]) > len(old["pictures"]) > 1
     if not longer or new["pictures"][: len(old["pictures"])] != old["pictures"]:

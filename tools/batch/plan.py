@@ -23,7 +23,7 @@ DEFAULT_INI = ("./povray.ini", "~/.povray/3.7/povray.ini", "{prefix}/etc/povray/
 
 
 def safe_name(path, fallback):
-    """Or the fallback if POV-Ray cannot take it."""
+    """The last part of a path, or the fallback if POV-Ray cannot take it."""
     name = os.path.basename(path)
     return name if re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.+-]*\.[A-Za-z0-9]+", name) else fallback
 
@@ -41,7 +41,7 @@ def chosen(text, last):
 
 
 def values(text):
-    """Numbers, FROM:TO:STEP, and quoted texts."""
+    """Comma-separated values of --set: numbers, FROM:TO:STEP, and quoted texts, which keep their quotation marks."""
     found = []
     for part in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', text):
         if '"' in part:
@@ -76,7 +76,7 @@ def values(text):
 
 
 def parse_sets(words):
-    """[(identifier, values)]."""
+    """[(identifier, values)] from --set words."""
     sets = []
     for word in words:
         match = re.fullmatch(r"([A-Za-z_][A-Za-z0-9_]*)=(.+)", word)
@@ -198,5 +198,5 @@ class Inputs:
         path.write_text(text, encoding="utf-8", errors="surrogateescape")
 
     def own_files(self):
-        """Absent from POV-Ray's list."""
+        """Files of the key that are not in POV-Ray's list."""
         return {self.ini: sha256(self.ini)} if self.ini else {}

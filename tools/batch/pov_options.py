@@ -8,7 +8,7 @@ import re
 from tools.batch.key import Links
 from tools.batch.store import BatchError
 
-# option -> remedy
+# options that the batch sets itself, with the remedy
 REFUSED_SWITCHES = {
     "I": "give the scene as the first argument",
     "O": "use --output",
@@ -114,7 +114,7 @@ class PovOptions:
             self.words.append(word)
 
     def set_kind(self, word, value):
-        """Bits remain POV-Ray's option."""
+        """Chooses PNG or OpenEXR; bits remain POV-Ray's option."""
         if value[:1].upper() not in FORMATS:
             raise BatchError(
                 f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put " "together without a change."

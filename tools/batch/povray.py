@@ -36,7 +36,7 @@ def version(program):
 
 
 def arguments(description, picture, rows, size=None):
-    """`size`: of a small version."""
+    """Arguments for some rows of a picture; `size` for a small version of it."""
     key = description["key"]
     words = [*key["options"], *picture["options"]]
     words += [f"+I{description['input']}", *(f"+L../../inputs/{name}" for name in description["searched"])]
@@ -126,7 +126,7 @@ def outputs(folder):
 
 
 def image_info(path):
-    """Reads the whole file."""
+    """Size, channels and hash of the decoded pixels; reads the whole file."""
     done = subprocess.run(
         ending_with_parent(["oiiotool", "--info", "--hash", path.name]),
         cwd=path.parent,

@@ -24,7 +24,7 @@ class Probe:
         self.small = None  # the last result of estimate()
 
     def render(self, name, rows, size=None):
-        """Returns folder, log and seconds."""
+        """Renders rows; returns the folder, the log's text and the duration in seconds."""
         folder = self.work.probe / name
         folder.mkdir(parents=True, exist_ok=True)
         povray.clear_output(folder, also_state=True)
@@ -78,7 +78,7 @@ class Probe:
         return povray.outputs(folder)["." + self.description["key"]["extension"]]
 
     def small_size(self, size):
-        """Nearly the same proportions."""
+        """A small size with almost the same proportions, for estimates."""
         rows = min(SMALL_ROWS, size[1])
         return [max(2, min(SMALL_COLUMNS, round(size[0] * rows / size[1]))), rows]
 

@@ -160,7 +160,7 @@ def unfinished(work, description):
 
 
 def times(work, description):
-    """POV-Ray's seconds and repeated tries."""
+    """POV-Ray's seconds and repeated tries, from the remaining records."""
     seconds = tries = 0
     for name in State(work, description).units:
         record = read_json(work.record("done", name))

@@ -39,7 +39,7 @@ def font_file(program):
 
 
 def make(work, description):
-    """Returns its name."""
+    """Writes the sheet beside the pictures; returns its name."""
     folder = work.folder / "sheet"
     folder.mkdir(exist_ok=True)
     font = work.inputs / "font.ttf"

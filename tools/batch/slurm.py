@@ -21,7 +21,7 @@ exec {program} {work} {argument}
 
 
 def check():
-    """Before anything is started."""
+    """Reports missing programs before anything is started."""
     for name in ("sbatch", "squeue", "scontrol", "sinfo"):
         if shutil.which(name) is None:
             raise BatchError(
@@ -41,7 +41,7 @@ def command(*words):
 
 
 def largest_array():
-    """MaxArraySize bounds the largest index."""
+    """Greatest number of tasks in an array: the site's MaxArraySize bounds the largest index."""
     found = re.search(r"MaxArraySize\s*=\s*(\d+)", command("scontrol", "show", "config"))
     return int(found.group(1)) if found else 1001
 
@@ -121,7 +121,7 @@ def submit(work, description, tasks, settings):
 
 
 def alive(jobs):
-    """Unknown numbers have ended."""
+    """Jobs that are waiting or running. A number unknown to Slurm has ended."""
     listed = command("squeue", "--noheader", "--me", "--format=%A %F")
     known = {number for line in listed.splitlines() for number in line.split()}
     return [job for job in jobs if job in known]

@@ -18,7 +18,7 @@ from tools.batch.store import BatchError, Work, little_room, locked, read_json, 
 
 
 class Changed(BatchError):
-    """Another try cannot help."""
+    """An input has changed since the batch was planned; another try cannot help."""
 
 
 def stamps_before(description, folder):
@@ -68,7 +68,7 @@ class Unit:
             stream.write(f"--- {time.strftime('%H:%M:%S')} unit {self.name}: {text}\n")
 
     def place_in_log(self):
-        """And byte offset of this unit's lines."""
+        """Log file, and byte offset of this unit's lines."""
         return {"log": str(self.log), "begins": self.begins}
 
     def do(self):

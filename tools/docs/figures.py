@@ -32,7 +32,7 @@ SMALL, WIDE = (256, 144), (480, 270)
 
 
 def variants(stem, scene, variable, values, size=SMALL):
-    """{name: (scene, options, size)}."""
+    """Pictures of one scene with several values of a variable: {name: (scene, options, size)}."""
     return {f"{stem}_{name}": (scene, [f"Declare={variable}={value}"], size) for name, value in values.items()}
 
 
@@ -82,7 +82,7 @@ def layer_commands():
 
 
 def render(povray, folder, scene, options, size, output):
-    """Returns the messages."""
+    """Renders a scene; returns the program's messages."""
     try:
         command = povray_run.command(povray, scene, output, size, *options, library=[povray_run.INCLUDE])
         return povray_run.run(command, folder, limit=None).succeeded().said
@@ -91,7 +91,7 @@ def render(povray, folder, scene, options, size, output):
 
 
 def make_pictures(povray, names):
-    """All without a name."""
+    """All pictures if no name is given."""
     unknown = set(names) - set(MADE)
     if unknown:
         sys.exit(f"no such picture: {', '.join(sorted(unknown))}. Known: {', '.join(MADE)}")

@@ -64,7 +64,7 @@ def small(scene):
 
 
 def number(pattern, text, what):
-    """As they were printed."""
+    """The groups of the pattern, as they were printed."""
     found = re.search(pattern, text)
     if not found:
         sys.exit(f"povray did not report {what}:\n{text[-1500:]}")

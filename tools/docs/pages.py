@@ -155,7 +155,7 @@ def links_of(text):
 
 
 def anchors_of(text):
-    """As GitHub makes them."""
+    """Names that a link to a heading may have, made as GitHub makes them."""
     anchors = []
     in_fence = False
     for line in text.split("\n"):

@@ -28,7 +28,7 @@ class Editor:
         self.begin(lambda: self.tried(request, view), "untried", lambda told: self.tell(view, told))
 
     def start_pull(self, request, view):
-        """Or checks whether it would do."""
+        """Writes a focus pull, or checks whether it would do; the page receives the answer to the latter."""
         if request["write"]:
             self.begin(lambda: self.pulled(request, view), "refused", lambda told: self.tell_all({**told, "pull": True}))
         else:
@@ -44,7 +44,7 @@ class Editor:
             await self.tell(view, {**told, "chosen": view.chosen})
 
     def begin(self, work, failed, tell):
-        """After the one before."""
+        """Starts a task after the one before."""
         self.task = started(self.answered(work, failed, tell, self.task))
 
     async def answered(self, work, failed, tell, previous):
@@ -99,7 +99,7 @@ class Editor:
         return self.replaced(view, before, after, 0) if request["write"] else {"state": "tried"}
 
     async def tried(self, request, view):
-        """Changes nothing."""
+        """Changes nothing; returns the answer for the page."""
         await self.change(request, view)
         return {"state": "tried"}
 

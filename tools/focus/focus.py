@@ -78,7 +78,7 @@ async def serve_until_ended(settings, folder):
 
 async def serve(settings, folder, ended):
     """Until an event, or until it was left."""
-    # aiohttp loads slowly
+    # imported here, because aiohttp loads slowly and help needs none of it
     from tools.focus.server import Server  # pylint: disable=import-outside-toplevel
     from tools.focus.session import Session  # pylint: disable=import-outside-toplevel
 

@@ -113,7 +113,7 @@ def not_finite(word):
 
 
 def read(sent):
-    """(type, members). @throws BadRequest"""
+    """Parses and checks a message: (its type, its members). @throws BadRequest"""
     try:
         message = json.loads(sent, parse_constant=not_finite)
     except (ValueError, RecursionError):

@@ -11,7 +11,7 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 
 def settings_in(words, depth=0):
-    """In POV-Ray's order."""
+    """(name, number) of each such option, in POV-Ray's order."""
     for word in words:
         switch = re.fullmatch(rf"[-+](W|H|KFF|KI|KF|K)({NUMBER})", word, re.IGNORECASE)
         named = re.fullmatch(rf"(\w+)\s*=\s*({NUMBER})", word)

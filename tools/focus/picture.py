@@ -13,7 +13,7 @@ from tools.focus.tasks import ended, started
 
 
 def display(colours, gamma):
-    """Bytes with alpha."""
+    """Colours for a display, as bytes with alpha."""
     colours = numpy.clip(numpy.nan_to_num(colours), 0, 1)
     if gamma is not None and gamma != "sRGB":
         light = colours ** float(gamma)

@@ -32,7 +32,7 @@ class Record:
         return os.path.realpath(camera["file"]) == self.file.path
 
     def index_in_use(self):
-        """Or None."""
+        """Index of the camera statement that the scene is rendered with, or None."""
         same = [i for i, camera in enumerate(self.cameras) if all(camera[key] == self.view[key] for key in SHOWN)]
         return same[-1] if same else None
 

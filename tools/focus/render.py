@@ -56,7 +56,7 @@ def nameable(path, folder, link):
 
 
 def with_quotes(option):
-    """As the shell quoted it."""
+    """Quotes the name in a user's option for POV-Ray as the shell quoted it."""
     if not re.search(r"\s", option) or re.search(r"[\"']", option):
         return option
     head = re.match(r"[-+][IiLlOo]|\w+_(?:Name|Path)=", option)
@@ -130,7 +130,7 @@ class Render:
             await self.stop()
 
     def camera(self):
-        """None until TILT_LENS_PREVIEW is written."""
+        """The camera record of TILT_LENS_PREVIEW, or None until it is written."""
         try:
             return json.loads(self.record.read_text(encoding="utf-8"))
         except (OSError, ValueError):

@@ -34,7 +34,7 @@ class Preview:
 
     @property
     def failed(self):
-        """Another try may succeed."""
+        """True if it has ended with an error; another try may succeed."""
         return bool(self.told.get("error", {}).get("message"))
 
     def tell(self, kind, **what):

@@ -63,7 +63,7 @@ def blanked(text):
 
 
 def comment_end(text, at):
-    """Comments nest."""
+    """Position behind the comment at a position; comments nest."""
     depth = 1
     while depth > 0:
         found = re.compile(r"/\*|\*/").search(text, at)
@@ -75,7 +75,7 @@ def comment_end(text, at):
 
 
 def version_of(text):
-    """As written, or None."""
+    """The number of the first #version as written, or None."""
     found = re.search(r"#\s*version\s+([0-9.]+)\s*;", blanked(text))
     return found.group(1) if found else None
 
@@ -158,7 +158,7 @@ def block_in(body):
 
 
 def kept_at(text, line):
-    """None without a block."""
+    """kept_items() of the camera whose closing brace is in a line; None without a block."""
     _, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
     block = block_in(body)
@@ -217,7 +217,7 @@ def with_head(changed, text, line, head):
 
 
 def with_block_in(body, block, indent, newline):
-    """`indent`: of the camera's line."""
+    """A camera's text with its block replaced or added; `indent` is that of the camera's line."""
     old = block_in(body)
     if old is None:
         return body.rstrip() + newline + indented(block, indent + "  ", newline) + newline + indent

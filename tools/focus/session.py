@@ -34,7 +34,7 @@ class Session:
         self.editor = Editor(self)
 
     async def tell(self, kind, **what):
-        """And keeps it for later pages."""
+        """Sends a message to all pages, and keeps it for those that connect later."""
         self.told[kind] = {"type": kind, **what}
         self.send(self.told[kind])
 
@@ -66,7 +66,7 @@ class Session:
         return [*self.settings.options.words, *wrapper.search(self.settings, self.folder), *words]
 
     def start_preview(self):
-        """For the first page."""
+        """Starts the preview that the first page will show."""
         self.begin(self.settings.options.clock, None, self.settings.options.size)
 
     def begin(self, clock, frame, size):
@@ -142,5 +142,5 @@ class Session:
 
 
 def as_text(message):
-    """@throws ValueError for non-finite numbers"""
+    """A message as JSON. @throws ValueError for non-finite numbers"""
     return json.dumps(message, allow_nan=False)

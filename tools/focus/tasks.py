@@ -19,13 +19,13 @@ def started(coroutine):
 
 
 async def ended(task):
-    """Or of None; ignores its outcome."""
+    """Waits for the end of a task, or of None, and ignores its outcome."""
     if task:
         await asyncio.wait([task])
 
 
 async def stopped(task):
-    """Or None."""
+    """Cancels a task, or None, and waits for its end."""
     if task:
         task.cancel()
     await ended(task)

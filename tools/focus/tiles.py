@@ -52,7 +52,7 @@ def attributes(message):
 
 
 def tile_of(message):
-    """Or None."""
+    """A message's tile, or None."""
     found = attributes(message)
     try:
         left, top, right, bottom = (struct.unpack(">i", found[name])[0] for name in (b"Left", b"Top ", b"Righ", b"Bott"))
@@ -79,7 +79,7 @@ class StateFile:
         self.data = b""  # the header, and what is not yet read
 
     def tiles(self):
-        """Since the last call."""
+        """Tiles completed since the last call."""
         self.data += self.stream.read()
         ends = whole_messages(self.data)
         for at, end in zip(ends, ends[1:]):

@@ -52,7 +52,7 @@ std::vector<float> Channel(const Picture& picture, const std::string& name, cons
     return values;
 }
 
-/// From the header's projection.
+/// Lens centre and chief rays, from the header's projection.
 void ReadCamera(Layers& layers, const OIIO::ImageSpec& spec, const std::string& path)
 {
     const std::vector<double> m = Numbers(spec, "worldToCamera", 16, path);
@@ -75,7 +75,7 @@ void ReadCamera(Layers& layers, const OIIO::ImageSpec& spec, const std::string& 
         }
 }
 
-/// The median over the pixels.
+/// K for the header's plane: the median over the pixels.
 double BlurFactor(const Layers& layers)
 {
     std::vector<double> found;

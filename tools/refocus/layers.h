@@ -28,14 +28,14 @@ struct Mistake : std::runtime_error
 
 double Dot(const Vec3& a, const Vec3& b);
 
-/// In world coordinates.
+/// Points X with normal.X = distance, in world coordinates.
 struct Plane
 {
     Vec3 normal;
     double distance;
 };
 
-/// Linear, upper row first.
+/// Interleaved channels, linear, upper row first.
 struct Picture
 {
     int width = 0, height = 0, channels = 0;

@@ -14,7 +14,7 @@ const DIGITS = 7;
 const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
 const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"], sharp: ["sharpPoints", "sharpWithin"] };
 
-/// Rounding errors become 0.
+/// A number with few digits, for a length of this size; rounding errors become 0.
 export function rounded(value, size = Math.abs(value)) {
     if (!(size > 0) || Math.abs(value) < 1e-9 * size)
         return 0;
@@ -53,7 +53,7 @@ const pointIn = ({ inverse }, lens) => world => {
     return roundedVector(local, length(subtract(local, movedPoint(inverse, lens.location))));
 };
 
-/// Millimetres on the film.
+/// The blur within which the points are held, millimetres on the film, as the text states it.
 function widestBlur({ within, onFilm, width }, { filmWidth }) {
     const blur = within * filmWidth / width;
     return onFilm ? rounded(blur) : blur;
@@ -95,7 +95,7 @@ function focusItems(block, { within, onFilm }) {
     return [block.tilt && `tilt ${text(block.tilt)}`, block.swing && `swing ${text(block.swing)}`];
 }
 
-/// In world coordinates.
+/// The expected block in world coordinates.
 function expected(block, { matrix, inverse, scale }, camera, { width }) {
     const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
     const world = {

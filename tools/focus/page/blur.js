@@ -86,7 +86,7 @@ class Blur {
         this.undisplayed = false; // a pass is complete but not yet shown
     }
 
-    /// Empty, or another picture's values.
+    /// Starts a preview of that size, empty or with the values of another picture of it.
     begin(width, height, values = null) {
         this.width = width;
         this.height = height;
@@ -101,7 +101,7 @@ class Blur {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, this.values);
     }
 
-    /// Red, green, blue, 1/distance.
+    /// A rectangle of the preview: red, green, blue, 1/distance.
     take(left, top, width, height, values) {
         for (let row = 0; row < height; row++)
             this.values.set(values.subarray(row * width * 4, (row + 1) * width * 4), ((top + row) * this.width + left) * 4);
@@ -240,7 +240,7 @@ class Blur {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, LIST, 1, 0, gl.RGBA, gl.FLOAT, lensPointList(corners, turn));
     }
 
-    /// With the overlays.
+    /// Shows the last drawing, at its size, with the overlays.
     display() {
         const gl = this.gl, { lens, show, canvas } = this, size = this.blurs ? this.shown.size : [this.width, this.height];
         if (canvas.width !== size[0] || canvas.height !== size[1])

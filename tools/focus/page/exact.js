@@ -19,7 +19,7 @@ function wholeSum(a, b) {
     return [sum, (a - (sum - part)) + (b - part)];
 }
 
-/// two parts of 26 bits
+/// a double in two parts of 26 bits
 function halves(a) {
     const scaled = 134217729 * a, high = scaled - (scaled - a);
     return [high, a - high];

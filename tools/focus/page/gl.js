@@ -32,7 +32,7 @@ export function newTexture(gl) {
     return texture;
 }
 
-/// 32-bit floats with a framebuffer.
+/// A render target: a texture of 32-bit floats with its framebuffer.
 export function newTarget(gl) {
     const texture = newTexture(gl), framebuffer = gl.createFramebuffer(), target = { texture, framebuffer };
     setSize(gl, target, [1, 1]);
@@ -41,7 +41,7 @@ export function newTarget(gl) {
     return target;
 }
 
-/// A change discards its contents.
+/// Resizes a target; a change discards its contents.
 export function setSize(gl, target, size) {
     if (target.size && target.size[0] === size[0] && target.size[1] === size[1])
         return;

@@ -114,7 +114,7 @@ function solveLensTurn(t, P, focalLength, angleFilmDistance) {
     return { t, f, s: f * P[2] / (distance - f), k: [t[0] / f, t[1] / f, 1 / P[2] - aside / (f * P[2])] };
 }
 
-/// The lens follows.
+/// Plane of sharp focus as stated; the lens follows.
 function solvePlane(k, focalLength, angleFilmDistance, knob) {
     if (focalLength === null) {
         const q = [k[0], k[1], k[2] + 1 / angleFilmDistance], size = length(q);
@@ -132,7 +132,7 @@ function solvePlane(k, focalLength, angleFilmDistance, knob) {
     return { t, f, s: 1 / vergence, k };
 }
 
-/// In scene units.
+/// Film distance for the angle of view, scene units.
 export function filmDistanceOfView(camera, block) {
     const { axis } = axesOf(camera);
     return block.filmWidth * (block.scale ?? 1) / block.sceneUnit * dot(axis, camera.direction) / length(camera.right);
@@ -186,7 +186,7 @@ function inCamera(lens, v) {
 
 const angle = (across, forward) => Math.atan2(across, forward) / DEGREE + 0;
 
-/// Degrees.
+/// Tilt and swing of the lens, degrees.
 export function turnOf(lens) {
     const t = inCamera(lens, lens.normal);
     return { tilt: angle(-t[1], t[2]), swing: angle(-t[0], t[2]) };
@@ -198,7 +198,7 @@ export function focusTurnOf(lens) {
     return { tilt: angle(-k[1] * side, k[2] * side), swing: angle(-k[0] * side, k[2] * side) };
 }
 
-/// Degrees; real lenses limit it.
+/// Angle between lens and film, degrees, which real lenses limit.
 export function wholeTurnOf(lens) {
     const t = inCamera(lens, lens.normal);
     return angle(Math.hypot(t[0], t[1]), t[2]);
@@ -293,6 +293,6 @@ export function frameAround(lenses) {
 export const pointAt = (lens, x, y, depth) =>
     along(lens.location, depth / dot(lens.direction, lens.axis), chiefRay(lens, x, y));
 
-/// Degrees, ignoring a shift.
+/// Horizontal angle of view, degrees, ignoring a shift.
 export const angleOfView = lens =>
     2 * Math.atan(0.5 * length(lens.right) / dot(lens.direction, lens.axis)) / DEGREE;

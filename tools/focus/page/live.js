@@ -96,7 +96,7 @@ export class Live {
         return 0;
     }
 
-    /// Null without a surface.
+    /// World point of the surface at x, y of the film, or null.
     surfaceAt(x, y) {
         const inverse = this.inverseDepthAt(x, y);
         return inverse > 0 ? pointAt(this.model.lens, x, y, 1 / inverse) : null;

@@ -14,7 +14,7 @@ const START_STOP = 2.8;
 /// Millimetres to the subject of a scene without a lens, taken for a model on a table.
 const MODEL_DISTANCE = 1200;
 
-/// The program's own limits.
+/// Least and greatest number of points that a best plane serves; the program's own limits.
 export const FEWEST = 3, MOST = 100;
 
 export const PLAIN = {
@@ -99,7 +99,7 @@ export class Model {
         this.resolve();
     }
 
-    /// Or null.
+    /// The f-number of the camera's `aperture`, or null.
     stopOfAperture() {
         if (!(this.block.aperture > 0))
             return null;
@@ -178,7 +178,7 @@ export class Model {
         return true;
     }
 
-    /// The plane turns about it.
+    /// A point of the plane of sharp focus about which it turns.
     anchor() {
         if (this.picks.length && this.lens && Math.abs(this.offPlane(this.picks[0])) < 1e-6)
             return this.picks[0];
@@ -271,7 +271,7 @@ export class Model {
         this.remember();
     }
 
-    /// Three are sharp at any.
+    /// True if the f-stop follows from the points. Three of them are sharp at any.
     get holds() {
         return this.hold && this.block.family === "sharp" && this.picks.length > FEWEST;
     }
@@ -310,7 +310,7 @@ export class Model {
         });
     }
 
-    /// No change of focus.
+    /// Sets items of the block that do not concern the focus.
     set(items) {
         this.change(block => Object.assign(block, items));
     }
@@ -320,7 +320,7 @@ export class Model {
         this.set({ fStop });
     }
 
-    /// Degrees; the focal length follows.
+    /// Sets the angle of view, degrees; the focal length follows.
     setAngle(degrees) {
         const { axis } = axesOf(this.camera), wanted = 0.5 * length(this.camera.right) / Math.tan(degrees * Math.PI / 360);
         this.real = null;
@@ -352,7 +352,7 @@ export class Model {
         return aspect >= 1 ? Math.min(longer, shorter * aspect) : Math.min(shorter, longer * aspect);
     }
 
-    /// On full frame, or null.
+    /// A real lens on full frame, or null.
     setReal(real) {
         this.real = real;
         if (real)

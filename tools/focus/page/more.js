@@ -7,6 +7,7 @@ import { numberIn } from "./knobs.js";
 import { FEWEST } from "./model.js";
 import { SHARP } from "./points.js";
 
+/// A blur in words.
 /// @param blur pixels
 export function pixels(blur) {
     const size = Math.abs(blur);

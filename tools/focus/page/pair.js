@@ -23,7 +23,7 @@ export class Pair {
         return nameOfOther[this.shown];
     }
 
-    /// Without an impossible last change.
+    /// The shown lens, without a last change that no lens fulfils.
     get present() {
         const { error, past, state } = this.model;
         return { state: error && past.length ? JSON.parse(past.at(-1)) : structuredClone(state), past };
@@ -67,7 +67,7 @@ export class Pair {
         return (this.other || this.beside) && { shown: this.shown, other: this.other?.state ?? null, beside: this.beside };
     }
 
-    /// Unless the other is impossible.
+    /// Takes the lenses that the address holds, unless the other one cannot be.
     restore({ shown, other, beside }) {
         this.beside = beside === true;
         if (!other || modelOf(other, this.model).error)
@@ -77,7 +77,7 @@ export class Pair {
     }
 }
 
-/// For another's camera.
+/// A model with this state, for the camera of another.
 function modelOf(state, { given, place, width }) {
     const made = Object.assign(new Model(), { given, place, width });
     made.restore(state);

@@ -6,12 +6,12 @@
 import { along, cross, dot, length, subtract, unit } from "./vector.js";
 import { axesOf, blurOfPoint, greatestBlur, pointAt, project, stopWithoutTilt } from "./lens.js";
 
-/// Pixels.
+/// Blur in pixels that counts as none.
 export const SHARP = 0.005;
 /// A smaller difference of blur is rounding.
 const BINDS = 1 - 1e-6;
 
-/// In the picture.
+/// Index of the point nearest to another in the picture.
 export function nearestPick({ lens, picks }, point) {
     const at = project(lens, point);
     const far = picks.map(p => {

@@ -28,7 +28,7 @@ export function buildProbe(model, live) {
             return blur.drawings;
         },
 
-        /// Colours and 1/distance.
+        /// Sum of the preview's values: colours and 1/distance.
         previewSum: () => blur.values.reduce((a, b) => a + b),
 
         /// Red, green, blue, alpha, upper row first; `show` overrides the settings.
@@ -42,10 +42,10 @@ export function buildProbe(model, live) {
             return pixels;
         },
 
-        /// At the live picture's size.
+        /// The pixels of the other lens's picture, at the live picture's size.
         otherPixels: () => read(document.getElementById("other-picture"), size()),
 
-        /// At the live picture's size.
+        /// The true picture's pixels, at the live picture's size.
         truePixels: () => read(document.getElementById("truth"), size()),
 
         nextDrawing() {

@@ -38,7 +38,7 @@ export function buildReading(find, model, blur, at) {
     const picture = find("picture"), loupe = find("loupe"), scale = find("loupe-scale"), said = find("reading");
     let place = null; // of the pointer, in the film
 
-    /// Enlarged by the scale.
+    /// The live picture around the place, one of its pixels on as many of the page's as the scale says.
     const drawLoupe = () => {
         loupe.hidden = !(find("show-loupe").checked && place && blur.values && blur.lens);
         if (loupe.hidden)

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Remarks beside the knobs.
+/// The remarks of the model that stand beside its knobs.
 
 import { wholeTurnOf } from "./lens.js";
 

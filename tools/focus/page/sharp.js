@@ -11,7 +11,7 @@ import {
 
 /// Remainders below this share of a length are dependent.
 const DEPENDENT = 1e-12;
-/// Relative to the greatest vergence.
+/// Difference of deviations, relative to the greatest vergence, that counts as none.
 const SAME = 1e-24;
 
 const isEmpty = row => row.direction === NO_VECTOR;
@@ -23,7 +23,7 @@ class Span {
         this.basis = []; // orthogonal
     }
 
-    /// NO_VECTOR if only rounding.
+    /// The part of a row's direction at right angles to the span; NO_VECTOR where it is only rounding.
     beside(row) {
         let { direction } = row;
         for (const one of [...this.basis, ...this.basis]) // the second turn removes the rounding of the first

@@ -134,7 +134,7 @@ export function buildStage(model, on) {
                 place(made, [x, y]);
             });
         },
-        /// Or over the other lens's.
+        /// Shows or hides the true picture over the live one, or over that of the other lens.
         showTruth(shown, over = "cross") {
             document.getElementById(over).before(truth, wipeLine);
             truth.parentElement.after(wipe);

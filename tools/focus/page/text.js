@@ -15,7 +15,7 @@ export const WORDS = {
     refused: ({ reason }) => `Not written: ${sentence(reason)} Copy the text and put it in by hand.`,
 };
 
-/// Or marks it where the browser refuses.
+/// Copies an element's text, or marks it where the browser does not allow that.
 /// @returns words for the user
 export async function copy(element) {
     try {

@@ -32,10 +32,10 @@ export function buildTruth(find, stage, pair, previewSize, clockOf, ask) {
     };
     const keyOf = ({ camera: { location, direction, right, up }, block }) => JSON.stringify([location, direction, right, up, block]);
 
-    /// "", "lens" or "time".
+    /// The kind of difference between the picture and the live one: "", "lens" or "time".
     const difference = of => (keyOf(last.lens) !== keyOf(wanted(of)) ? "lens" : (last.lens.clock ?? 0) !== (clockOf() ?? last.lens.clock ?? 0) ? "time" : "");
 
-    /// Dimmed for another lens.
+    /// Shows the picture over that of its lens, or dims one of another lens.
     const show = () => {
         if (!last)
             return;
